@@ -1,0 +1,203 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_PARAMETERS_H
+#define CGAL_SEAMLESS_SNAPPING_PARAMETERS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The named parameters of the package.
+//
+// CGAL's list of names can't be extended from outside of CGAL, so that this header wraps a plain
+// chain of CGAL's named parameters in a class that has member functions for the names which the
+// package adds, and for those of CGAL's that are of use here. The chain inside stays a plain one:
+// public functions call `internal::strip(np)` first and hand nothing but CGAL's own type on.
+// Within CGAL all this becomes `namespace parameters = CGAL::parameters;` and the first list below
+// moves to <CGAL/STL_Extension/internal/parameters_interface.h>.
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+// The names that the package adds, one per line: tag type, tag, name of the function.
+#define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
+  F(align_border_t, align_border, align_border)                                                    \
+  F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
+  F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
+  F(tolerance_t, tolerance, tolerance)                                                             \
+  F(weights_t, weights, weights)
+
+// The names of CGAL's that can be chained with them; the tags are CGAL's.
+#define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
+  F(edge_index_t, edge_index, edge_index_map)                                                      \
+  F(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                           \
+  F(face_index_t, face_index, face_index_map)                                                      \
+  F(geom_traits_t, geom_traits, geom_traits)                                                       \
+  F(halfedge_index_t, halfedge_index, halfedge_index_map)                                          \
+  F(maximum_number_t, maximum_number, maximum_number)                                              \
+  F(number_of_iterations_t, number_of_iterations, number_of_iterations)                            \
+  F(output_iterator_t, output_iterator, output_iterator)                                           \
+  F(random_seed_t, random_seed, random_seed)                                                       \
+  F(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)                            \
+  F(stream_precision_t, stream_precision, stream_precision)                                        \
+  F(verbose_t, verbose, verbose)                                                                   \
+  F(vertex_index_t, vertex_index, vertex_index_map)                                                \
+  F(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)                     \
+  F(vertex_point_t, vertex_point, vertex_point_map)                                                \
+  F(visitor_t, visitor, visitor)
+
+#define CGAL_SEAMLESS_SNAPPING_PARAMETERS(F)                                                       \
+  CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                         \
+  CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)
+
+namespace CGAL {
+
+// The tags stand beside CGAL's, where they will be within CGAL. Should CGAL come to use one of them
+// for itself, the compiler says so.
+namespace internal_np {
+
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function) enum Tag_type { tag };
+CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+
+} // namespace internal_np
+
+namespace Seamless_snapping {
+namespace internal {
+
+// A plain chain `NP` of CGAL's named parameters, with a member function for each name of the lists
+// above: each returns the chain that is longer by that parameter, wrapped again.
+template <typename NP>
+struct Named_parameters
+  : public NP
+{
+  Named_parameters(const NP& np)
+    : NP(np)
+  { }
+
+  const NP& cgal_named_parameters() const { return *this; }
+
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function)                                     \
+  template <typename K>                                                                            \
+  Named_parameters<CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type, NP> >           \
+  function(const K& k) const                                                                       \
+  {                                                                                                \
+    return CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type, NP>(                    \
+             k, cgal_named_parameters());                                                          \
+  }
+  CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+};
+
+// Returns the plain chain. To be called by each public function before anything else: CGAL's
+// overloads that tell a range from a chain by its type take the wrapper for a range.
+template <typename NP>
+const NP& strip(const Named_parameters<NP>& np)
+{
+  return np.cgal_named_parameters();
+}
+
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+strip(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+// Whether `T` is a chain of named parameters, plain or wrapped: for functions whose last positional
+// argument is optional, so that `f(a, np)` is not taken for `f(a, b)`.
+template <typename T>
+struct Is_named_parameters
+  : public std::false_type
+{ };
+
+template <typename T, typename Tag, typename Base>
+struct Is_named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >
+  : public std::true_type
+{ };
+
+template <typename NP>
+struct Is_named_parameters<Named_parameters<NP> >
+  : public std::true_type
+{ };
+
+template <typename T>
+using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_reference_t<T> > >;
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgSeamlessSnappingParameters
+ *
+ * \brief The functions that start a sequence of named parameters.
+ *
+ * The functions of this package take their optional arguments as \ref bgl_namedparameters
+ * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that uses
+ * one of these starts here, and goes on with any of the names below, in any order:
+ *
+ * \code{.cpp}
+ * namespace parameters = CGAL::Seamless_snapping::parameters;
+ * CGAL::Seamless_snapping::snap_to_seamless(tmesh, uv_map,
+ *                                           parameters::edge_is_constrained_map(eicm)
+ *                                                      .align_border(true)
+ *                                                      .verbose(true));
+ * \endcode
+ *
+ * A sequence that starts in `CGAL::parameters` is accepted as well; it can hold \cgal's names only.
+ * If a name occurs twice, the last one counts.
+ *
+ * Names of this package:
+ * - `align_border`: whether border edges are to lie on isocurves (`bool`)
+ * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
+ *   where it is known
+ * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of
+ *   the coordinates (`double`)
+ * - `weights`: one positive weight per value, in the sum of squared changes that is kept small
+ *
+ * Names of \cgal: `edge_index_map`, `edge_is_constrained_map`, `face_index_map`, `geom_traits`,
+ * `halfedge_index_map`, `maximum_number`, `number_of_iterations`, `output_iterator`, `random_seed`,
+ * `sparse_linear_solver`, `stream_precision`, `verbose`, `vertex_index_map`,
+ * `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
+ *
+ * Which of them a function reads is listed with the function; it ignores the others.
+ *
+ * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
+ *       `parameters` alone is ambiguous: write an alias as above.
+ */
+namespace parameters {
+
+/// returns an empty sequence of named parameters, to which parameters can be added.
+inline internal::Named_parameters<CGAL::parameters::Default_named_parameters> default_values()
+{
+  return CGAL::parameters::default_values();
+}
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function)                                     \
+  template <typename K>                                                                            \
+  internal::Named_parameters<CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type> >     \
+  function(const K& k)                                                                             \
+  {                                                                                                \
+    return CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type>(k);                     \
+  }
+CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+/// \endcond
+
+} // namespace parameters
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+// CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS and CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS stay defined:
+// the test of this header runs through the same lists.
+
+#endif // CGAL_SEAMLESS_SNAPPING_PARAMETERS_H
