@@ -1,0 +1,157 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SNAPPING_REPORT_H
+#define CGAL_SEAMLESS_SNAPPING_SNAPPING_REPORT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What the snapping functions return: whether the result is exact and, if not, why; the sizes of
+// the problem; how far the values moved; where the time went.
+
+#include <CGAL/Exact_integer.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+The outcome of a snapping function. After `ALREADY_EXACT` and `SNAPPED` all constraints hold
+exactly; after any other outcome the caller's values are untouched to the bit.
+*/
+enum class Snapping_status
+{
+  ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
+  SNAPPED,            ///< values were moved, and now all constraints hold exactly
+  INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, an index out of range, \f$ \ldots \f$
+  NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
+  NOT_FINITE,         ///< a value is NaN or infinite
+  NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
+  NOT_ALIGNED,        ///< an edge that is to lie on an isocurve is farther from one than the tolerance
+  INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
+  INCONSISTENT,       ///< the constraints contradict each other
+  NOT_REPRESENTABLE,  ///< the constraints have solutions, but none in the number type
+  INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
+};
+
+/// \cond SKIP_IN_MANUAL
+inline const char* to_string(const Snapping_status status)
+{
+  switch(status) {
+  case Snapping_status::ALREADY_EXACT:     return "already exact";
+  case Snapping_status::SNAPPED:           return "snapped";
+  case Snapping_status::INVALID_ARGUMENT:  return "invalid argument";
+  case Snapping_status::NOT_TRIANGULAR:    return "not triangular";
+  case Snapping_status::NOT_FINITE:        return "not finite";
+  case Snapping_status::NOT_SEAMLESS:      return "not seamless";
+  case Snapping_status::NOT_ALIGNED:       return "not aligned";
+  case Snapping_status::INVALID_ROTATIONS: return "invalid rotations";
+  case Snapping_status::INCONSISTENT:      return "inconsistent";
+  case Snapping_status::NOT_REPRESENTABLE: return "not representable";
+  case Snapping_status::INTERNAL_ERROR:    break;
+  }
+  return "internal error";
+}
+/// \endcond
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+The status and the figures that `snap_to_seamless()` and `snap_to_linear_constraints()` return.
+Converts to `bool`: `true` if and only if all constraints hold exactly in the caller's values.
+
+Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
+was not reached, or that has no meaning for the function that was called, are zero.
+*/
+struct Snapping_report
+{
+  /// \name Outcome
+  /// @{
+  Snapping_status status = Snapping_status::ALREADY_EXACT; ///< the outcome
+  std::string message;  ///< on failure: the place, the reason, and the remedy
+  /*!
+  If `status` is `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and
+  a nonzero multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0 \f$.
+  */
+  std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
+  /// @}
+
+  /// \name Size of the Parametrization (Surface Function Only)
+  /// @{
+  std::size_t number_of_faces = 0;             ///< faces of the mesh
+  std::size_t number_of_cut_edges = 0;         ///< interior edges with a transition other than the identity
+  std::size_t number_of_merged_edges = 0;      ///< edges that are no cut, but whose sides differed in the input
+  std::size_t number_of_singular_vertices = 0; ///< interior vertices with a holonomy other than the identity
+  std::size_t number_of_sectors = 0;           ///< sectors at the vertices of cut, merged, and aligned edges
+  std::size_t number_of_nodes = 0;             ///< vertices whose sectors enter the constraint system
+  std::size_t number_of_cut_branches = 0;      ///< chains of cut edges between nodes
+  std::size_t number_of_align_branches = 0;    ///< chains of aligned edges between nodes
+  /// @}
+
+  /// \name Constraint System
+  /// @{
+  std::size_t number_of_unknowns = 0;              ///< columns
+  std::size_t number_of_constraints = 0;           ///< rows
+  std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
+  std::size_t number_of_non_unit_pivots = 0;       ///< independent rows that no pivot \f$ \pm 1 \f$ could be found for
+  std::size_t coefficient_bits = 0;  ///< bits of the largest coefficient met during the elimination
+  double largest_coefficient = 0;    ///< its absolute value, rounded
+  double largest_pivot = 0;          ///< the largest absolute value of a pivot, rounded
+  bool multiprecision = false;       ///< whether the elimination needed more than 64 bits
+  /// @}
+
+  /// \name Distances
+  /// @{
+  double extent = 0;            ///< the larger side of the bounding box of the values (of their absolute values for the generic function)
+  double violation_before = 0;  ///< the largest violation of a constraint by the input
+  double grid_step = 0;         ///< the spacing of the grid the constrained values were moved to
+  double largest_change = 0;    ///< the largest absolute change of a value
+  double mean_change = 0;       ///< the mean absolute change, over the constrained values
+  double rms_change = 0;        ///< the root-mean-square change, over the constrained values
+  double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
+  /// @}
+
+  /// \name Time
+  /// @{
+  /// the steps in the order in which they were made, with their wall-clock times in seconds
+  std::vector<std::pair<std::string, double> > step_times;
+  /// @}
+
+  /// returns `true` if and only if all constraints hold exactly in the caller's values.
+  explicit operator bool() const
+  {
+    return status == Snapping_status::ALREADY_EXACT || status == Snapping_status::SNAPPED;
+  }
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+writes the status and, if there is one, the message.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Snapping_report& report)
+{
+  os << to_string(report.status);
+  if(!report.message.empty())
+    os << ": " << report.message;
+  return os;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_SNAPPING_REPORT_H

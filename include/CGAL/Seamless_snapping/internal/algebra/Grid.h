@@ -1,0 +1,134 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The fixed-point numbers of Sec. 4.3: a grid 2^exponent Z, whose elements are handled as 64-bit
+// integers, and real numbers split into a grid element and a small rest.
+
+#include <CGAL/Seamless_snapping/internal/algebra/checked_integer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The real number (base + offset) 2^exponent on a grid that the context knows. Keeping the integer
+// apart makes differences of close values exact, also where the changes wanted are below one ulp.
+struct Grid_value
+{
+  std::int64_t base = 0;
+  double offset = 0;
+};
+
+// What a floating point number type can hold.
+struct Number_format
+{
+  int digits;           // p: all integers up to 2^p are exact
+  int minimum_exponent; // of the smallest positive number
+  int maximum_exponent; // all numbers are below 2^maximum_exponent
+
+  template <typename F>
+  static Number_format of()
+  {
+    using Limits = std::numeric_limits<F>;
+    static_assert(Limits::is_iec559 && Limits::digits <= 53,
+                  "values must be of type float or double");
+    return {Limits::digits, Limits::min_exponent - Limits::digits, Limits::max_exponent};
+  }
+};
+
+class Grid
+{
+public:
+  Grid(const Number_format& format, const int exponent) : m_format(format), m_exponent(exponent) { }
+
+  // The finest grid on which all numbers up to `largest` have at most p bits. (Sec. 4.3 adds a bit of
+  // margin; here the rare result that needs it is computed again on a coarser grid.)
+  static Grid finest(const Number_format& format, const double largest)
+  {
+    int exponent = 0;
+    if(largest > 0)
+      std::frexp(largest, &exponent);
+    return Grid(format, (std::max)(exponent - format.digits, format.minimum_exponent));
+  }
+
+  const Number_format& format() const { return m_format; }
+  int exponent() const { return m_exponent; }
+  double step() const { return std::ldexp(1., m_exponent); }
+
+  // \pre |x| <= 2^62 step(); this split is exact
+  Grid_value split(const double x) const
+  {
+    const double scaled = std::ldexp(x, -m_exponent);
+    const std::int64_t base = std::llround(scaled);
+    return {base, scaled - static_cast<double>(base)};
+  }
+
+  // \pre is_representable(x)
+  double value(const std::int64_t x) const { return std::ldexp(static_cast<double>(x), m_exponent); }
+
+  // Whether x 2^exponent is a number of the format.
+  bool is_representable(const std::int64_t x) const
+  {
+    if(x == 0)
+      return true;
+    std::uint64_t significand = static_cast<std::uint64_t>(x < 0 ? -x : x);
+    const int bits = static_cast<int>(bit_length(x));
+    while((significand & 1) == 0)
+      significand >>= 1;
+    return m_exponent + bits <= m_format.maximum_exponent &&
+           significand <= (std::uint64_t(1) << m_format.digits);
+  }
+
+  // The representable grid element nearest to a real number, up to ties; false if that exceeds 2^62.
+  bool nearest(const Grid_value& v, std::int64_t& x) const
+  {
+    const double bound = 4611686018427387904.; // 2^62
+    if(!(std::abs(static_cast<double>(v.base) + v.offset) < bound))
+      return false;
+    x = v.base + std::llround(v.offset);
+    const int excess = static_cast<int>(bit_length(x)) - m_format.digits;
+    if(excess > 0 && !is_representable(x)) {
+      const std::int64_t unit = std::int64_t(1) << excess;
+      x = ((x >= 0 ? x + unit / 2 : x - unit / 2) / unit) * unit;
+    }
+    return true;
+  }
+
+private:
+  Number_format m_format;
+  int m_exponent;
+};
+
+// The same real number on the grid that is coarser by a factor of 2^shift.
+inline Grid_value coarsened(const Grid_value& v, const int shift)
+{
+  if(shift >= 62)
+    return {0, std::ldexp(static_cast<double>(v.base) + v.offset, -shift)};
+  const std::int64_t unit = std::int64_t(1) << shift;
+  const std::int64_t base = v.base / unit;
+  const double rest = static_cast<double>(v.base % unit) + v.offset;
+  return {base, std::ldexp(rest, -shift)};
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_H

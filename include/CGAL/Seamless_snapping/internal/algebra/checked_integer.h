@@ -1,0 +1,176 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The few integer operations of the exact algorithms, written once for machine integers, which throw
+// `Integer_overflow` instead of wrapping, and once for multiprecision integers, which cannot overflow.
+// The smallest machine integer counts as an overflow too, so that values can be negated freely.
+
+#include <CGAL/Exact_integer.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Thrown where a result does not fit; callers repeat the computation with `Exact_integer`.
+struct Integer_overflow : std::exception
+{
+  const char* what() const noexcept override { return "a 64-bit integer overflowed"; }
+};
+
+inline std::int64_t checked_product(const std::int64_t a, const std::int64_t b)
+{
+  std::int64_t result = 0;
+#if defined(__GNUC__)
+  const bool overflow = __builtin_mul_overflow(a, b, &result);
+#else
+  const std::int64_t largest = (std::numeric_limits<std::int64_t>::max)();
+  const bool overflow = a != 0 && b != 0 && (a < 0 ? -a : a) > largest / (b < 0 ? -b : b);
+  if(!overflow)
+    result = a * b;
+#endif
+  if(overflow || result == (std::numeric_limits<std::int64_t>::min)())
+    throw Integer_overflow();
+  return result;
+}
+
+inline std::int64_t checked_difference(const std::int64_t a, const std::int64_t b)
+{
+  std::int64_t result = 0;
+#if defined(__GNUC__)
+  const bool overflow = __builtin_sub_overflow(a, b, &result);
+#else
+  const std::int64_t largest = (std::numeric_limits<std::int64_t>::max)();
+  const bool overflow = b < 0 ? a > largest + b : a < b - largest;
+  if(!overflow)
+    result = a - b;
+#endif
+  if(overflow || result == (std::numeric_limits<std::int64_t>::min)())
+    throw Integer_overflow();
+  return result;
+}
+
+// a - f b
+inline std::int64_t difference_with_product(const std::int64_t a, const std::int64_t f,
+                                            const std::int64_t b)
+{
+  return checked_difference(a, checked_product(f, b));
+}
+
+inline Exact_integer difference_with_product(const Exact_integer& a, const Exact_integer& f,
+                                             const Exact_integer& b)
+{
+  return Exact_integer(a - Exact_integer(f * b));
+}
+
+inline std::int64_t greatest_common_divisor(const std::int64_t a, const std::int64_t b)
+{
+  return std::gcd(a, b);
+}
+
+inline Exact_integer greatest_common_divisor(const Exact_integer& a, const Exact_integer& b)
+{
+  return CGAL::gcd(a, b);
+}
+
+inline std::int64_t exact_quotient(const std::int64_t a, const std::int64_t b) { return a / b; }
+
+inline Exact_integer exact_quotient(const Exact_integer& a, const Exact_integer& b)
+{
+  return CGAL::integral_division(a, b);
+}
+
+template <typename Integer>
+bool is_unit(const Integer& a)
+{
+  return a == 1 || a == -1;
+}
+
+// The number of bits of |a|; 0 for a = 0.
+inline std::size_t bit_length(const std::int64_t a)
+{
+  std::uint64_t rest = static_cast<std::uint64_t>(a < 0 ? -a : a);
+  std::size_t bits = 0;
+  for(; rest != 0; rest >>= 1)
+    ++bits;
+  return bits;
+}
+
+inline std::size_t bit_length(const Exact_integer& a)
+{
+  std::size_t bits = 0;
+  // A power of two that exceeds |a| is found by doubling its exponent, then by bisection.
+  const Exact_integer absolute = CGAL::abs(a);
+  if(absolute == 0)
+    return 0;
+  std::vector<Exact_integer> powers(1, Exact_integer(2)); // 2^(2^i)
+  while(powers.back() <= absolute)
+    powers.push_back(Exact_integer(powers.back() * powers.back()));
+  Exact_integer lower(1);
+  for(std::size_t i = powers.size(); i-- > 0;) {
+    const Exact_integer candidate(lower * powers[i]);
+    if(candidate <= absolute) {
+      lower = candidate;
+      bits += std::size_t(1) << i;
+    }
+  }
+  return bits + 1;
+}
+
+inline bool fits_64_bits(const std::int64_t) { return true; }
+
+inline bool fits_64_bits(const Exact_integer& a)
+{
+  static const Exact_integer bound(4611686018427387904.0); // 2^62
+  return CGAL::abs(a) <= bound;
+}
+
+// \pre fits_64_bits(a)
+inline std::int64_t to_64_bits(const Exact_integer& a)
+{
+  const Exact_integer radix(2147483648.0); // 2^31: both halves convert to double without rounding
+  const Exact_integer high(a / radix);
+  const Exact_integer low(a - Exact_integer(high * radix));
+  return static_cast<std::int64_t>(CGAL::to_double(high)) * 2147483648LL +
+         static_cast<std::int64_t>(CGAL::to_double(low));
+}
+
+inline std::int64_t to_64_bits(const std::int64_t a) { return a; }
+
+// 2^exponent
+inline Exact_integer power_of_two(std::size_t exponent)
+{
+  Exact_integer result(1);
+  for(Exact_integer square(2); exponent != 0; exponent >>= 1) {
+    if((exponent & 1) != 0)
+      result = Exact_integer(result * square);
+    square = Exact_integer(square * square);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H

@@ -1,0 +1,59 @@
+// The checking macros of all test programs: they work in Release builds, print the values that
+// differ, and count, so that a program can close with the number of checks it made.
+
+#ifndef SEAMLESS_SNAPPING_TEST_CHECKING_H
+#define SEAMLESS_SNAPPING_TEST_CHECKING_H
+
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+
+namespace checking {
+
+struct Counts
+{
+  std::size_t passed = 0;
+  std::size_t failed = 0;
+};
+
+inline Counts& counts()
+{
+  static Counts instance;
+  return instance;
+}
+
+// Returns whether the check passed, so that callers can add context of their own.
+inline bool record(bool passed, const char* expression, const char* file, int line)
+{
+  if(passed) {
+    ++counts().passed;
+  } else {
+    ++counts().failed;
+    std::cerr << file << ":" << line << ": check failed: " << expression << std::endl;
+  }
+  return passed;
+}
+
+template <typename A, typename B>
+bool record_equal(const A& a, const B& b, const char* expression, const char* file, int line)
+{
+  const bool equal = (a == b);
+  record(equal, expression, file, line);
+  if(!equal)
+    std::cerr << "    left: " << a << "\n   right: " << b << std::endl;
+  return equal;
+}
+
+} // namespace checking
+
+#define CHECK(condition) checking::record(bool(condition), #condition, __FILE__, __LINE__)
+#define CHECK_EQUAL(a, b) checking::record_equal((a), (b), #a " == " #b, __FILE__, __LINE__)
+
+inline int report_checks()
+{
+  std::cout << checking::counts().passed << " passed, " << checking::counts().failed << " failed"
+            << std::endl;
+  return checking::counts().failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+#endif // SEAMLESS_SNAPPING_TEST_CHECKING_H
