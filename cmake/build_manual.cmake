@@ -1,0 +1,15 @@
+# Builds the manual into OUTPUT_DIR; any warning is an error. Run by ctest.
+
+if(NOT DOXYGEN)
+  message("SKIPPED: doxygen is not installed")
+  return()
+endif()
+
+file(MAKE_DIRECTORY "${OUTPUT_DIR}")
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" -E env "SEAMLESS_SNAPPING_MANUAL_DIR=${OUTPUT_DIR}" "${DOXYGEN}"
+  WORKING_DIRECTORY "${PACKAGE_SOURCE_DIR}/doc/Seamless_snapping"
+  RESULT_VARIABLE result OUTPUT_QUIET)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "doxygen warned, or failed")
+endif()

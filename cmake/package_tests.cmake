@@ -1,0 +1,76 @@
+# Tests of the package as a whole: its headers, its installation, its manual and its form.
+
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include" include/*.h)
+
+# Each header compiles alone, also if it is included twice, without a warning. The compiler's own
+# folder must not be named again: <cstdlib> and its like would not be found any more.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(include_dirs "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_INCLUDE_DIRECTORIES>")
+  set(include_dirs
+    "$<FILTER:${include_dirs},EXCLUDE,^(/usr/include|${PROJECT_SOURCE_DIR}/include)$>")
+  set(definitions "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_COMPILE_DEFINITIONS>")
+  set(header_options
+    -std=c++17 -fsyntax-only -Wall -Wextra -pedantic -Wshadow -Wconversion -Werror
+    "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
+    -I "${PROJECT_SOURCE_DIR}/include"
+    "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
+  foreach(header IN LISTS headers)
+    string(REGEX REPLACE "^CGAL/|\\.h$" "" name "${header}")
+    string(REPLACE "/" "_" name "header_${name}")
+    set(source "${PROJECT_BINARY_DIR}/headers/${name}.cpp")
+    file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n#include <${header}>\n")
+    add_test(NAME "${name}"
+      COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" "${source}" COMMAND_EXPAND_LISTS)
+    set_tests_properties("${name}" PROPERTIES LABELS headers)
+  endforeach()
+endif()
+
+# Two translation units that include all public headers go into one program: nothing is defined
+# twice.
+set(public_headers ${headers})
+list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
+list(FILTER public_headers EXCLUDE REGEX "/internal/")
+list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
+list(JOIN public_headers "" includes)
+set(two_units "${PROJECT_BINARY_DIR}/headers/two_units")
+file(GENERATE OUTPUT "${two_units}_a.cpp" CONTENT "${includes}int main() { return 0; }\n")
+file(GENERATE OUTPUT "${two_units}_b.cpp" CONTENT "${includes}")
+add_executable(test_seamless_snapping_two_units "${two_units}_a.cpp" "${two_units}_b.cpp")
+seamless_snapping_options(test_seamless_snapping_two_units)
+target_compile_options(test_seamless_snapping_two_units PRIVATE -O0)
+add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
+set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
+
+# A project of its own finds the package where it is installed, or takes it in as a sub-folder.
+foreach(way IN ITEMS installed subdirectory)
+  add_test(NAME consumer_${way}
+    COMMAND "${CMAKE_COMMAND}"
+      "-DWAY=${way}"
+      "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+      "-DPACKAGE_BINARY_DIR=${PROJECT_BINARY_DIR}"
+      "-DWORK_DIR=${PROJECT_BINARY_DIR}/consumer_${way}"
+      "-DGENERATOR=${CMAKE_GENERATOR}"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      "-DCXX_FLAGS=${CMAKE_CXX_FLAGS}"
+      "-DCGAL_DIR=${CGAL_DIR}"
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake")
+  set_tests_properties(consumer_${way} PROPERTIES LABELS package)
+endforeach()
+
+# The manual builds without a warning.
+find_program(DOXYGEN doxygen)
+if(EXISTS "${PROJECT_SOURCE_DIR}/doc/Seamless_snapping/Doxyfile")
+  add_test(NAME manual
+    COMMAND "${CMAKE_COMMAND}"
+      "-DDOXYGEN=${DOXYGEN}"
+      "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+      "-DOUTPUT_DIR=${PROJECT_BINARY_DIR}/manual"
+      -P "${PROJECT_SOURCE_DIR}/cmake/build_manual.cmake")
+  set_tests_properties(manual PROPERTIES LABELS package SKIP_REGULAR_EXPRESSION "SKIPPED")
+endif()
+
+# The form that CGAL asks of its packages.
+if(EXISTS "${PROJECT_SOURCE_DIR}/scripts/lint")
+  add_test(NAME lint COMMAND "${PROJECT_SOURCE_DIR}/scripts/lint")
+  set_tests_properties(lint PROPERTIES LABELS package)
+endif()
