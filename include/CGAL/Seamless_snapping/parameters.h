@@ -140,8 +140,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * \brief The functions that start a sequence of named parameters.
  *
  * The functions of this package take their optional arguments as \ref bgl_namedparameters
- * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that uses
- * one of these starts here, and goes on with any of the names below, in any order:
+ * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that
+ * uses one of these starts here, and goes on with any of the names below, in any order:
  *
  * \code{.cpp}
  * namespace parameters = CGAL::Seamless_snapping::parameters;
