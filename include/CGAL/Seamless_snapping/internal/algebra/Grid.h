@@ -116,15 +116,27 @@ private:
   int m_exponent;
 };
 
-// The same real number on the grid that is coarser by a factor of 2^shift.
-inline Grid_value coarsened(const Grid_value& v, const int shift)
+// The same real number in units of another grid, 2^shift times as coarse (as fine for shift < 0).
+// Returns false if it exceeds 2^62 there.
+inline bool rescale(Grid_value& v, const int shift)
 {
-  if(shift >= 62)
-    return {0, std::ldexp(static_cast<double>(v.base) + v.offset, -shift)};
-  const std::int64_t unit = std::int64_t(1) << shift;
-  const std::int64_t base = v.base / unit;
-  const double rest = static_cast<double>(v.base % unit) + v.offset;
-  return {base, std::ldexp(rest, -shift)};
+  const double bound = 4611686018427387904.; // 2^62
+  if(!(std::ldexp(std::abs(static_cast<double>(v.base) + v.offset), -shift) < bound))
+    return false;
+  if(shift <= 0) {
+    const double offset = std::ldexp(v.offset, -shift);
+    const double whole = std::nearbyint(offset);
+    v.base = (v.base == 0 ? 0 : v.base * (std::int64_t(1) << -shift)) +
+             static_cast<std::int64_t>(whole);
+    v.offset = offset - whole;
+  } else if(shift < 62) {
+    const std::int64_t unit = std::int64_t(1) << shift;
+    v.offset = std::ldexp(static_cast<double>(v.base % unit) + v.offset, -shift);
+    v.base /= unit;
+  } else {
+    v = {0, std::ldexp(static_cast<double>(v.base) + v.offset, -shift)};
+  }
+  return true;
 }
 
 } // namespace internal

@@ -27,6 +27,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -35,11 +36,11 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// C (base + offset) - b for one row: exact in the bases, so that violations below one ulp of the values
-// are still seen.
+// C (base + offset) - b 2^right_hand_shift for one row: exact in the bases, so that violations below one
+// ulp of the values are still seen.
 template <typename Integer>
 double row_violation(const Integer_system<Integer>& system, const std::size_t row,
-                     const std::size_t right_hand_shift, const std::vector<Grid_value>& values)
+                     const int right_hand_shift, const std::vector<Grid_value>& values)
 {
   double offset = 0;
   for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e)
@@ -56,11 +57,16 @@ double row_violation(const Integer_system<Integer>& system, const std::size_t ro
     }
     return static_cast<double>(sum) + offset;
   } catch(const Integer_overflow&) { }
-  Exact_integer sum(Exact_integer(-system.right_hand_side(row)) * power_of_two(right_hand_shift));
+  // Where right-hand sides lie between grid points, both sides are taken to a finer grid.
+  const std::size_t up = std::size_t((std::max)(right_hand_shift, 0));
+  const std::size_t down = std::size_t((std::max)(-right_hand_shift, 0));
+  Exact_integer sum(0);
   for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e)
     sum += Exact_integer(Exact_integer(e->coefficient) *
                          Exact_integer(values[std::size_t(e->column)].base));
-  return CGAL::to_double(sum) + offset;
+  sum = Exact_integer(Exact_integer(sum * power_of_two(down)) -
+                      Exact_integer(Exact_integer(system.right_hand_side(row)) * power_of_two(up)));
+  return std::ldexp(CGAL::to_double(sum), -static_cast<int>(down)) + offset;
 }
 
 // The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as a matrix.
@@ -144,7 +150,7 @@ inline Eigen::VectorXd shortest_solution(const Eigen::SparseMatrix<double>& m,
 template <typename Integer>
 void project_to_solutions(const Integer_system<Integer>& system,
                           const std::vector<Row_index>& independent_rows,
-                          const std::size_t right_hand_shift,
+                          const int right_hand_shift,
                           const std::vector<double>& weights,
                           std::vector<Grid_value>& values)
 {

@@ -137,7 +137,12 @@ inline std::size_t bit_length(const Exact_integer& a)
   return bits + 1;
 }
 
-inline bool fits_64_bits(const std::int64_t) { return true; }
+// Whether |a| <= 2^62: the range of all integers handed on as 64 bits.
+inline bool fits_64_bits(const std::int64_t a)
+{
+  constexpr std::int64_t bound = std::int64_t(1) << 62;
+  return -bound <= a && a <= bound;
+}
 
 inline bool fits_64_bits(const Exact_integer& a)
 {

@@ -1,0 +1,57 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_STEP_TIMER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_STEP_TIMER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Times the steps of a function into its report and, if asked to, tells of each on the error stream.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Step_timer
+{
+public:
+  Step_timer(Snapping_report& report, const bool verbose)
+    : m_report(report), m_verbose(verbose), m_start(Clock::now())
+  { }
+
+  // Ends the step that began when the previous one ended.
+  void finish(const char* step)
+  {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - m_start).count();
+    m_start = now;
+    m_report.step_times.emplace_back(step, seconds);
+    if(m_verbose)
+      std::cerr << "  " << step << ": " << seconds * 1e3 << " ms" << std::endl;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Snapping_report& m_report;
+  bool m_verbose;
+  Clock::time_point m_start;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_STEP_TIMER_H

@@ -1,0 +1,231 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_SOLVER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_SOLVER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The snapper: joins elimination, target, and evaluation. Takes plain rows, weights, and values; gives
+// back integers on a grid that solve the rows exactly, near the values.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Core_solver.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Least_squares_projection.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Unit_pivot_elimination.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What is to be snapped, apart from the rows.
+struct Grid_point
+{
+  Grid grid;                      // that `values` refer to
+  std::vector<Grid_value> values; // one per column
+  std::vector<double> weights;    // one per column, positive
+  // Only the columns before this one must be representable; the others are quantities of the system
+  // alone, such as translations of branches.
+  std::size_t number_of_representable_columns;
+};
+
+// Where the unknowns end up, and the real-valued optimum that was approximated, on one grid.
+struct Grid_solution
+{
+  Grid grid;
+  std::vector<std::int64_t> x;
+  std::vector<Grid_value> target;
+};
+
+// Invariant: the elimination of the system is complete. With 64-bit integers the constructor may throw
+// `Integer_overflow`; then the caller starts again with `Exact_integer`.
+template <typename Integer>
+class Grid_solver
+{
+public:
+  explicit Grid_solver(const Integer_system<Integer>& system)
+    : m_system(system), m_elimination(system), m_core(m_elimination),
+      m_is_free(system.number_of_columns(), false)
+  {
+    for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
+      m_is_homogeneous = m_is_homogeneous && system.right_hand_side(i) == 0;
+      for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
+        m_is_free[std::size_t(e->column)] = true;
+    }
+    for(const auto& pivot : m_elimination.pivots())
+      m_is_free[std::size_t(pivot.column)] = false;
+    for(const Column_index column : m_core.columns())
+      m_is_free[std::size_t(column)] = false;
+  }
+
+  // Whether there are solutions over the rationals; false for a contradiction.
+  bool is_consistent() const
+  {
+    return m_elimination.contradictory_rows().empty() && m_core.is_consistent();
+  }
+
+  void fill_in(Snapping_report& report) const
+  {
+    report.number_of_redundant_constraints =
+      m_elimination.redundant_rows().size() + m_core.number_of_redundant_rows();
+    report.number_of_non_unit_pivots = m_core.independent_rows().size();
+    const Exact_integer largest = (std::max)(Exact_integer(m_elimination.largest_coefficient()),
+                                             m_core.largest_coefficient());
+    report.coefficient_bits = bit_length(largest);
+    report.largest_coefficient = CGAL::to_double(largest);
+    report.largest_pivot = (std::max)(m_elimination.pivots().empty() ? 0. : 1.,
+                                      CGAL::to_double(m_core.largest_pivot()));
+    report.multiprecision = std::is_same<Integer, Exact_integer>::value;
+  }
+
+  // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from the
+  // finest that fits the values on. Returns false if there is no solution on any grid that the number
+  // type has for values of this size: impossible for homogeneous systems.
+  bool solve(const Grid_point& point, Grid_solution& solution, Step_timer& timer) const
+  {
+    const Number_format& format = point.grid.format();
+    int coarsest = format.maximum_exponent;
+    if(!m_is_homogeneous) {
+      if(!m_core.right_hand_shift())
+        return false;
+      coarsest = -static_cast<int>(m_system.right_hand_scale() + *m_core.right_hand_shift());
+    }
+    int exponent = (std::min)(point.grid.exponent(), coarsest);
+    if(exponent < format.minimum_exponent)
+      return false;
+
+    solution.grid = Grid(format, exponent);
+    solution.target = point.values;
+    if(!rescale_target(exponent - point.grid.exponent(), solution))
+      return false;
+    project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
+                         point.weights, solution.target);
+    timer.finish("least-squares target");
+
+    for(int excess = 0; (excess = evaluate(point, solution)) > 0;) {
+      exponent += excess;
+      if(exponent > coarsest)
+        return false;
+      solution.grid = Grid(format, exponent);
+      rescale_target(excess, solution);
+    }
+    timer.finish("evaluation");
+    return true;
+  }
+
+private:
+  // How often right-hand sides are doubled on a grid.
+  int right_hand_shift(const Grid& grid) const
+  {
+    return -static_cast<int>(m_system.right_hand_scale()) - grid.exponent();
+  }
+
+  std::vector<Row_index> independent_rows() const
+  {
+    std::vector<Row_index> rows = m_core.independent_rows();
+    for(const auto& pivot : m_elimination.pivots())
+      rows.push_back(pivot.row);
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }
+
+  bool rescale_target(const int shift, Grid_solution& solution) const
+  {
+    bool fits = true;
+    for(std::size_t j = 0; shift != 0 && j < solution.target.size(); ++j)
+      fits = rescale(solution.target[j], shift) && fits;
+    return fits;
+  }
+
+  // Chooses the core and the free columns near the target, and computes the implied ones. Returns 0 if
+  // all fit, else by how many bits the grid must be coarser.
+  int evaluate(const Grid_point& point, Grid_solution& solution) const
+  {
+    constexpr int many = 10; // for numbers of unknown size beyond 2^62
+    // negative only if all right-hand sides are zero
+    const std::size_t shift = std::size_t((std::max)(right_hand_shift(solution.grid), 0));
+    std::vector<std::int64_t>& x = solution.x;
+    x.assign(solution.target.size(), 0);
+    if(!m_core.nearest(shift, solution.target, point.weights, x))
+      return many;
+    for(std::size_t j = 0; j < x.size(); ++j)
+      if(m_is_free[j] && !solution.grid.nearest(solution.target[j], x[j]))
+        return many;
+    for(auto pivot = m_elimination.pivots().rbegin(); pivot != m_elimination.pivots().rend(); ++pivot)
+      if(!back_substitute(*pivot, shift, x))
+        return many;
+
+    int excess = 0;
+    for(std::size_t j = 0; j < point.number_of_representable_columns; ++j)
+      if(!solution.grid.is_representable(x[j]))
+        excess = (std::max)({excess, 1, static_cast<int>(bit_length(x[j])) -
+                                          solution.grid.format().digits});
+    return excess;
+  }
+
+  // Eq. (2') for one row, whose pivot is 1 or -1. The sum is exact whatever its order, so Algorithm 5
+  // has nothing left to do. Returns false if the value exceeds 2^62.
+  bool back_substitute(const typename Unit_pivot_elimination<Integer>::Pivot& pivot,
+                       const std::size_t right_hand_shift, std::vector<std::int64_t>& x) const
+  {
+    const auto& row = m_elimination.row(pivot.row);
+    const Integer& b = m_elimination.right_hand_side(pivot.row);
+    std::int64_t& value = x[std::size_t(pivot.column)];
+    value = 0; // drops out of the sums
+    bool negative = false; // the sign of the pivot
+    try {
+      if(b != 0)
+        throw Integer_overflow();
+      std::int64_t sum = 0;
+      for(const Entry<Integer>& e : row) {
+        if(e.column == pivot.column)
+          negative = e.coefficient < 0;
+        else if(fits_64_bits(e.coefficient))
+          sum = difference_with_product(sum, to_64_bits(e.coefficient), x[std::size_t(e.column)]);
+        else
+          throw Integer_overflow();
+      }
+      value = negative ? -sum : sum;
+      return fits_64_bits(value);
+    } catch(const Integer_overflow&) { }
+
+    Exact_integer sum(Exact_integer(b) * power_of_two(right_hand_shift));
+    for(const Entry<Integer>& e : row) {
+      if(e.column == pivot.column)
+        negative = e.coefficient < 0;
+      else
+        sum -= Exact_integer(Exact_integer(e.coefficient) * Exact_integer(x[std::size_t(e.column)]));
+    }
+    if(!fits_64_bits(sum))
+      return false;
+    value = negative ? -to_64_bits(sum) : to_64_bits(sum);
+    return true;
+  }
+
+  const Integer_system<Integer>& m_system;
+  Unit_pivot_elimination<Integer> m_elimination;
+  Core_solver<Integer> m_core;
+  std::vector<bool> m_is_free; // in a row, but neither implied nor in the core
+  bool m_is_homogeneous = true;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_GRID_SOLVER_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_SYSTEM_BUILDER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_SYSTEM_BUILDER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Turns rows with integer or rational coefficients and right-hand sides into a system of integers:
+// "simply by multiplying each system row with the least common multiple of its entries' denominators"
+// (Sec. 4). Factors of two of the right-hand sides' denominators go into their common scale instead,
+// since a finer grid can provide them.
+
+#include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// 64-bit integers wherever these suffice.
+using Any_system = std::variant<Integer_system<std::int64_t>, Integer_system<Exact_integer> >;
+
+inline std::pair<Exact_integer, Exact_integer> numerator_and_denominator(const Exact_rational& q)
+{
+  using Traits = CGAL::Fraction_traits<Exact_rational>;
+  typename Traits::Numerator_type numerator;
+  typename Traits::Denominator_type denominator;
+  typename Traits::Decompose()(q, numerator, denominator);
+  return {Exact_integer(numerator), Exact_integer(denominator)};
+}
+
+class System_builder
+{
+public:
+  explicit System_builder(const std::size_t number_of_columns)
+    : m_number_of_columns(number_of_columns), m_rows(number_of_columns)
+  { }
+
+  // Entries in any order; equal columns add up.
+  template <typename Coefficient>
+  void add_row(std::vector<Entry<Coefficient> >& entries, const Exact_rational& right_hand_side)
+  {
+    if constexpr(std::is_same<Coefficient, std::int64_t>::value) {
+      if(right_hand_side == 0 && add_small_row(entries))
+        return;
+    }
+    std::vector<Entry<Exact_rational> > row;
+    for(const Entry<Coefficient>& e : entries)
+      row.push_back({e.column, Exact_rational(e.coefficient)});
+    add_rational_row(row, right_hand_side);
+  }
+
+  // Leaves the builder empty.
+  Any_system take()
+  {
+    std::size_t scale = 0;
+    for(const Large_row& row : m_large_rows)
+      scale = (std::max)(scale, row.right_hand_scale);
+    bool small = true;
+    for(Large_row& row : m_large_rows) {
+      row.right_hand_side = Exact_integer(row.right_hand_side *
+                                          power_of_two(scale - row.right_hand_scale));
+      small = small && fits_64_bits(row.right_hand_side) &&
+              std::all_of(row.entries.begin(), row.entries.end(),
+                          [](const Entry<Exact_integer>& e) { return fits_64_bits(e.coefficient); });
+    }
+    if(m_large_rows.empty())
+      return Any_system(std::move(m_rows));
+    if(small)
+      return Any_system(merged<std::int64_t>(scale));
+    return Any_system(merged<Exact_integer>(scale));
+  }
+
+private:
+  // A row that is not made of 64-bit integers only, or that has a right-hand side.
+  struct Large_row
+  {
+    std::size_t index;
+    std::vector<Entry<Exact_integer> > entries;
+    Exact_integer right_hand_side; // times 2^-right_hand_scale
+    std::size_t right_hand_scale;
+  };
+
+  bool add_small_row(std::vector<Entry<std::int64_t> >& entries)
+  {
+    std::vector<Entry<std::int64_t> > row(entries);
+    try {
+      sort_and_sum(row);
+    } catch(const Integer_overflow&) {
+      return false;
+    }
+    for(const Entry<std::int64_t>& e : row)
+      if(!fits_64_bits(e.coefficient))
+        return false;
+    m_rows.add_row(row, 0);
+    return true;
+  }
+
+  void add_rational_row(std::vector<Entry<Exact_rational> >& entries, const Exact_rational& b)
+  {
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry<Exact_rational>& x, const Entry<Exact_rational>& y)
+              { return x.column < y.column; });
+    // The row times the least common multiple of all denominators ...
+    Exact_integer multiple(numerator_and_denominator(b).second);
+    for(const Entry<Exact_rational>& e : entries) {
+      const Exact_integer denominator = numerator_and_denominator(e.coefficient).second;
+      multiple = Exact_integer(exact_quotient(multiple,
+                                              greatest_common_divisor(multiple, denominator)) *
+                               denominator);
+    }
+    Large_row row{m_rows.number_of_rows(), {}, numerator(b, multiple), 0};
+    for(const Entry<Exact_rational>& e : entries)
+      row.entries.push_back({e.column, numerator(e.coefficient, multiple)});
+    sort_and_sum(row.entries);
+    // ... and over the greatest common divisor of its coefficients, as far as the right-hand side goes.
+    Exact_integer factor(0);
+    for(const Entry<Exact_integer>& e : row.entries)
+      factor = greatest_common_divisor(factor, e.coefficient);
+    Exact_integer odd(factor);
+    std::size_t twos = 0;
+    for(; odd != 0 && Exact_integer(odd % Exact_integer(2)) == 0; ++twos)
+      odd = exact_quotient(odd, Exact_integer(2));
+    const Exact_integer common = greatest_common_divisor(odd, row.right_hand_side);
+    if(factor != 0) {
+      const Exact_integer divisor(common * power_of_two(twos));
+      for(Entry<Exact_integer>& e : row.entries)
+        e.coefficient = exact_quotient(e.coefficient, divisor);
+      row.right_hand_side = exact_quotient(row.right_hand_side, common);
+      row.right_hand_scale = row.right_hand_side == 0 ? 0 : twos;
+      while(row.right_hand_scale > 0 &&
+            Exact_integer(row.right_hand_side % Exact_integer(2)) == 0) {
+        row.right_hand_side = exact_quotient(row.right_hand_side, Exact_integer(2));
+        --row.right_hand_scale;
+      }
+    }
+    m_rows.add_row({}, 0); // holds the place
+    m_large_rows.push_back(std::move(row));
+  }
+
+  static Exact_integer numerator(const Exact_rational& q, const Exact_integer& common_denominator)
+  {
+    const auto parts = numerator_and_denominator(q);
+    return Exact_integer(parts.first * exact_quotient(common_denominator, parts.second));
+  }
+
+  template <typename Integer>
+  static Integer converted(const Exact_integer& a)
+  {
+    if constexpr(std::is_same<Integer, std::int64_t>::value)
+      return to_64_bits(a);
+    else
+      return a;
+  }
+
+  template <typename Integer>
+  Integer_system<Integer> merged(const std::size_t scale) const
+  {
+    Integer_system<Integer> result(m_number_of_columns);
+    result.set_right_hand_scale(scale);
+    std::vector<Entry<Integer> > entries;
+    auto large = m_large_rows.begin();
+    for(std::size_t i = 0; i < m_rows.number_of_rows(); ++i) {
+      entries.clear();
+      Integer b(0);
+      if(large != m_large_rows.end() && large->index == i) {
+        for(const Entry<Exact_integer>& e : large->entries)
+          entries.push_back({e.column, converted<Integer>(e.coefficient)});
+        b = converted<Integer>(large->right_hand_side);
+        ++large;
+      } else {
+        for(const Entry<std::int64_t>* e = m_rows.begin(i); e != m_rows.end(i); ++e)
+          entries.push_back({e->column, Integer(e->coefficient)});
+      }
+      result.add_row(entries, b);
+    }
+    return result;
+  }
+
+  std::size_t m_number_of_columns;
+  Integer_system<std::int64_t> m_rows;
+  std::vector<Large_row> m_large_rows; // by index
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_SYSTEM_BUILDER_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Reads the forms in which callers give C and b.
+
+#include <CGAL/Seamless_snapping/Linear_constraints.h>
+#include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The type that coefficients are handled in before they are integers.
+template <typename Coefficient>
+using Input_coefficient =
+  typename std::conditional<std::is_integral<Coefficient>::value &&
+                              (sizeof(Coefficient) < 8 || std::is_signed<Coefficient>::value),
+                            std::int64_t, Exact_rational>::type;
+
+template <typename Coefficient>
+std::size_t number_of_columns(const Linear_constraints<Coefficient>& c)
+{
+  return c.number_of_unknowns();
+}
+
+template <typename Coefficient>
+std::size_t number_of_rows(const Linear_constraints<Coefficient>& c)
+{
+  return c.number_of_constraints();
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+std::size_t number_of_columns(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+{
+  return std::size_t(c.cols());
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+std::size_t number_of_rows(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+{
+  return std::size_t(c.rows());
+}
+
+// Stored right-hand sides are those of the constraints; a matrix has none.
+struct No_right_hand_side { };
+
+template <typename Coefficient>
+Exact_rational right_hand_side(const Linear_constraints<Coefficient>& c, const No_right_hand_side&,
+                               const std::size_t i)
+{
+  return c.right_hand_side(i);
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+Exact_rational right_hand_side(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&,
+                               const No_right_hand_side&, const std::size_t)
+{
+  return Exact_rational(0);
+}
+
+template <typename Constraints, typename RightHandSide>
+Exact_rational right_hand_side(const Constraints&, const RightHandSide& b, const std::size_t i)
+{
+  return Exact_rational(*std::next(std::begin(b), std::ptrdiff_t(i)));
+}
+
+template <typename T>
+bool is_finite_number(const T& t)
+{
+  if constexpr(std::is_floating_point<T>::value)
+    return std::isfinite(t);
+  else
+    return true;
+}
+
+inline bool has_finite_right_hand_side(const No_right_hand_side&) { return true; }
+
+template <typename RightHandSide>
+bool has_finite_right_hand_side(const RightHandSide& b)
+{
+  return std::all_of(std::begin(b), std::end(b), [](const auto& t) { return is_finite_number(t); });
+}
+
+inline bool has_size(const No_right_hand_side&, std::size_t) { return true; }
+
+template <typename RightHandSide>
+bool has_size(const RightHandSide& b, const std::size_t size)
+{
+  return std::distance(std::begin(b), std::end(b)) == std::ptrdiff_t(size);
+}
+
+// Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
+template <typename Coefficient, typename F>
+bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
+{
+  std::vector<Entry<Coefficient> > row;
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
+    row.clear();
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      row.push_back({Column_index(term->first), term->second});
+    if(!f(row, i))
+      return false;
+  }
+  return true;
+}
+
+template <typename Scalar, int Options, typename StorageIndex, typename F>
+bool for_each_row(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c, const F& f)
+{
+  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, StorageIndex>;
+  const Rows rows(c);
+  std::vector<Entry<Scalar> > row;
+  for(Eigen::Index i = 0; i < rows.outerSize(); ++i) {
+    row.clear();
+    for(typename Rows::InnerIterator e(rows, i); e; ++e)
+      row.push_back({Column_index(e.col()), e.value()});
+    if(!f(row, std::size_t(i)))
+      return false;
+  }
+  return true;
+}
+
+// Returns false and tells the problem if something is not a number or of the wrong size.
+template <typename Constraints, typename RightHandSide>
+bool read_constraints(const Constraints& c, const RightHandSide& b, Any_system& system,
+                      std::string& problem)
+{
+  if(!has_size(b, number_of_rows(c))) {
+    problem = "the right-hand side must have one number per constraint, that is " +
+              std::to_string(number_of_rows(c));
+    return false;
+  }
+  if(!has_finite_right_hand_side(b)) {
+    problem = "a right-hand side is NaN or infinite";
+    return false;
+  }
+  System_builder builder(number_of_columns(c));
+  const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
+    using Coefficient = decltype(row.front().coefficient);
+    using Input = Input_coefficient<std::decay_t<Coefficient> >;
+    std::vector<Entry<Input> > entries;
+    for(const auto& e : row) {
+      if(!is_finite_number(e.coefficient)) {
+        problem = "a coefficient of constraint " + std::to_string(i) + " is NaN or infinite";
+        return false;
+      }
+      entries.push_back({e.column, Input(e.coefficient)});
+    }
+    builder.add_row(entries, right_hand_side(c, b, i));
+    return true;
+  });
+  if(finite)
+    system = builder.take();
+  return finite;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H

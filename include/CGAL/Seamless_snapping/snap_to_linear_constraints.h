@@ -1,0 +1,224 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SNAP_TO_LINEAR_CONSTRAINTS_H
+#define CGAL_SEAMLESS_SNAPPING_SNAP_TO_LINEAR_CONSTRAINTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The generic function: moves floating point values to close by ones that satisfy a sparse system of
+// linear equations exactly.
+
+#include <CGAL/Seamless_snapping/Linear_constraints.h>
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/algebra/constraint_input.h>
+#include <CGAL/Seamless_snapping/internal/algebra/snap_values.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Copies `values` to `x`. Returns the index of the first that is not finite, or their number.
+template <typename Values>
+std::size_t read_values(const Values& values, std::vector<double>& x)
+{
+  const std::size_t size = std::size_t(values.size());
+  x.resize(size);
+  std::size_t first = size;
+  for(std::size_t j = size; j-- > 0;) {
+    x[j] = static_cast<double>(*std::next(std::begin(values), std::ptrdiff_t(j)));
+    if(!std::isfinite(x[j]))
+      first = j;
+  }
+  return first;
+}
+
+inline Snapping_report refused(const Snapping_status status, const std::string& message)
+{
+  Snapping_report report;
+  report.status = status;
+  report.message = message;
+  return report;
+}
+
+// Weights are a range of positive numbers, or not given.
+inline std::vector<double> read_weights(const CGAL::internal_np::Param_not_found&,
+                                        const std::size_t size)
+{
+  return std::vector<double>(size, 1.);
+}
+
+template <typename Weights>
+std::vector<double> read_weights(const Weights& range, std::size_t)
+{
+  std::vector<double> weights;
+  read_values(range, weights);
+  return weights;
+}
+
+template <typename Constraints, typename RightHandSide, typename Values, typename NamedParameters>
+Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b,
+                                           Values& values, const NamedParameters& np)
+{
+  using Value = std::decay_t<decltype(*std::begin(values))>;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+
+  // Callers may sit inside interval arithmetic (Sec. 4.3 needs rounding to nearest).
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
+  Snapping_report report;
+  Step_timer timer(report, verbose);
+
+  std::vector<double> x;
+  const std::size_t unbounded = read_values(values, x);
+  const std::vector<double> weights =
+    read_weights(get_parameter_reference(np, CGAL::internal_np::weights), x.size());
+
+  if(x.size() != number_of_columns(c))
+    return refused(Snapping_status::INVALID_ARGUMENT,
+                   "there are " + std::to_string(x.size()) + " values, but the constraints have " +
+                   std::to_string(number_of_columns(c)) + " unknowns");
+  if(unbounded != x.size())
+    return refused(Snapping_status::NOT_FINITE, "value " + std::to_string(unbounded) +
+                                                " is NaN or infinite; only finite values can be snapped");
+  if(weights.size() != x.size())
+    return refused(Snapping_status::INVALID_ARGUMENT,
+                   "there are " + std::to_string(weights.size()) + " weights for " +
+                   std::to_string(x.size()) + " values; give one weight per value");
+  for(std::size_t j = 0; j < weights.size(); ++j)
+    if(!(weights[j] > 0) || !std::isfinite(weights[j]))
+      return refused(Snapping_status::INVALID_ARGUMENT,
+                     "weight " + std::to_string(j) + " is not a positive number");
+
+  Any_system system;
+  std::string problem;
+  if(!read_constraints(c, b, system, problem))
+    return refused(Snapping_status::INVALID_ARGUMENT, problem);
+  report.number_of_unknowns = x.size();
+  report.number_of_constraints = number_of_rows(c);
+  snap_values(system, weights, Number_format::of<Value>(), x, report, timer);
+  if(report.status == Snapping_status::SNAPPED)
+    for(std::size_t j = 0; j < x.size(); ++j)
+      *std::next(std::begin(values), std::ptrdiff_t(j)) = static_cast<Value>(x[j]);
+  return report;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+moves the values `x` to close by ones that satisfy \f$ C x = b \f$ exactly.
+
+On success, `C x = b` holds in exact arithmetic, not just in floating point, although the new values are
+of the same number type as the old ones: they are chosen from a grid \f$ 2^e \mathbb{Z} \f$ that the
+number type can represent. They approximate the weighted least-squares optimum, that is the real
+solution \f$ x^* \f$ that minimizes \f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$. If the values satisfy
+the constraints already, or if there is no solution, they are not touched. Values that occur in no
+constraint are never touched. The result is verified exactly before it is written.
+
+Redundant constraints are welcome. The function handles coefficients of any size: where 64-bit integers
+do not suffice, it changes to multiprecision integers by itself.
+
+The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
+pivots first, and a least-squares target.
+
+\tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer type,
+        `double` (every `double` is a rational number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`
+\tparam RightHandSide a range of numbers that convert exactly to `CGAL::Exact_rational`: integers,
+        `float`, `double`, `CGAL::Exact_integer`, `CGAL::Exact_rational`
+\tparam Values a random access range of `float` or `double`, for example `std::vector<double>` or
+        `Eigen::VectorXd`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param c the matrix \f$ C \f$, #constraints by #unknowns
+\param b the right-hand side, #constraints; if it is omitted, that of a `Linear_constraints`, and zero
+       for a matrix
+\param x the values, #unknowns; changed in place
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{weights}
+    \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
+    \cgalParamType{a range of #unknowns positive numbers of type `double`}
+    \cgalParamDefault{all 1}
+    \cgalParamExtra{Weights do not affect exactness.}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether each step is reported on the standard error stream with its time}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the status and figures; converts to `true` if and only if \f$ C x = b \f$ holds exactly. On
+        failure, `Snapping_report::status` is
+        - `INVALID_ARGUMENT`: sizes do not match, a weight is not positive, or a coefficient is not finite;
+        - `NOT_FINITE`: a value is NaN or infinite;
+        - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
+          that contradict each other;
+        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none on a grid that
+          the number type has at the size of the values. This can't happen for \f$ b = 0 \f$.
+
+\par Complexity
+In general cubic in the number of constraints in the worst case. For sparse systems such as those of
+seamless parametrizations nearly linear in the number of nonzero coefficients.
+*/
+template <typename Constraints, typename RightHandSide, typename Values,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!internal::is_named_parameters<Values>::value>* = nullptr
+#endif
+          >
+Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b, Values& x,
+                                           const NamedParameters& np =
+                                             CGAL::parameters::default_values())
+{
+  return internal::snap_to_linear_constraints(c, b, x, internal::strip(np));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+the same with the right-hand side of `c` if that is a `Linear_constraints`, and with \f$ b = 0 \f$ if
+it is a matrix.
+*/
+template <typename Constraints, typename Values,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<internal::is_named_parameters<NamedParameters>::value>* = nullptr
+#endif
+          >
+Snapping_report snap_to_linear_constraints(const Constraints& c, Values& x,
+                                           const NamedParameters& np =
+                                             CGAL::parameters::default_values())
+{
+  return internal::snap_to_linear_constraints(c, internal::No_right_hand_side(), x,
+                                              internal::strip(np));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_SNAP_TO_LINEAR_CONSTRAINTS_H
