@@ -1,0 +1,260 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_APPROXIMATE_SEAMLESS_PARAMETERIZATION_H
+#define CGAL_SEAMLESS_SNAPPING_APPROXIMATE_SEAMLESS_PARAMETERIZATION_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A producer of approximately seamless parametrizations: from any triangle mesh to per-corner
+// coordinates that `snap_to_seamless()` makes exact.
+
+#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Seamless_parameterizer.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/read_surface.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+using Default_solver = CGAL::Eigen_solver_traits<
+  Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >;
+
+// The indices that the caller prescribes; border vertices have none.
+template <typename TriangleMesh, typename ConeIndexMap>
+std::vector<int> read_cones(const Mesh_indexing<TriangleMesh>& indexing,
+                            const Triangle_surface& surface, const ConeIndexMap cone_index)
+{
+  std::vector<int> index(surface.number_of_vertices, 0);
+  for(std::size_t v = 0; v < index.size(); ++v)
+    if(!surface.is_border[v])
+      index[v] = static_cast<int>(get(cone_index, indexing.vertices[v]));
+  return index;
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Parameterization_options read_options(const Mesh_indexing<TriangleMesh>& indexing,
+                                      const Triangle_surface& surface, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  Parameterization_options options;
+  options.target_edge_length = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
+  options.curvature_alignment = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.));
+  options.number_of_stiffening_rounds = static_cast<unsigned int>(
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
+  options.random_seed = static_cast<unsigned int>(
+    choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_index_t>::value)
+    options.cone_index = read_cones(indexing, surface, get_parameter(np, internal_np::cone_index));
+  check_options(options, surface);
+  return options;
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap>
+void write_coordinates(const Mesh_indexing<TriangleMesh>& indexing,
+                       const Parameterization_result& result, HalfedgeUVMap uv_map)
+{
+  using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
+  for(std::size_t h = 0; h < indexing.halfedges.size(); ++h) {
+    const std::array<double, 2>& uv = result.uv[result.sector[h]];
+    put(uv_map, indexing.halfedges[h], Point_2(FT(uv[0]), FT(uv[1])));
+  }
+}
+
+// Reads, computes, and writes when nothing can fail any more.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters, typename Report>
+void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters& np, Report& report)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using Solver = typename internal_np::Lookup_named_param_def<
+    internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
+
+  Mesh_indexing<TriangleMesh> indexing;
+  Triangle_surface surface = read_connectivity(tmesh, indexing);
+  find_fans(surface);
+  find_components(surface);
+  read_geometry(indexing,
+                choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                 get_const_property_map(CGAL::vertex_point, tmesh)),
+                surface);
+  read_alignment(tmesh, indexing,
+                 choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                  CGAL::Static_boolean_property_map<Edge, false>()),
+                 choose_parameter(get_parameter(np, internal_np::align_border), false),
+                 surface);
+  const Parameterization_options options = read_options(indexing, surface, np);
+  const Parameterization_result result = parameterize<Solver>(surface, options, report);
+  write_coordinates(indexing, result, uv_map);
+  for(std::size_t v = 0; v < result.cone_index.size(); ++v)
+    if(result.cone_index[v] != 0)
+      report.cones.emplace_back(indexing.vertices[v], result.cone_index[v]);
+}
+
+} // namespace parameterization
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+\brief computes an approximately seamless, field-aligned parametrization of a triangle mesh.
+
+The mesh may have any genus, any number of components, and borders. A smooth field of crosses (one
+per face) determines cones; the surface is cut open along a graph through all of them, and the
+coordinates whose gradients come closest to the field, in the sense of least squares, are computed
+such that the transition across each cut edge is a rotation by a multiple of 90 degrees and a
+translation. The transitions hold up to the rounding of floating-point numbers: pass the result to
+`snap_to_seamless()` to make them exact.
+
+This function is meant as a producer of input for `snap_to_seamless()`, for meshes that come without
+a parametrization. It does not compete with specialized methods in distortion, and it does not
+guarantee that no triangle is flipped: how many are is part of the report. `snap_to_seamless()`
+takes the output of any other producer equally well.
+
+The corners in one sector, that is around a vertex and between cuts, receive the same coordinates to
+the bit. The result is reproducible: it depends on nothing but the arguments.
+
+Degenerate faces are allowed: the edge lengths that the computation starts from are enlarged by one
+small amount, as much as it takes. Vertices without a face are ignored.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam HalfedgeUVMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` of a
+        kernel with the number type `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a triangle mesh
+\param uv_map the coordinates of each corner: that at `target(h)` in `face(h)` is written for the
+       halfedge `h`. Border halfedges are not touched.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{a property map that tells which edges are features: they are to lie on
+                          isocurves of one of the coordinates, and the field is aligned to them}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is a feature}
+  \cgalParamNEnd
+  \cgalParamNBegin{align_border}
+    \cgalParamDescription{whether border edges are features as well}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{curvature_alignment}
+    \cgalParamDescription{how strongly the field follows the principal directions of curvature: 0 is
+                          the smoothest field; with 1, they weigh as much as the smoothness where the
+                          principal radii are as short as an edge}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{cone_index_map}
+    \cgalParamDescription{a property map that associates to each vertex the index that it is to have,
+                          in quarter turns: 0 for regular vertices, 1 for the corner of a cube, -1
+                          for a vertex of valence 5 in a quadrangulation. The indices of border
+                          vertices are ignored.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `int` as
+                   value type}
+    \cgalParamDefault{the field decides}
+    \cgalParamExtra{On each closed component, the indices have to add up to \f$ 4 \chi \f$. Can't be
+                    combined with features or `curvature_alignment`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{the length on the surface that corresponds to one unit in the plane}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`1`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the largest number of stiffening rounds that are spent on lowering the
+                          number of flipped triangles, each at the cost of one sparse solve}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{`5`}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{the seed of the field that the search for the smoothest one starts from}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an object whose type is used, default constructed, for all sparse systems;
+                          they are symmetric and positive definite}
+    \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
+    \cgalParamDefault{`CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<...> >`}
+    \cgalParamExtra{\ref thirdpartyEigen "Eigen" is required for the default.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the status and figures of the result. If the status is not
+        `Parameterization_status::PARAMETERIZED`, `uv_map` was not touched, and the message tells the
+        reason: a face that is no triangle, a vertex whose faces form more than one fan, coordinates
+        that are not finite, cones whose indices do not add up, a face with three features.
+
+For each component of the mesh, the indices of the cones and the quarter turns of the borders against
+the field have been verified to add up to \f$ 4 \chi \f$, in integers.
+
+The cost is that of about ten factorizations of sparse matrices with as many rows as `tmesh` has
+vertices or faces.
+
+\sa `snap_to_seamless()`
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Parameterization_report<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+approximate_seamless_parameterization(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                      const NamedParameters& np
+                                        = CGAL::parameters::default_values())
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  Parameterization_report<Vertex> report;
+  try {
+    internal::parameterization::run(tmesh, uv_map, internal::strip(np), report);
+  } catch(const internal::parameterization::Failure& failure) {
+    report.status = failure.status;
+    report.message = failure.message;
+  }
+  return report;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_APPROXIMATE_SEAMLESS_PARAMETERIZATION_H

@@ -1,0 +1,168 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_MATCHING_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_MATCHING_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Matching of the crosses of adjacent faces, the indices of vertices that follow from it, and the
+// index theorem.
+
+#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+// Invariant: across each interior halfedge, from face f to face g,
+//   angle(f) + transport - angle(g) = rotation * quarter_turn + deviation;
+// a direction that has the uv coordinates w in the chart of f has R^rotation w in that of g.
+// Both numbers change their signs with the halfedge.
+struct Matching
+{
+  std::vector<int> rotation;
+  std::vector<double> deviation;
+};
+
+// Matches each direction with the closest one, up to what the field is known to deviate already.
+// Ties are broken away from the half, so that symmetric meshes don't decide by rounding errors.
+inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles,
+                              const std::vector<double>& known_deviation = {})
+{
+  constexpr double tie_breaker = 1e-4;
+  const std::size_t n = surface.number_of_halfedges();
+  Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
+  for(std::size_t h = 0; h < n; ++h) {
+    if(!surface.represents_edge(h) || surface.is_border_edge(h))
+      continue;
+    const std::size_t o = surface.opposite[h];
+    const double difference = angles[surface.face(h)] + surface.transport(h)
+                              - angles[surface.face(o)];
+    const double known = known_deviation.empty() ? 0 : known_deviation[h];
+    const double turns = (difference - known) / quarter_turn;
+    matching.rotation[h] = static_cast<int>(std::floor(turns + 0.5 - tie_breaker));
+    matching.deviation[h] = difference - matching.rotation[h] * quarter_turn;
+    matching.rotation[o] = -matching.rotation[h];
+    matching.deviation[o] = -matching.deviation[h];
+  }
+  return matching;
+}
+
+// The Euler characteristics and the border loops of the components.
+struct Topology
+{
+  std::vector<std::ptrdiff_t> euler_characteristic; // per component
+  std::vector<std::size_t> border_loops;            // per component
+  std::vector<std::size_t> loop_of_vertex;          // border vertices only, else no_index
+  std::size_t number_of_loops = 0;
+};
+
+inline Topology topology(const Triangle_surface& surface)
+{
+  Topology result;
+  result.euler_characteristic.assign(surface.number_of_components, 0);
+  result.border_loops.assign(surface.number_of_components, 0);
+  result.loop_of_vertex.assign(surface.number_of_vertices, no_index);
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    ++result.euler_characteristic[surface.component[f]];
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+    if(surface.represents_edge(h))
+      --result.euler_characteristic[surface.component[surface.face(h)]];
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+    ++result.euler_characteristic[c];
+    if(!surface.is_border[v] || result.loop_of_vertex[v] != no_index)
+      continue;
+    // The outgoing edge of the first corner of a border vertex is a border edge.
+    for(std::size_t w = v; result.loop_of_vertex[w] == no_index;
+        w = surface.target[surface.next(surface.first_corner[w])])
+      result.loop_of_vertex[w] = result.number_of_loops;
+    ++result.number_of_loops;
+    ++result.border_loops[c];
+  }
+  return result;
+}
+
+struct Singularities
+{
+  std::vector<int> index;                  // per vertex, in quarter turns; 0 on the border
+  std::vector<std::ptrdiff_t> loop_turning; // per border loop, in quarter turns
+};
+
+// What the field turns around each vertex, against the curvature there: in units of a quarter turn
+// an integer but for rounding errors. Border vertices have no index of their own, unless the field
+// is aligned, but each loop has: the number of quarter turns of its tangent against the field.
+inline Singularities singularities(const Triangle_surface& surface, const Topology& topo,
+                                   const Matching& matching)
+{
+  std::vector<double> turns = angle_defects(surface);
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+    turns[surface.target[h]] -= matching.deviation[h];
+
+  Singularities result;
+  result.index.assign(surface.number_of_vertices, 0);
+  std::vector<double> loop_turns(topo.number_of_loops, 0);
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    if(surface.is_border[v])
+      loop_turns[topo.loop_of_vertex[v]] += turns[v] / quarter_turn;
+    else
+      result.index[v] = static_cast<int>(std::lround(turns[v] / quarter_turn));
+  }
+  for(const double t : loop_turns)
+    result.loop_turning.push_back(static_cast<std::ptrdiff_t>(std::llround(t)));
+  return result;
+}
+
+// Checks, in integers, that the rotations around each interior vertex agree with its index, and
+// that all indices of a component add up to 4 chi.
+inline void check_index_theorem(const Triangle_surface& surface, const Topology& topo,
+                                const Matching& matching, const Singularities& singular)
+{
+  std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
+  std::vector<char> loop_is_counted(topo.number_of_loops, false);
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+    if(surface.is_border[v]) {
+      const std::size_t loop = topo.loop_of_vertex[v];
+      if(!loop_is_counted[loop])
+        sum[c] += singular.loop_turning[loop];
+      loop_is_counted[loop] = true;
+      continue;
+    }
+    int rotation = 0;
+    for_each_corner(surface, v, [&](const std::size_t h) { rotation += matching.rotation[h]; });
+    if((rotation - singular.index[v]) % 4 != 0)
+      throw Failure{Parameterization_status::INTERNAL_ERROR,
+                    "the index of a vertex does not match the rotations around it"};
+    sum[c] += singular.index[v];
+  }
+  for(std::size_t c = 0; c < surface.number_of_components; ++c)
+    if(sum[c] != 4 * topo.euler_characteristic[c])
+      throw Failure{Parameterization_status::INTERNAL_ERROR,
+                    "the indices of component " + std::to_string(c) + " add up to "
+                    + std::to_string(sum[c]) + " instead of "
+                    + std::to_string(4 * topo.euler_characteristic[c])};
+}
+
+} // namespace parameterization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_MATCHING_H

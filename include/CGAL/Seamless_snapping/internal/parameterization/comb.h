@@ -1,0 +1,79 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_COMB_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_COMB_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Combing: turns the crosses by quarter turns until they agree across all edges but the cuts.
+
+#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+
+#include <cstdlib>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+// Changes `angles` by multiples of a quarter turn and `matching.rotation` with them, such that the
+// rotation is 0 across each edge that is not cut.
+inline void comb(const Triangle_surface& surface, const std::vector<char>& is_cut,
+                 std::vector<double>& angles, Matching& matching)
+{
+  std::vector<int> turns(surface.number_of_faces, 0);
+  std::vector<char> is_visited(surface.number_of_faces, false);
+  std::vector<std::size_t> stack;
+  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
+    if(is_visited[seed])
+      continue;
+    is_visited[seed] = true;
+    stack.push_back(seed);
+    while(!stack.empty()) {
+      const std::size_t f = stack.back();
+      stack.pop_back();
+      for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+        if(surface.is_border_edge(h) || is_cut[h])
+          continue;
+        const std::size_t g = surface.face(surface.opposite[h]);
+        if(is_visited[g])
+          continue;
+        is_visited[g] = true;
+        turns[g] = (turns[f] + matching.rotation[h]) % 4;
+        stack.push_back(g);
+      }
+    }
+  }
+
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    angles[f] += turns[f] * quarter_turn;
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+    if(surface.is_border_edge(h))
+      continue;
+    int& rotation = matching.rotation[h];
+    rotation += turns[surface.face(h)] - turns[surface.face(surface.opposite[h])];
+    rotation = ((rotation % 4) + 4) % 4;
+    if(rotation != 0 && !is_cut[h])
+      throw Failure{Parameterization_status::INTERNAL_ERROR,
+                    "the field can't be combed: a cone or a handle was not cut open"};
+  }
+}
+
+} // namespace parameterization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_COMB_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FIELD_WITH_CONES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FIELD_WITH_CONES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A field with cones where the caller wants them: the trivial connection of [Crane, Desbrun,
+// Schroeder 2010] with handles rounded to quarter turns.
+
+#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/smoothest_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+// A closed component has a field with the given indices if and only if they add up to 4 chi; with a
+// border, the border turns by what is missing.
+inline void check_prescribed_indices(const Triangle_surface& surface, const Topology& topo,
+                                     const std::vector<int>& index)
+{
+  std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    sum[surface.component[surface.face(surface.first_corner[v])]] += index[v];
+  for(std::size_t c = 0; c < surface.number_of_components; ++c) {
+    const std::ptrdiff_t expected = 4 * topo.euler_characteristic[c];
+    if(topo.border_loops[c] == 0 && sum[c] != expected)
+      throw Failure{Parameterization_status::INVALID_CONES,
+                    "the indices of the cones of component " + std::to_string(c) + " add up to "
+                    + std::to_string(sum[c]) + "; on this closed surface it must be "
+                    + std::to_string(expected)};
+  }
+}
+
+// The smallest deviation across each halfedge that has the given indices around the vertices: the
+// gradient of a vertex function, which is 0 on the border.
+template <typename Solver>
+std::vector<double> deviation_of_cones(const Triangle_surface& surface,
+                                       const std::vector<int>& index, double& seconds)
+{
+  std::vector<std::size_t> unknown(surface.number_of_vertices, no_index);
+  std::vector<char> has_border(surface.number_of_components, false);
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    if(surface.is_border[v])
+      has_border[surface.component[surface.face(surface.first_corner[v])]] = true;
+  std::size_t count = 0;
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+    if(!has_border[c])
+      has_border[c] = true; // one value of a closed component is arbitrary: also 0
+    else if(!surface.is_border[v])
+      unknown[v] = count++;
+  }
+
+  const auto weight = [&](const std::size_t h) { return 1 / dual_weight(surface, h); };
+  Sparse_system<Solver> system(count, seconds);
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+    const std::size_t i = unknown[surface.target[h]], j = unknown[surface.source(h)];
+    if(surface.is_border_edge(h) || i == no_index)
+      continue;
+    system.add(i, i, weight(h));
+    if(j != no_index)
+      system.add(i, j, -weight(h));
+  }
+  system.factor();
+
+  const std::vector<double> defect = angle_defects(surface);
+  std::vector<double> b(count, 0);
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    if(unknown[v] != no_index)
+      b[unknown[v]] = defect[v] - index[v] * quarter_turn;
+  const std::vector<double> x = system.solve(b);
+
+  std::vector<double> deviation(surface.number_of_halfedges(), 0);
+  const auto potential = [&](std::size_t v) { return unknown[v] == no_index ? 0 : x[unknown[v]]; };
+  for(std::size_t h = 0; h < deviation.size(); ++h)
+    if(!surface.is_border_edge(h))
+      deviation[h] = weight(h) * (potential(surface.target[h]) - potential(surface.source(h)));
+  return deviation;
+}
+
+// Follows the connection along a spanning tree of the faces.
+inline std::vector<double> integrate_connection(const Triangle_surface& surface,
+                                                const std::vector<double>& deviation)
+{
+  std::vector<double> angles(surface.number_of_faces, 0);
+  std::vector<char> is_visited(surface.number_of_faces, false);
+  std::vector<std::size_t> queue;
+  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
+    if(is_visited[seed])
+      continue;
+    is_visited[seed] = true;
+    queue.assign(1, seed);
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+        if(surface.is_border_edge(h))
+          continue;
+        const std::size_t g = surface.face(surface.opposite[h]);
+        if(is_visited[g])
+          continue;
+        is_visited[g] = true;
+        angles[g] = angles[queue[i]] + surface.transport(h) - deviation[h];
+        queue.push_back(g);
+      }
+  }
+  return angles;
+}
+
+// The smoothest field with the given rotations: turns each cross such that the squared deviations
+// become smallest.
+template <typename Solver>
+void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>& angles,
+                            Matching& matching, double& seconds)
+{
+  Sparse_system<Solver> system(surface.number_of_faces, seconds);
+  std::vector<double> b(surface.number_of_faces, 0);
+  std::vector<char> has_anchor(surface.number_of_components, false);
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+    const std::size_t f = surface.face(h);
+    if(!has_anchor[surface.component[f]])
+      system.add(f, f, 1);
+    has_anchor[surface.component[f]] = true;
+    if(surface.is_border_edge(h))
+      continue;
+    const double weight = dual_weight(surface, h);
+    system.add(f, f, weight);
+    system.add(f, surface.face(surface.opposite[h]), -weight);
+    b[f] -= weight * matching.deviation[h];
+  }
+  system.factor();
+  const std::vector<double> turn = system.solve(b);
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    angles[f] += turn[f];
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+    if(!surface.is_border_edge(h))
+      matching.deviation[h] += turn[surface.face(h)] - turn[surface.face(surface.opposite[h])];
+}
+
+template <typename Solver>
+std::vector<double> field_with_cones(const Triangle_surface& surface, const Topology& topo,
+                                     const std::vector<int>& index, Matching& matching,
+                                     double& seconds)
+{
+  check_prescribed_indices(surface, topo, index);
+  const std::vector<double> deviation = deviation_of_cones<Solver>(surface, index, seconds);
+  std::vector<double> angles = integrate_connection(surface, deviation);
+  matching = match_crosses(surface, angles, deviation);
+  smoothen_matched_field<Solver>(surface, angles, matching, seconds);
+  return angles;
+}
+
+} // namespace parameterization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FIELD_WITH_CONES_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_POISSON_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_POISSON_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The Poisson system: the coordinates whose gradients come closest to the field, and the rounds of
+// local stiffening that lower the number of flipped triangles.
+
+#include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+using Coordinates = std::vector<std::array<double, 2> >; // per sector
+
+// What the field wants the uv difference along halfedge `h` to be.
+inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
+                                               const std::vector<double>& angles,
+                                               const std::size_t h)
+{
+  const double angle = surface.direction[h] - angles[surface.face(h)];
+  return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
+}
+
+// The coordinates of the sectors as rows over the free unknowns, one after the other.
+class Coordinate_table
+{
+public:
+  Coordinate_table(const Free_coordinates& coordinates, const std::size_t number_of_sectors)
+    : m_begin(1, 0)
+  {
+    for(std::size_t s = 0; s < number_of_sectors; ++s)
+      for(int c = 0; c < 2; ++c) {
+        append(m_terms, coordinates.coordinate(s, c));
+        m_begin.push_back(m_terms.size());
+      }
+  }
+
+  // row(target) - row(source), as it enters the energy of an edge.
+  void difference(const std::size_t target_sector, const std::size_t source_sector,
+                  const std::size_t c, Sparse_row& row) const
+  {
+    row.clear();
+    const auto add = [&](const std::size_t i, const double sign)
+    {
+      for(std::size_t j = m_begin[i]; j < m_begin[i + 1]; ++j)
+        row.emplace_back(m_terms[j].first, sign * m_terms[j].second);
+    };
+    add(2 * target_sector + c, 1);
+    add(2 * source_sector + c, -1);
+    normalize(row);
+  }
+
+private:
+  std::vector<std::size_t> m_begin;
+  Sparse_row m_terms;
+};
+
+// Minimizes the sum over the faces of weight * area * |grad uv - field|^2, written with cotangents
+// as a sum over the edges of each face.
+template <typename Solver>
+Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<double>& angles,
+                          const Cut_complex& complex, const Free_coordinates& coordinates,
+                          const Coordinate_table& table, const std::vector<double>& weights,
+                          double& seconds)
+{
+  Sparse_system<Solver> system(coordinates.number_of_unknowns(), seconds);
+  std::vector<double> right_hand_side(coordinates.number_of_unknowns(), 0);
+  Sparse_row row;
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+    const double opposite_angle = surface.angle[surface.next(h)];
+    const double weight = weights[surface.face(h)] / std::tan(opposite_angle);
+    const std::array<double, 2> wanted = wanted_difference(surface, angles, h);
+    for(std::size_t c = 0; c < 2; ++c) {
+      table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
+      for(const auto& [i, a] : row) {
+        right_hand_side[i] += weight * a * wanted[c];
+        for(const auto& [j, b] : row)
+          system.add(i, j, weight * a * b);
+      }
+    }
+  }
+  system.factor();
+  return coordinates.evaluate(system.solve(right_hand_side));
+}
+
+// Twice the area of face `f` in the plane.
+inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv, const std::size_t f)
+{
+  const auto& p = uv[complex.sector(3 * f)];
+  const auto& q = uv[complex.sector(3 * f + 1)];
+  const auto& r = uv[complex.sector(3 * f + 2)];
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+inline std::size_t number_of_flips(const Triangle_surface& surface, const Cut_complex& complex,
+                                   const Coordinates& uv)
+{
+  std::size_t count = 0;
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    count += doubled_uv_area(complex, uv, f) > 0 ? 0 : 1;
+  return count;
+}
+
+// How far the singular values of the map of each face are from 1; negative determinants count as
+// negative singular values. See [Bommes, Zimmer, Kobbelt 2009], Sec. 5.
+inline std::vector<double> distortion(const Triangle_surface& surface, const Cut_complex& complex,
+                                      const Coordinates& uv)
+{
+  std::vector<double> result(surface.number_of_faces);
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+    const std::size_t h = 3 * f;
+    const auto& p = uv[complex.sector(h)];
+    const auto& q = uv[complex.sector(h + 1)];
+    const auto& s = uv[complex.sector(h + 2)];
+    // The layout has source(h) at the origin and h along the x-axis.
+    const double l = surface.length[h], m = surface.length[h + 2];
+    const double x = -m * std::cos(surface.direction[h + 2]);
+    const double y = -m * std::sin(surface.direction[h + 2]);
+    const double a = (p[0] - s[0]) / l, c = (p[1] - s[1]) / l;
+    const double b = (q[0] - s[0] - a * x) / y, d = (q[1] - s[1] - c * x) / y;
+    const double sum = std::hypot(a + d, c - b), difference = std::hypot(a - d, c + b);
+    result[f] = std::abs((sum + difference) / 2 - 1) + std::abs((sum - difference) / 2 - 1);
+  }
+  return result;
+}
+
+// Raises the weights where the distortion differs from that of the neighbors, and doubles them at
+// flipped faces and around.
+inline void stiffen(const Triangle_surface& surface, const Cut_complex& complex,
+                    const Coordinates& uv, std::vector<double>& weights)
+{
+  constexpr double largest_increase = 5;
+  const std::vector<double> lambda = distortion(surface, complex, uv);
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+    double laplacian = 0;
+    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+      if(!surface.is_border_edge(h))
+        laplacian += lambda[surface.face(surface.opposite[h])] - lambda[f];
+    weights[f] += (std::min)(std::abs(laplacian), largest_increase);
+  }
+}
+
+} // namespace parameterization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_POISSON_H
