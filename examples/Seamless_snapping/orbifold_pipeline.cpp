@@ -1,0 +1,131 @@
+// From a mesh to an exactly seamless parametrization: computes orbifold Tutte embeddings of a sphere
+// with three and with four cones, which are seamless up to rounding, and snaps them.
+
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <list>
+#include <unordered_map>
+#include <vector>
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace Snapping = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_2 = Kernel::Point_2;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Edge = Mesh::Edge_index;
+using Halfedge = Mesh::Halfedge_index;
+using UV_map = Mesh::Property_map<Halfedge, Point_2>;
+
+using Seam_edge_map = Mesh::Property_map<Edge, bool>;
+using Seam_vertex_map = Mesh::Property_map<Vertex, bool>;
+using Seam_mesh = CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>;
+using Seam_vertex = boost::graph_traits<Seam_mesh>::vertex_descriptor;
+using Seam_halfedge = boost::graph_traits<Seam_mesh>::halfedge_descriptor;
+
+Mesh make_sphere()
+{
+  Mesh mesh;
+  CGAL::make_icosahedron<Mesh, Point_3>(mesh);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(3));
+  for(Vertex v : vertices(mesh)) {
+    const Kernel::Vector_3 p = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + p / std::sqrt(p.squared_length());
+  }
+  return mesh;
+}
+
+// Parametrizes `mesh`, cut along shortest paths between the cones; one coordinate pair per corner.
+bool parameterize(Mesh& mesh, const std::vector<Vertex>& cones, SMP::Orbifold_type type,
+                  UV_map corner_uv_map)
+{
+  Seam_edge_map seam_edges = mesh.add_property_map<Edge, bool>("e:on_seam", false).first;
+  Seam_vertex_map seam_vertices = mesh.add_property_map<Vertex, bool>("v:on_seam", false).first;
+  Seam_mesh seam_mesh(mesh, seam_edges, seam_vertices);
+
+  std::list<Edge> seam;
+  SMP::compute_shortest_paths_between_cones(mesh, cones.begin(), cones.end(), seam);
+  for(Edge e : seam)
+    seam_mesh.add_seam(source(e, mesh), target(e, mesh));
+
+  std::unordered_map<Seam_vertex, int> indices;
+  for(Seam_vertex v : vertices(seam_mesh))
+    indices.emplace(v, int(indices.size()));
+  std::unordered_map<Seam_vertex, SMP::Cone_type> cone_types;
+  SMP::locate_cones(seam_mesh, cones.begin(), cones.end(), cone_types);
+
+  UV_map seam_uv_map = mesh.add_property_map<Halfedge, Point_2>("h:seam_uv").first;
+  const Seam_halfedge border =
+    CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
+  SMP::Orbifold_Tutte_parameterizer_3<Seam_mesh> parameterizer(type);
+  const SMP::Error_code error =
+    parameterizer.parameterize(seam_mesh, border, cone_types, seam_uv_map,
+                               boost::make_assoc_property_map(indices));
+
+  // A vertex of the seam mesh is one of the halfedges of a sector: all corners get its value.
+  for(Halfedge h : halfedges(mesh))
+    put(corner_uv_map, h, get(seam_uv_map, target(Seam_halfedge(h), seam_mesh)));
+
+  mesh.remove_property_map(seam_uv_map);
+  mesh.remove_property_map(seam_edges);
+  mesh.remove_property_map(seam_vertices);
+  if(error != SMP::OK)
+    std::cerr << SMP::get_error_message(error) << std::endl;
+  return error == SMP::OK;
+}
+
+bool snap(const Mesh& mesh, UV_map uv_map)
+{
+  const auto before = Snapping::measure_seamlessness(mesh, uv_map);
+  std::cout << "  before: violation " << before.violation << ", "
+            << before.number_of_inexact_edges << " inexact edges, "
+            << before.number_of_flipped_faces << " flipped faces\n";
+
+  const Snapping::Snapping_report report = Snapping::snap_to_seamless(mesh, uv_map);
+  std::cout << "  " << report << ", largest change " << report.largest_change << "\n";
+
+  const auto after = Snapping::measure_seamlessness(mesh, uv_map);
+  std::cout << "  after:  violation " << after.violation << ", "
+            << after.number_of_inexact_edges << " inexact edges, "
+            << after.number_of_flipped_faces << " flipped faces" << std::endl;
+  return report && Snapping::is_seamless(mesh, uv_map);
+}
+
+int main()
+{
+  Mesh mesh = make_sphere();
+  UV_map uv_map = mesh.add_property_map<Halfedge, Point_2>("h:uv").first;
+  std::cout << num_faces(mesh) << " faces" << std::endl;
+
+  // The vertices of the icosahedron come first.
+  const std::vector<Vertex> vertices_of_icosahedron(vertices(mesh).begin(),
+                                                    std::next(vertices(mesh).begin(), 12));
+  const auto& v = vertices_of_icosahedron;
+
+  std::cout << "Square, with three cones" << std::endl;
+  const bool square = parameterize(mesh, {v[0], v[3], v[11]}, SMP::Square, uv_map) &&
+                      snap(mesh, uv_map);
+
+  std::cout << "Parallelogram, with four cones" << std::endl;
+  const bool parallelogram =
+    parameterize(mesh, {v[0], v[3], v[7], v[11]}, SMP::Parallelogram, uv_map) &&
+    snap(mesh, uv_map);
+
+  return (square && parallelogram) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
