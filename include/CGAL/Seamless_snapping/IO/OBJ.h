@@ -78,8 +78,8 @@ are skipped. The numbers become the nearest ones of the number types of `uv_map`
 point map, independent of the locale and of the rounding mode.
 
 The mesh is as in the file: vertices and faces come in its order,
-`target(halfedge(f, tmesh), tmesh)` is the first corner of face `f`, vertices without faces are kept,
-no face is turned round. There is one exception: where the faces around a vertex form several fans,
+`target(halfedge(f, tmesh), tmesh)` is the first corner of face `f`, vertices without faces are
+kept, no face is turned round. There is one exception: where the faces around a vertex form several fans,
 which no halfedge data structure can hold, the fan that comes first in the file keeps the vertex and
 each other fan gets a copy, after all other vertices.
 

@@ -44,9 +44,9 @@ private:
   std::size_t m_line;
 };
 
-// Walks through a text; stands within or at the end of the statement that starts at `line()`. Lines end
-// with LF, CRLF, or CR; a backslash before the end of a line joins it to the next one, except in
-// comments, where it is text (as in the path of a folder).
+// Walks through a text; stands within or at the end of the statement that starts at `line()`.
+// Lines end with LF, CRLF, or CR; a backslash before the end of a line joins it to the next one,
+// except in comments, where it is text (as in the path of a folder).
 class OBJ_scanner
 {
 public:
@@ -58,7 +58,8 @@ public:
       m_position = utf8_mark.size();
   }
 
-  // Goes to the next statement and returns its keyword, which is empty at the end of the text.
+  // Goes to the next statement and returns its keyword, which is empty at the end of the text;
+  // `line()` is then that of the last statement.
   std::string_view next_statement()
   {
     while(m_position < m_text.size()) {
@@ -69,10 +70,12 @@ public:
       }
       m_has_started = true;
       skip_blanks();
-      m_line = m_physical_line;
+      const std::size_t line = m_physical_line;
       const std::string_view keyword = next_token();
-      if(!keyword.empty())
+      if(!keyword.empty()) {
+        m_line = line;
         return keyword;
+      }
     }
     return std::string_view();
   }

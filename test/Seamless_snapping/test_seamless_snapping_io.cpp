@@ -1,0 +1,269 @@
+// Reading and writing of OBJ files: what the format allows, and what is refused with which line.
+
+#include "obj_models.h"
+
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// Two triangles of a square; `f` statements are on lines 9 and 10.
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                           "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+
+void check_same_as_square(const std::string& name, const std::string& text)
+{
+  Surface_model expected, model;
+  CHECK(expected.read(square));
+  const SS::IO::OBJ_status status = model.read(text);
+  if(!CHECK(status) || !CHECK(content(model) == content(expected)))
+    std::cerr << "    " << name << ": " << status << std::endl;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  for(std::size_t i = text.find(what); i != text.npos; i = text.find(what, i + by.size()))
+    text.replace(i, what.size(), by);
+  return text;
+}
+
+void test_valid_variants()
+{
+  check_same_as_square("no final newline", square.substr(0, square.size() - 1));
+  check_same_as_square("CRLF", replaced(square, "\n", "\r\n"));
+  check_same_as_square("CR", replaced(square, "\n", "\r"));
+  check_same_as_square("tabs", replaced(square, " ", "\t"));
+  check_same_as_square("many blanks",
+                       "  " + replaced(replaced(square, " ", " \t  "), "\n", "  \n "));
+  check_same_as_square("empty lines", "\n\n" + replaced(square, "\n", "\n\n \n"));
+  check_same_as_square("UTF-8 mark", "\xEF\xBB\xBF" + square);
+  check_same_as_square("comments", "#no blank\n# ends in a backslash \\\n"
+                                     + replaced(square, "\n", " # a comment\n"));
+  check_same_as_square("continuation", replaced(square, " ", " \\\n"));
+  check_same_as_square("continuation without a blank", replaced(square, " ", "\\\r\n"));
+  check_same_as_square("normals", replaced(replaced(square, "/3", "/3/1"), "/4", "/4/-1"));
+  check_same_as_square("empty normals", replaced(square, "/3", "/3/"));
+  check_same_as_square("third texture coordinate", replaced(square, "vt 1 1\n", "vt 1 1 0.5\n"));
+  check_same_as_square("weights, colors", replaced(square, "v 1 1 0\n", "v 1 1 0 .1 .2 .3\n"));
+  check_same_as_square("plus", replaced(square, "v 1 1 0\n", "v +1 +1. +.0e+9\n"));
+  check_same_as_square("scientific", replaced(square, "vt 1 1\n", "vt 100e-2 0.001E+3\n"));
+  check_same_as_square("underflow", replaced(square, "vt 0 1\n", "vt 1e-99999999999999999999 1\n"));
+  check_same_as_square("underflow", replaced(square, "vt 0 1\n", "vt 2e-324 1\n"));
+  check_same_as_square("underflow", replaced(square, "vt 0 1\n",
+                                             "vt 0." + std::string(400, '0') + "1 1\n"));
+  check_same_as_square("long mantissa", replaced(square, "vt 0 1\n",
+                                                 "vt 0 1." + std::string(900, '0') + "1\n"));
+  check_same_as_square("zero with a large exponent", replaced(square, "vt 0 1\n", "vt 0e999 1\n"));
+  check_same_as_square("other statements", "mtllib a.mtl\no x\ng\ns off\nvn 0 0 1\nvp a b\nfoo\n"
+                                             + square + "usemtl y\nend \\\n f 1 2\n");
+  check_same_as_square("forward references", square.substr(square.find('f'))
+                                               + square.substr(0, square.find('f')));
+  check_same_as_square("negative indices", replaced(replaced(square, "f 1/1 2/2 3/3",
+                                                             "f -4/-4 -3/-3 -2/-2"),
+                                                    "f 1/1 3/3 4/4", "f -4/1 3/-2 -1/-1"));
+}
+
+void test_features()
+{
+  const auto features = [](const std::string& lines) {
+    Surface_model model;
+    const SS::IO::OBJ_status status = model.read(square + lines);
+    CHECK(status);
+    return content(model).features;
+  };
+  using Features = std::vector<std::array<std::size_t, 2> >;
+  CHECK(features("l 3 1\n") == (Features{{0, 2}}));
+  CHECK(features("l 1 2 3 1 4\n") == (Features{{0, 1}, {0, 2}, {0, 3}, {1, 2}}));
+  CHECK(features("l 1/1 2/1\nl -1 -2\nl 2 1\n") == (Features{{0, 1}, {2, 3}}));
+
+  // without a map, only the syntax counts
+  std::istringstream is(square + "l 2 4\n");
+  Surface_model model;
+  CHECK(SS::IO::read_OBJ(is, model.mesh, model.uv_map));
+}
+
+void test_corners_and_order()
+{
+  // the corners of the two faces differ at both shared vertices
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 7 7 7\n"
+                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 5 5\nvt 6 6\nvt 7 7\n"
+                           "f 3/3 1/1 2/2\nf 3/5 4/6 1/4\n";
+  const auto check = [&text](auto model) {
+    CHECK(model.read(text));
+    const Content c = content(model);
+    CHECK(c.triangles == (std::vector<std::size_t>{2, 0, 1, 2, 3, 0}));
+    CHECK(c.uvs == (std::vector<std::uint64_t>{
+                     bits(1.), bits(1.), bits(0.), bits(0.), bits(1.), bits(0.),
+                     bits(6.), bits(6.), bits(7.), bits(7.), bits(5.), bits(5.)}));
+    CHECK_EQUAL(num_vertices(model.mesh), 5u); // the last without a face
+    CHECK(is_valid_but_for_isolated_vertices(model.mesh));
+  };
+  check(Surface_model());
+  check(Polyhedron_model());
+
+  // data are added, and nothing is touched on failure
+  Surface_model model;
+  CHECK(model.read(text));
+  CHECK(!model.read("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf 1/1 2/1 3/1\n"));
+  CHECK_EQUAL(num_vertices(model.mesh), 5u);
+  CHECK(model.read(square));
+  CHECK_EQUAL(num_vertices(model.mesh), 9u);
+  CHECK_EQUAL(num_faces(model.mesh), 4u);
+}
+
+void test_split_vertices()
+{
+  // two open fans at vertex 1, and a closed one, the tip of a tetrahedron
+  const std::string text =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nv 1 0 2\nv 0 1 2\nv 0 0 2\nvt 0 0\n"
+    "f 1/1 2/1 3/1\nf 4/1 5/1 1/1\n"
+    "f 1/1 6/1 7/1\nf 1/1 7/1 8/1\nf 8/1 6/1 1/1\nf 6/1 8/1 7/1\nl 1 5\nl 8 1\n";
+  const auto check = [&text](auto model) {
+    const SS::IO::OBJ_status status = model.read(text);
+    CHECK(status);
+    CHECK_EQUAL(status.number_of_split_vertices, 2u);
+    CHECK_EQUAL(num_vertices(model.mesh), 10u);
+    CHECK(CGAL::is_valid_polygon_mesh(model.mesh));
+    CHECK(content(model).triangles
+          == (std::vector<std::size_t>{0, 1, 2, 3, 4, 8, 9, 5, 6, 9, 6, 7, 7, 5, 9, 5, 7, 6}));
+    CHECK_EQUAL(model.number_of_features(), 2u);
+
+    std::remove_reference_t<decltype(model)> again;
+    CHECK_EQUAL(again.read(model.write()).number_of_split_vertices, 0u);
+    CHECK(content(again) == content(model));
+  };
+  check(Surface_model());
+  check(Polyhedron_model());
+}
+
+void check_refused(const std::string& text, std::size_t line, const std::string& fragment)
+{
+  Surface_model model;
+  const SS::IO::OBJ_status status = model.read(text);
+  const std::string start = "line " + std::to_string(line) + ": ";
+  bool good = CHECK(!status) && CHECK_EQUAL(status.line, line);
+  good = CHECK(status.message.find(start) == 0) && good;
+  good = CHECK(status.message.find(fragment) != status.message.npos) && good;
+  good = CHECK(model.mesh.is_empty()) && good;
+  if(!good)
+    std::cerr << "    expected: " << fragment << "\n    message:  " << status.message << std::endl;
+}
+
+void test_refused_statements()
+{
+  const auto with = [](const std::string& old, const std::string& changed) {
+    CHECK(square.find(old) != square.npos);
+    return replaced(square, old, changed);
+  };
+  check_refused("", 1, "without a face");
+  check_refused("v 0 0 0\n\nOFF\n", 3, "without a face");
+  check_refused(with("v 1 1 0\n", "v 1 1\n"), 3, "v needs 3 coordinates, but has 2");
+  check_refused(with("vt 1 1\n", "vt 1\n"), 7, "vt needs 2 coordinates, but has 1");
+  check_refused(with("vt 1 1\n", "vt\n"), 7, "vt needs 2 coordinates, but has 0");
+  for(const std::string number : {"1x", "1e", "1,5", "0x1p0", "1d5", "1..2", "1e+"})
+    check_refused(with("vt 1 1\n", "vt 1 " + number + "\n"), 7, "'" + number + "' is not a number");
+  for(const std::string number : {"nan", "inf", "-inf", "NaN(3)", "-", "+", "+-1", "--1", "e5"})
+    check_refused(with("vt 1 1\n", "vt 1 " + number + "\n"), 7,
+                  "'" + number + "' is not a finite number");
+  check_refused(with("vt 1 1\n", "vt 1 .\n"), 7, "'.' is not a number");
+  check_refused(with("vt 1 1\n", "vt 1 1#x\n"), 7, "'1#x' is not a number");
+  check_refused(with("vt 1 1\n", "vt 1 1 x\n"), 7, "'x' is not a finite number");
+  for(const std::string number : {"1e309", "-2e308", "1e99999999999999999999", "0.001e400"})
+    check_refused(with("vt 1 1\n", "vt 1 " + number + "\n"), 7, "'" + number + "' is too large");
+  check_refused(with("vt 1 1\n", "vt 1 " + std::string(400, '9') + "e-9\n"), 7, "999...' is too l");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 2/2 3/3 4/4"), 10,
+                "face has 4 corners; triangulate the mesh first");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3"), 10, "face has 2 corners, but needs 3");
+  check_refused(with("f 1/1 3/3 4/4", "f"), 10, "face has 0 corners");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3 1/4"), 10, "face uses vertex 1 twice");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3 4/4"), 10, "corner '3' has no texture coordinate");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3//3 4/4"), 10, "corner '3//3' has no texture");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/ 4/4"), 10, "corner '3/' has no texture coordinate");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 /3 4/4"), 10, "'' is not the index of a vertex");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3x 4/4"), 10,
+                "'3x' is not the index of a texture coordinate");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3/x 4/4"), 10, "'x' is not the index of a normal");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3/1/1 4/4"), 10, "'1/1' is not the index of a no");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3.0/3 4/4"), 10, "'3.0' is not the index of a vertex");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 0/3 4/4"), 10, "vertex index 0: indices start at 1");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 5/3 4/4"), 10,
+                "vertex index 5 is out of range: the file has 4");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3 4/5"), 10,
+                "texture coordinate index 5 is out of range: the file has 4");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 -5/3 4/4"), 10,
+                "vertex index -5 is out of range: there are 4 so far");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 99999999999999999999/3 4/4"), 10, "is out of range");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 -9223372036854775808/3 4/4"), 10, "is out of range");
+  check_refused(square + "l 1\n", 11, "line element needs 2 vertices or more, but has 1");
+  check_refused(square + "l 1 2 x\n", 11, "'x' is not the index of a vertex");
+  check_refused(square + "l 1 2 9\n", 11, "vertex index 9 is out of range");
+  check_refused(square + "l 1 2\nl 3 2 4\n", 12, "line element 2 4 is not an edge of the mesh");
+  check_refused(square + "l 1 1\n", 11, "line element 1 1 is not an edge of the mesh");
+  // the line on which the statement starts, however lines end
+  check_refused(replaced(with("vt 1 1\n", "vt \\\n\\\n 1 x\n"), "\n", "\r\n"), 7, "'x'");
+  check_refused(with("vt 0 0\nvt 1 0\nvt 1 1\n", "vt \\\n0 \\\n0\n#\\\nvt 1 0\n\nvt y 1\n"), 11,
+                "'y'");
+  check_refused(replaced(with("vt 1 1", "vt 1 x"), "\n", "\r"), 7, "'x'");
+}
+
+void test_refused_surfaces()
+{
+  const auto faces = [](const std::string& statements) {
+    return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nvt 0 0\n" + statements;
+  };
+  check_refused(faces("f 1/1 2/1 3/1\nf 1/1 2/1 4/1\n"), 8,
+                "edge 1 2 has the same direction in two faces (lines 7 and 8): orient the faces");
+  check_refused(faces("f 1/1 2/1 3/1\nf 2/1 1/1 4/1\nf 1/1 2/1 5/1\n"), 9,
+                "edge 1 2 is not manifold: 3 faces share it (lines 7, 8, 9)");
+  check_refused(faces("f 1/1 2/1 3/1\nf 2/1 3/1 1/1\n"), 8, "same direction");
+  check_refused(faces("f 1/1 2/1 3/1\nf 2/1 3/1 1/1\nf 1/1 2/1 3/1\nf 1/1 2/1 3/1\n"), 8,
+                "4 faces share it (lines 7, 8, 9, ...)");
+  CHECK(Surface_model().read(band(5, false)));
+  CHECK(Polyhedron_model().read(band(5, false)));
+  check_refused(band(5, true), 21, "(lines 12 and 21): the surface is not orientable");
+}
+
+void test_failing_files()
+{
+  Surface_model model;
+  const std::string missing = "no/such/file.obj";
+  SS::IO::OBJ_status status = SS::IO::read_OBJ(missing, model.mesh, model.uv_map);
+  CHECK(!status);
+  CHECK_EQUAL(status.line, 0u);
+  CHECK_EQUAL(status.message, "cannot open '" + missing + "'");
+  status = SS::IO::read_OBJ(".", model.mesh, model.uv_map);
+  CHECK_EQUAL(status.message, "cannot read '.'");
+  status = SS::IO::write_OBJ(missing, model.mesh, model.uv_map);
+  CHECK_EQUAL(status.message, "cannot open '" + missing + "' for writing");
+
+  std::ostringstream os;
+  CHECK(model.read(square));
+  put(model.uv_map, halfedge(*faces(model.mesh).begin(), model.mesh),
+      Kernel::Point_2(0, std::numeric_limits<double>::quiet_NaN()));
+  status = SS::IO::write_OBJ(os, model.mesh, model.uv_map);
+  CHECK_EQUAL(status.message, "a coordinate is not finite; nothing is written");
+  CHECK(os.str().empty());
+
+  std::istringstream is(square);
+  Surface_model other;
+  CHECK(SS::IO::read_OBJ(is, other.mesh, other.uv_map));
+  CHECK(is); // at its end, but not failed
+  os.setstate(std::ios::badbit);
+  status = SS::IO::write_OBJ(os, other.mesh, other.uv_map);
+  CHECK_EQUAL(status.message, "cannot write to the stream");
+}
+
+int main()
+{
+  test_valid_variants();
+  test_features();
+  test_corners_and_order();
+  test_split_vertices();
+  test_refused_statements();
+  test_refused_surfaces();
+  test_failing_files();
+  return report_checks();
+}
