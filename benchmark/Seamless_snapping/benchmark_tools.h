@@ -1,0 +1,78 @@
+// What the benchmarks share: times of steps as the minimum over several runs, and growth exponents.
+
+#ifndef SEAMLESS_SNAPPING_BENCHMARK_BENCHMARK_TOOLS_H
+#define SEAMLESS_SNAPPING_BENCHMARK_BENCHMARK_TOOLS_H
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace benchmark {
+
+inline double seconds_now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// The steps in the order of their first appearance. A step that occurs twice in a run adds up.
+using Step_times = std::vector<std::pair<std::string, double> >;
+
+inline double& time_of(const std::string& name, Step_times& steps)
+{
+  for(auto& step : steps)
+    if(step.first == name)
+      return step.second;
+  steps.emplace_back(name, 0.);
+  return steps.back().second;
+}
+
+inline Step_times summed(const Step_times& steps)
+{
+  Step_times result;
+  for(const auto& step : steps)
+    time_of(step.first, result) += step.second;
+  return result;
+}
+
+// The run with the smallest total; its steps add up to that total but for what lies between them.
+class Fastest_run
+{
+public:
+  void add(const Step_times& steps, double total)
+  {
+    if(m_runs++ != 0 && total >= m_total)
+      return;
+    m_steps = summed(steps);
+    m_total = total;
+  }
+
+  const Step_times& steps() const { return m_steps; }
+  double total() const { return m_total; }
+
+private:
+  std::size_t m_runs = 0;
+  Step_times m_steps;
+  double m_total = 0;
+};
+
+// The slope of the line that fits log(value) over log(size) best.
+inline double growth_exponent(const std::vector<std::pair<double, double> >& sizes_and_values)
+{
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for(const auto& pair : sizes_and_values) {
+    const double log_size = std::log(pair.first), log_value = std::log(pair.second);
+    n += 1;
+    x += log_size;
+    y += log_value;
+    xx += log_size * log_size;
+    xy += log_size * log_value;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+} // namespace benchmark
+
+#endif // SEAMLESS_SNAPPING_BENCHMARK_BENCHMARK_TOOLS_H
