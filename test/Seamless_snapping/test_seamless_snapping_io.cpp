@@ -104,6 +104,14 @@ void test_corners_and_order()
   check(Surface_model());
   check(Polyhedron_model());
 
+  // corners at a vertex share coordinates if they agree to the last bit, and only then
+  Surface_model zeros;
+  CHECK(zeros.read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt -0 0\nvt 1 1\nvt 1 1\n"
+                   "f 1/1 2/3 3/3\nf 1/2 3/4 4/3\n"));
+  const std::string written = zeros.write();
+  CHECK_EQUAL(written.substr(written.find("vt")),
+              "vt 0 0\nvt 1 1\nvt 1 1\nvt -0 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/4 3/3 4/5\n");
+
   // data are added, and nothing is touched on failure
   Surface_model model;
   CHECK(model.read(text));
@@ -173,7 +181,9 @@ void test_refused_statements()
   check_refused(with("vt 1 1\n", "vt 1 1 x\n"), 7, "'x' is not a finite number");
   for(const std::string number : {"1e309", "-2e308", "1e99999999999999999999", "0.001e400"})
     check_refused(with("vt 1 1\n", "vt 1 " + number + "\n"), 7, "'" + number + "' is too large");
-  check_refused(with("vt 1 1\n", "vt 1 " + std::string(400, '9') + "e-9\n"), 7, "999...' is too l");
+  for(const std::string exponent : {"", ".5", "e-9"})
+    check_refused(with("vt 1 1\n", "vt 1 " + std::string(400, '9') + exponent + "\n"), 7,
+                  "999...' is too large");
   check_refused(with("f 1/1 3/3 4/4", "f 1/1 2/2 3/3 4/4"), 10,
                 "face has 4 corners; triangulate the mesh first");
   check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/3"), 10, "face has 2 corners, but needs 3");
