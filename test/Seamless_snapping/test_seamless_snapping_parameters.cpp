@@ -104,6 +104,18 @@ void test_all_names()
 #undef CGAL_SEAMLESS_SNAPPING_TEST
 }
 
+// The lists above pair names and tags; these are the pairs that functions of the package rely on.
+void test_tags()
+{
+  CHECK(has(parameters::align_border(true), internal_np::align_border));
+  CHECK(has(parameters::edge_is_constrained_map(0), internal_np::edge_is_constrained));
+  CHECK(has(parameters::edge_is_cut_map(0), internal_np::edge_is_cut));
+  CHECK(has(parameters::halfedge_rotation_map(0), internal_np::halfedge_rotation));
+  CHECK(has(parameters::tolerance(0), internal_np::tolerance));
+  CHECK(has(parameters::weights(0), internal_np::weights));
+  CHECK(!has(parameters::weights(0), internal_np::tolerance));
+}
+
 // CGAL's overloads take nothing but its own type for a chain: the wrapper has to be gone.
 void test_stripping()
 {
@@ -151,6 +163,7 @@ int main()
   test_last_one_counts();
   test_references();
   test_all_names();
+  test_tags();
   test_stripping();
   test_is_named_parameters();
   return report_checks();
