@@ -17,6 +17,7 @@
 // From values to values: looks whether they solve the system already, puts them on a grid, solves there,
 // and checks what comes back.
 
+#include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/algebra/exact_evaluation.h>
 #include <CGAL/Seamless_snapping/internal/algebra/solve_on_grid.h>
 
@@ -133,7 +134,8 @@ inline void snap_values(const Any_system& system, const std::vector<double>& wei
   timer.finish("input");
 
   Grid_solution solution{point.grid, {}, {}};
-  if(!solve_on_grid(system, point, solution, report, timer)) {
+  if(!std::visit([&](const auto& s) { return solve_on_grid(s, point, solution, report, timer); },
+                 system)) {
     report.message = failure_message(report);
     return;
   }

@@ -18,11 +18,7 @@
 // from the start in multiprecision; says in the report what came of it.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid_solver.h>
-#include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/algebra/contradiction_certificate.h>
-
-#include <string>
-#include <variant>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -48,17 +44,15 @@ bool solve_with(const Integer_system<Integer>& system, const Grid_point& point,
   return true;
 }
 
-inline bool solve_on_grid(const Any_system& system, const Grid_point& point,
-                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+template <typename Integer>
+bool solve_on_grid(const Integer_system<Integer>& system, const Grid_point& point,
+                   Grid_solution& solution, Snapping_report& report, Step_timer& timer)
 {
-  if(const auto* small = std::get_if<Integer_system<std::int64_t> >(&system)) {
-    try {
-      return solve_with(*small, point, solution, report, timer);
-    } catch(const Integer_overflow&) {
-      return solve_with(to_multiprecision(*small), point, solution, report, timer);
-    }
+  try {
+    return solve_with(system, point, solution, report, timer);
+  } catch(const Integer_overflow&) { // only from 64-bit integers
+    return solve_with(to_multiprecision(system), point, solution, report, timer);
   }
-  return solve_with(std::get<Integer_system<Exact_integer> >(system), point, solution, report, timer);
 }
 
 } // namespace internal

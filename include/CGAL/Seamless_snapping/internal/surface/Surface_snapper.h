@@ -1,0 +1,166 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SURFACE_SNAPPER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SURFACE_SNAPPER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The steps of the surface function, one after the other: transitions, sectors, branches, the reduced
+// system, its solution on a grid, the coordinates of all sectors, writing, and verification.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/algebra/solve_on_grid.h>
+#include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/Branches.h>
+#include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
+#include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
+#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/surface/snapped_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/surface/write_coordinates.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+class Surface_snapper
+{
+  using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
+  using Snapped = Snapped_coordinates<TriangleMesh, HalfedgeUVMap>;
+
+public:
+  Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_np(np),
+      m_timer(m_report, CGAL::parameters::choose_parameter(
+                          CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
+  { }
+
+  Snapping_report run()
+  {
+    const Transition_data<TriangleMesh> transitions = read_transitions(m_tmesh, m_uv_map, m_np);
+    fill_in(transitions);
+    m_timer.finish("transitions");
+    if(failed(transitions))
+      return m_report;
+
+    const Align_edges<TriangleMesh> align_edges =
+      read_align_edges(m_tmesh, m_uv_map, transitions.extent, m_np);
+    m_report.violation_before = (std::max)(transitions.violation, align_edges.violation());
+    if(failed(align_edges) || (transitions.is_exact && align_edges.is_exact()))
+      return m_report;
+
+    const Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges,
+                          CGAL::get_initialized_vertex_index_map(m_tmesh, m_np));
+    m_timer.finish("sectors");
+
+    const Branches branches(sectors, transitions, align_edges);
+    fill_in(sectors, branches);
+    m_timer.finish("branches");
+
+    Grid grid = Grid::finest(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
+                             sectors.largest_coordinate());
+    while(!snap_on(grid, transitions, align_edges, sectors, branches))
+      grid = Grid(grid.format(), grid.exponent() + 1);
+    return m_report;
+  }
+
+private:
+  template <typename Step>
+  bool failed(const Step& step)
+  {
+    if constexpr(std::is_same<Step, Transition_data<TriangleMesh> >::value) {
+      m_report.status = step.status;
+      m_report.message = step.message;
+    } else {
+      m_report.status = step.status();
+      m_report.message = step.message();
+    }
+    return m_report.status != Snapping_status::ALREADY_EXACT;
+  }
+
+  void fill_in(const Transition_data<TriangleMesh>& transitions)
+  {
+    m_report.number_of_faces = num_faces(m_tmesh);
+    m_report.number_of_cut_edges = transitions.cut_halfedges.size();
+    m_report.number_of_merged_edges = transitions.merged_halfedges.size();
+    m_report.number_of_singular_vertices = transitions.singular_vertices.size();
+    m_report.extent = transitions.extent;
+    if(num_faces(m_tmesh) == 0)
+      m_report.message = "the mesh has no faces, so there is nothing to snap";
+  }
+
+  void fill_in(const Sectors& sectors, const Branches& branches)
+  {
+    m_report.number_of_sectors = sectors.number_of_sectors();
+    m_report.number_of_nodes =
+      std::size_t(std::count(branches.is_node.begin(), branches.is_node.end(), true));
+    m_report.number_of_cut_branches = branches.cut.size();
+    m_report.number_of_align_branches = branches.aligned.size();
+  }
+
+  // Returns false if a coarser grid is needed: rare, for coordinates that grow past a power of two.
+  bool snap_on(const Grid& grid, const Transition_data<TriangleMesh>& transitions,
+               const Align_edges<TriangleMesh>& align_edges, const Sectors& sectors,
+               const Branches& branches)
+  {
+    const std::vector<Grid_uv> coordinates = sector_coordinates(sectors, m_uv_map, grid);
+    const System system(sectors, branches, transitions, align_edges, coordinates, grid);
+    m_report.number_of_unknowns = system.point().values.size();
+    m_report.number_of_constraints = system.system().number_of_rows();
+    m_timer.finish("reduced system");
+
+    Grid_solution solution{grid, {}, {}};
+    if(!solve_on_grid(system.system(), system.point(), solution, m_report, m_timer)) {
+      m_report.message = "the constraints contradict each other";
+      return true;
+    }
+    if(solution.grid.exponent() != grid.exponent())
+      return false;
+    const Snapped snapped(sectors, branches, system, coordinates, solution);
+    if(!snapped.fits())
+      return false;
+    m_timer.finish("coordinates");
+
+    Change_statistics statistics(grid.step());
+    const bool verified = write_and_verify(m_tmesh, m_uv_map, sectors, transitions, align_edges,
+                                           snapped, statistics);
+    m_timer.finish("writing and verification");
+    if(!verified) {
+      m_report.status = Snapping_status::INTERNAL_ERROR;
+      m_report.message = "the result failed its exact verification and was discarded; please report this";
+      return true;
+    }
+    statistics.fill_in(m_report);
+    m_report.grid_step = grid.step();
+    m_report.status = Snapping_status::SNAPPED;
+    return true;
+  }
+
+  const TriangleMesh& m_tmesh;
+  HalfedgeUVMap m_uv_map;
+  const NamedParameters& m_np;
+  Snapping_report m_report;
+  Step_timer m_timer;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SURFACE_SNAPPER_H

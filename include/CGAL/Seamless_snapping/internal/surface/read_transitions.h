@@ -1,0 +1,281 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_READ_TRANSITIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_READ_TRANSITIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a uv map to its transitions: surveys the edges, measures the open ones, tells cuts from noise, and
+// collects the singular vertices.
+
+#include <CGAL/Seamless_snapping/internal/surface/classify_open_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/singular_vertices.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Everything known about the transitions of a uv map; `Seam_transitions` documents the members.
+template <typename TriangleMesh>
+struct Transition_data
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Edge_map =
+    typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
+
+  explicit Transition_data(const TriangleMesh& mesh)
+    : tmesh(&mesh), edge_index(get(CGAL::dynamic_edge_property_t<int>(), mesh))
+  { }
+
+  // The open edge of `h`, or -1.
+  Edge_index index(const Halfedge h) const { return get(edge_index, edge(h, *tmesh)) - 1; }
+
+  const TriangleMesh* tmesh;
+  Edge_map edge_index; // of an open edge, plus 1
+  std::vector<Open_edge<Halfedge> > edges;
+  std::vector<Halfedge> cut_halfedges, merged_halfedges;
+  std::vector<std::pair<Vertex, int> > singular_vertices;
+  Snapping_status status = Snapping_status::ALREADY_EXACT;
+  std::string message;
+  bool is_exact = true;
+  double extent = 0;
+  double violation = 0;
+};
+
+// What the caller knows about cuts and rotations, if anything.
+template <typename TriangleMesh, typename EdgeIsCutMap, typename HalfedgeRotationMap>
+struct Given_transitions
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Not_given = CGAL::internal_np::Param_not_found;
+  static constexpr bool has_cuts = !std::is_same<EdgeIsCutMap, Not_given>::value;
+  static constexpr bool has_rotations = !std::is_same<HalfedgeRotationMap, Not_given>::value;
+
+  const TriangleMesh& tmesh;
+  EdgeIsCutMap edge_is_cut;
+  HalfedgeRotationMap halfedge_rotation;
+
+  bool is_cut(const Halfedge h) const
+  {
+    if constexpr(has_cuts)
+      return get(edge_is_cut, edge(h, tmesh));
+    else
+      return false;
+  }
+
+  int rotation(const Halfedge h) const
+  {
+    if constexpr(has_rotations) {
+      const int k = static_cast<int>(get(halfedge_rotation, h)) % number_of_rotations;
+      return k < 0 ? k + number_of_rotations : k;
+    } else {
+      return 0;
+    }
+  }
+
+  // Edges that count as open even if their sides are the same to the bit.
+  bool is_cut_anyway(const Halfedge h) const { return is_cut(h) || rotation(h) != 0; }
+};
+
+template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
+std::string edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
+{
+  return "the edge between vertices " + std::to_string(get(vertex_indices, source(h, tmesh))) +
+         " and " + std::to_string(get(vertex_indices, target(h, tmesh)));
+}
+
+inline std::string short_number(const double x)
+{
+  std::ostringstream os;
+  os.precision(3);
+  os << x;
+  return os.str();
+}
+
+// One run; the member functions are its steps, in order.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap, typename Given>
+class Transition_reader
+{
+  using Data = Transition_data<TriangleMesh>;
+  using Halfedge = typename Data::Halfedge;
+
+public:
+  Transition_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                    const VertexIndexMap& vertex_indices, const Given& given, const double tolerance)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_given(given),
+      m_tolerance(tolerance)
+  { }
+
+  Data run()
+  {
+    Data data(m_tmesh);
+    Uv_survey<TriangleMesh> survey =
+      survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
+                [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
+    data.extent = survey.extent;
+    data.status = survey.status;
+    data.message = std::move(survey.message);
+    if(data.status != Snapping_status::ALREADY_EXACT)
+      return data;
+    if(data.extent > 0)
+      std::frexp(data.extent, &m_exponent);
+    sort_canonically(m_tmesh, m_vertex_indices, survey.open_halfedges);
+    if(!read_rotations(survey.open_halfedges, data) || !check_residuals(data))
+      return data;
+    number_edges(survey.open_halfedges, data);
+    return data;
+  }
+
+private:
+  bool read_rotations(const std::vector<Halfedge>& halfedges, Data& data) const
+  {
+    data.edges.resize(halfedges.size());
+    for(std::size_t i = 0; i < halfedges.size(); ++i) {
+      Open_edge<Halfedge>& edge = data.edges[i];
+      edge.halfedge = halfedges[i];
+      const Edge_sides sides = edge_sides(m_tmesh, m_uv_map, edge.halfedge);
+      edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
+      if constexpr(Given::has_rotations) {
+        const Halfedge g = opposite(edge.halfedge, m_tmesh);
+        const int k = m_given.rotation(edge.halfedge);
+        if(k != inverse_rotation(m_given.rotation(g))) {
+          fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+               " has rotations that are not inverse to each other; those of opposite halfedges must add "
+               "up to a multiple of 4");
+          return false;
+        }
+        if(k != 0 && !edge.is_cut) {
+          fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+               " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
+          return false;
+        }
+        set_rotation(edge, sides, k, m_exponent);
+      } else if(edge.is_cut) {
+        read_rotation(edge, sides, m_exponent);
+      } else {
+        set_rotation(edge, sides, 0, m_exponent);
+      }
+      measure_length_and_gap(edge, sides, m_exponent);
+    }
+    return true;
+  }
+
+  // A residual beyond the tolerance is an error that names the edge, never a guess.
+  bool check_residuals(Data& data) const
+  {
+    const double unit = std::ldexp(1., m_exponent);
+    const Open_edge<Halfedge>* worst = nullptr;
+    std::size_t count = 0;
+    double worst_violation = 0;
+    for(const Open_edge<Halfedge>& edge : data.edges) {
+      data.is_exact = data.is_exact && edge.is_exact;
+      data.violation = (std::max)(data.violation, edge.residual * unit);
+      // the sides of an edge that is known to be no cut must coincide
+      const double violation = edge.is_cut ? edge.residual : (std::max)(edge.residual, edge.gap);
+      if(violation * unit <= m_tolerance * data.extent)
+        continue;
+      ++count;
+      if(worst == nullptr || violation > worst_violation) {
+        worst = &edge;
+        worst_violation = violation;
+      }
+    }
+    if(worst == nullptr)
+      return true;
+    fail(data, Snapping_status::NOT_SEAMLESS, worst->halfedge,
+         " has sides that differ by " + short_number(worst_violation * (unit / data.extent)) +
+         " of the extent, more than the tolerance of " + short_number(m_tolerance) +
+         (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
+         "; if this is the accuracy of the parametrization, raise the tolerance");
+    return false;
+  }
+
+  void number_edges(const std::vector<Halfedge>& halfedges, Data& data) const
+  {
+    Vertex_numbers<TriangleMesh> vertices(m_tmesh);
+    vertices.add_ends(halfedges);
+    {
+      const Vertex_incidences incidences(vertices, halfedges);
+      const double residual = largest_residual(data.edges);
+      if(!Given::has_rotations && residual > 0)
+        complete_rotations(m_tmesh, m_uv_map, m_exponent, vertices, incidences, data.edges);
+      if(!Given::has_cuts && residual > 0)
+        mark_merged_edges(m_tmesh, vertices, incidences, residual, data.edges);
+    }
+    // Cut edges first, so that these are numbered without gaps.
+    std::stable_partition(data.edges.begin(), data.edges.end(),
+                          [](const Open_edge<Halfedge>& edge) { return edge.is_cut; });
+    for(std::size_t i = 0; i < data.edges.size(); ++i) {
+      const Halfedge h = data.edges[i].halfedge;
+      put(data.edge_index, edge(h, m_tmesh), static_cast<int>(i) + 1);
+      (data.edges[i].is_cut ? data.cut_halfedges : data.merged_halfedges).push_back(h);
+    }
+    data.is_exact = data.is_exact && data.merged_halfedges.empty();
+    data.singular_vertices = singular_vertices(m_tmesh, m_uv_map, m_exponent, vertices,
+                                               Vertex_incidences(vertices, data.cut_halfedges),
+                                               data.edges);
+  }
+
+  void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
+  {
+    data.status = status;
+    data.message = edge_name(m_tmesh, m_vertex_indices, h) + what;
+  }
+
+  const TriangleMesh& m_tmesh;
+  const HalfedgeUVMap& m_uv_map;
+  const VertexIndexMap& m_vertex_indices;
+  const Given& m_given;
+  double m_tolerance;
+  int m_exponent = 0; // lengths are measured in units of 2^m_exponent
+};
+
+// The residual, relative to the extent, up to which a map counts as seamless by default.
+constexpr double default_tolerance = 1e-4;
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                               const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto edge_is_cut = get_parameter(np, CGAL::internal_np::edge_is_cut);
+  const auto rotations = get_parameter(np, CGAL::internal_np::halfedge_rotation);
+  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
+                                            default_tolerance);
+  using Given = Given_transitions<TriangleMesh, std::decay_t<decltype(edge_is_cut)>,
+                                  std::decay_t<decltype(rotations)> >;
+  const Given given{tmesh, edge_is_cut, rotations};
+  return Transition_reader<TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>, Given>(
+           tmesh, uv_map, vertex_indices, given, tolerance).run();
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_READ_TRANSITIONS_H

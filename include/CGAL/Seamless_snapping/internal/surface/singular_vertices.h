@@ -1,0 +1,93 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SINGULAR_VERTICES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SINGULAR_VERTICES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Singular vertices from the product of the rotations around them, the holonomy. Angle sums alone
+// miscount wherever a fold touches a vertex; they only choose among indices that differ by full turns.
+
+#include <CGAL/Seamless_snapping/internal/surface/Open_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The angle of the corner `h`, in quarter turns.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+double corner_angle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h,
+                    const int exponent)
+{
+  const auto scaled = [&](const Halfedge corner) -> Uv {
+    const Uv u = get_uv(uv_map, corner);
+    return {std::ldexp(u[0], -exponent), std::ldexp(u[1], -exponent)};
+  };
+  const Uv p = scaled(h), q = scaled(next(h, tmesh)), r = scaled(prev(h, tmesh));
+  const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
+  return std::atan2(std::abs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]) / std::acos(0.);
+}
+
+// The sum of the rotations of the cuts around a vertex, counterclockwise, modulo full turns. It equals
+// the index: crossing counterclockwise over an edge leads from the face of the halfedge that points to
+// the vertex to the opposite one, and the angles of the sectors make up the rest of a full turn.
+template <typename Halfedge>
+int holonomy(const Vertex_incidences& incidences,
+             const std::vector<Open_edge<Halfedge> >& edges, const Vertex_index v)
+{
+  int sum = 0;
+  for(const Incidence* i = incidences.begin(v); i != incidences.end(v); ++i) {
+    const int k = edges[std::size_t(i->edge)].rotation;
+    sum += i->points_to_vertex ? k : number_of_rotations - k;
+  }
+  return sum % number_of_rotations;
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> >
+singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const int exponent,
+                  const Vertex_numbers<TriangleMesh>& vertices,
+                  const Vertex_incidences& incidences,
+                  const std::vector<Open_edge<Halfedge> >& edges)
+{
+  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> > result;
+  for(std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vertex_index vi = Vertex_index(i);
+    const int turns = holonomy(incidences, edges, vi);
+    const auto v = vertices.vertex(vi);
+    if(turns == 0 || CGAL::is_border(v, tmesh))
+      continue;
+    double angles = 0;
+    for(const Halfedge h : CGAL::halfedges_around_target(v, tmesh))
+      angles += corner_angle(tmesh, uv_map, h, exponent);
+    const double estimate = number_of_rotations - angles;
+    const int full_turns =
+      static_cast<int>(std::lround((estimate - turns) / double(number_of_rotations)));
+    result.emplace_back(v, turns + number_of_rotations * full_turns);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SINGULAR_VERTICES_H

@@ -1,0 +1,130 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SNAPPED_COORDINATES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SNAPPED_COORDINATES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From the solution of the reduced system to the coordinates of all sectors: those between the nodes
+// follow from the translations and constant coordinates of their branches (Sec. 5.3.1, steps 2 and 3).
+
+#include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant after construction: if `fits()`, components that are constrained are grid elements that
+// satisfy all constraints; the others keep their values, or the mean of their corners' where these differ.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+class Snapped_coordinates
+{
+  using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
+
+public:
+  // `coordinates` on the grid of `solution`
+  Snapped_coordinates(const Sectors& sectors, const Branches& branches, const System& system,
+                      const std::vector<Grid_uv>& coordinates, const Grid_solution& solution)
+    : m_sectors(sectors), m_system(system), m_coordinates(coordinates), m_solution(solution),
+      m_uv(sectors.number_of_sectors())
+  {
+    for(std::size_t s = 0; s < m_uv.size(); ++s)
+      set_unsnapped(Sector_index(s));
+    for(std::size_t b = 0; b < branches.cut.size(); ++b)
+      snap_cut_branch(b, branches.cut.begin(b), branches.cut.end(b));
+    for(std::size_t b = 0; b < branches.aligned.size(); ++b)
+      snap_align_branch(b, branches.aligned.begin(b), branches.aligned.end(b));
+  }
+
+  // Whether all coordinates are numbers of the format; else a coarser grid is needed.
+  bool fits() const { return m_fits; }
+
+  const Uv& uv(const Sector_index s) const { return m_uv[std::size_t(s)]; }
+
+private:
+  void set_unsnapped(const Sector_index s)
+  {
+    const Column_index unknown = m_system.unknown(s);
+    for(std::size_t c = 0; c < 2; ++c) {
+      const Grid_uv& u = m_coordinates[std::size_t(s)];
+      if(unknown >= 0 && m_system.is_constrained(s, c))
+        set(s, c, m_solution.x[std::size_t(unknown) + c]);
+      else if(m_sectors.sector(s).is_uniform)
+        m_uv[std::size_t(s)][c] = m_sectors.sector(s).uv[c];
+      else
+        set(s, c, u.base[c] + std::llround(u.offset[c]));
+    }
+  }
+
+  void set(const Sector_index s, const std::size_t c, const std::int64_t x)
+  {
+    m_fits = m_fits && m_solution.grid.is_representable(x);
+    m_uv[std::size_t(s)][c] = m_solution.grid.value(x);
+  }
+
+  // Given t, the pair of sectors takes the grid point nearest to its optimum: u+ the one nearest to the
+  // weighted mean of u+ and R^-1 (u- - t), and u- = R u+ + t exactly.
+  void snap_cut_branch(const std::size_t b, const Directed_cut* first, const Directed_cut* last)
+  {
+    const Column_index unknown = m_system.translation(b);
+    if(unknown < 0)
+      return;
+    const int k = m_system.directed_rotation(*first);
+    const Rotation& r = rotation_matrix(k);
+    const Rotation& inverse = rotation_matrix(inverse_rotation(k));
+    const Grid_vector t{{m_solution.x[std::size_t(unknown)], m_solution.x[std::size_t(unknown) + 1]}};
+    for(const Directed_cut* d = first; d != last - 1; ++d) {
+      const Sector_index plus = m_sectors.target_sector(*d);
+      const Sector_index minus = m_sectors.source_sector(opposite_cut(*d));
+      const Grid_uv& a = m_coordinates[std::size_t(plus)];
+      const Grid_uv& z = m_coordinates[std::size_t(minus)];
+      const double w_plus = m_sectors.sector(plus).weight, w_minus = m_sectors.sector(minus).weight;
+      const Uv gap = inverse(transition_gap(a, z, r, t));
+      Grid_vector x;
+      for(std::size_t c = 0; c < 2; ++c)
+        x[c] = a.base[c] + std::llround(a.offset[c] + gap[c] * (w_minus / (w_plus + w_minus)));
+      const Grid_vector rotated = r(x);
+      for(std::size_t c = 0; c < 2; ++c) {
+        set(plus, c, x[c]);
+        set(minus, c, rotated[c] + t[c]);
+      }
+    }
+  }
+
+  void snap_align_branch(const std::size_t b, const std::int32_t* first, const std::int32_t* last)
+  {
+    const Column_index unknown = m_system.coordinate(b);
+    if(unknown < 0)
+      return;
+    const std::size_t c = m_system.align_component(*first);
+    for(const std::int32_t* d = first; d != last - 1; ++d)
+      set(m_system.align_sector(*d, true), c, m_solution.x[std::size_t(unknown)]);
+  }
+
+  const Sectors& m_sectors;
+  const System& m_system;
+  const std::vector<Grid_uv>& m_coordinates;
+  const Grid_solution& m_solution;
+  std::vector<Uv> m_uv; // per sector
+  bool m_fits = true;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SNAPPED_COORDINATES_H

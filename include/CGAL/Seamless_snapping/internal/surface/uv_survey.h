@@ -1,0 +1,185 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_UV_SURVEY_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_UV_SURVEY_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The one pass over all edges of a mesh: finds the open edges, those whose two sides are not the same to
+// the bit, and checks on the way that faces are triangles and coordinates are finite. What follows looks
+// at open edges only.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The number type of a uv map's points.
+template <typename HalfedgeUVMap>
+struct Uv_number
+{
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
+                "the coordinates of the uv map must be of type float or double");
+};
+
+template <typename HalfedgeUVMap, typename Halfedge>
+Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
+{
+  const auto& p = get(uv_map, h);
+  return {static_cast<double>(p.x()), static_cast<double>(p.y())};
+}
+
+// \pre both sides of `h` have a face
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h)
+{
+  const Halfedge g = opposite(h, tmesh);
+  return {get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
+          get_uv(uv_map, g), get_uv(uv_map, prev(g, tmesh))};
+}
+
+template <typename TriangleMesh>
+struct Uv_survey
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  std::vector<Halfedge> open_halfedges; // one per open edge
+  double extent = 0;                    // the larger side of the bounding box of the coordinates
+  Snapping_status status = Snapping_status::ALREADY_EXACT;
+  std::string message;
+};
+
+// Beyond this, differences of coordinates and their squares may overflow.
+constexpr double largest_coordinate = 1e300;
+
+// The bounding box of coordinates, which also notices numbers that are not finite.
+class Uv_box
+{
+public:
+  void add(const Uv& u)
+  {
+    m_low[0] = (std::min)(m_low[0], u[0]);
+    m_low[1] = (std::min)(m_low[1], u[1]);
+    m_high[0] = (std::max)(m_high[0], u[0]);
+    m_high[1] = (std::max)(m_high[1], u[1]);
+    m_not_finite += (u[0] - u[0]) + (u[1] - u[1]); // NaN for NaN and infinity
+  }
+
+  bool is_empty() const { return m_low[0] > m_high[0] && m_not_finite == 0; }
+
+  bool is_in_range() const
+  {
+    return m_not_finite == 0 && (std::min)(m_low[0], m_low[1]) >= -largest_coordinate &&
+           (std::max)(m_high[0], m_high[1]) <= largest_coordinate;
+  }
+
+  double extent() const
+  {
+    return m_low[0] <= m_high[0] ? (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]) : 0;
+  }
+
+private:
+  Uv m_low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Uv m_high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  double m_not_finite = 0;
+};
+
+// On failure only: names the place.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+void explain_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                      const VertexIndexMap& vertex_indices, Uv_survey<TriangleMesh>& survey)
+{
+  std::size_t index = 0;
+  for(const auto f : faces(tmesh)) {
+    std::size_t degree = 0;
+    for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+      ++degree;
+      const Uv u = get_uv(uv_map, h);
+      if(std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate)
+        continue;
+      survey.status = Snapping_status::NOT_FINITE;
+      survey.message = "face " + std::to_string(index) + " has a coordinate that is NaN, infinite, or "
+                       "beyond 1e300 at vertex " +
+                       std::to_string(get(vertex_indices, target(h, tmesh))) +
+                       "; all corners need finite coordinates";
+    }
+    if(degree != 3) {
+      survey.status = Snapping_status::NOT_TRIANGULAR;
+      survey.message = "face " + std::to_string(index) + " has " + std::to_string(degree) +
+                       " corners; triangulate the mesh first";
+      return;
+    }
+    if(survey.status != Snapping_status::ALREADY_EXACT)
+      return;
+    ++index;
+  }
+}
+
+// `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap, typename Predicate>
+Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                  const VertexIndexMap& vertex_indices,
+                                  const Predicate& is_open_anyway)
+{
+  Uv_survey<TriangleMesh> survey;
+  Uv_box box;
+  bool triangular = true;
+  for(const auto e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    const auto g = opposite(h, tmesh);
+    const bool h_has_face = !is_border(h, tmesh);
+    const bool g_has_face = !is_border(g, tmesh);
+    Uv h_uv{}, g_uv{};
+    const auto h_prev = prev(h, tmesh);
+    const auto g_prev = prev(g, tmesh);
+    if(h_has_face) {
+      h_uv = get_uv(uv_map, h);
+      box.add(h_uv);
+      triangular = triangular && next(next(h, tmesh), tmesh) == h_prev;
+    }
+    if(g_has_face) {
+      g_uv = get_uv(uv_map, g);
+      box.add(g_uv);
+      triangular = triangular && next(next(g, tmesh), tmesh) == g_prev;
+    }
+    if(h_has_face && g_has_face &&
+       (get_uv(uv_map, g_prev) != h_uv || get_uv(uv_map, h_prev) != g_uv || is_open_anyway(h)))
+      survey.open_halfedges.push_back(h);
+  }
+  survey.extent = box.extent();
+  if(!triangular || !(box.is_in_range() || box.is_empty()))
+    explain_bad_face(tmesh, uv_map, vertex_indices, survey);
+  return survey;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_UV_SURVEY_H

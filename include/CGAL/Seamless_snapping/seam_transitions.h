@@ -1,0 +1,187 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SEAM_TRANSITIONS_H
+#define CGAL_SEAMLESS_SNAPPING_SEAM_TRANSITIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What a uv map says about itself: which edges are cuts, how charts are rotated across them, and which
+// vertices are singular.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by which
+the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the singular
+vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is not modified.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+class Seam_transitions
+{
+public:
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  /// a vertex of the mesh
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// an interior vertex and its index in quarter turns: 1 for a cone of 270 degrees, -1 for one of 450
+  using Singular_vertex = std::pair<vertex_descriptor, int>;
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Seam_transitions(internal::Transition_data<TriangleMesh>&& data) : m_data(std::move(data)) { }
+  const internal::Transition_data<TriangleMesh>& data() const { return m_data; }
+  /// \endcond
+
+  /// returns `true` if the transitions could be read off.
+  explicit operator bool() const { return m_data.status == Snapping_status::ALREADY_EXACT; }
+
+  /// returns why they could not: `NOT_TRIANGULAR`, `NOT_FINITE`, `NOT_SEAMLESS`, or
+  /// `INVALID_ROTATIONS`; otherwise `ALREADY_EXACT`.
+  Snapping_status status() const { return m_data.status; }
+
+  /// returns the place, the reason, and the remedy in these cases.
+  const std::string& message() const { return m_data.message; }
+
+  /// returns the number 0, 1, 2, or 3 of counterclockwise quarter turns of the transition from the chart of
+  /// `face(h)` to the chart of `face(opposite(h))`.
+  int rotation(const halfedge_descriptor h) const
+  {
+    const int i = m_data.index(h);
+    if(i < 0)
+      return 0;
+    const auto& edge = m_data.edges[std::size_t(i)];
+    return edge.halfedge == h ? edge.rotation : internal::inverse_rotation(edge.rotation);
+  }
+
+  /// returns `true` if the transition across the edge of `h` is not the identity.
+  bool is_cut(const halfedge_descriptor h) const
+  {
+    const int i = m_data.index(h);
+    return i >= 0 && m_data.edges[std::size_t(i)].is_cut;
+  }
+
+  /// returns one halfedge of each cut edge, in an order that is the same for all mesh data structures.
+  const std::vector<halfedge_descriptor>& cut_halfedges() const { return m_data.cut_halfedges; }
+
+  /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
+  const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_data.merged_halfedges; }
+
+  /// returns the interior vertices around which the rotations do not add up to the identity.
+  const std::vector<Singular_vertex>& singular_vertices() const { return m_data.singular_vertices; }
+
+  /// returns `true` if all transitions hold exactly and nothing is to be merged.
+  bool is_exact() const { return m_data.is_exact; }
+
+  /// returns the larger side of the bounding box of all coordinates.
+  double extent() const { return m_data.extent; }
+
+  /// returns the largest violation of a transition, that is the larger component of
+  /// \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) - (\mathbf{u}'(b) - \mathbf{u}'(a)) \f$ over the interior edges \f$ ab \f$.
+  double violation() const { return m_data.violation; }
+
+private:
+  internal::Transition_data<TriangleMesh> m_data;
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+reads the transitions off a uv map.
+
+Where the two sides of an edge are the same to the bit, there is no cut. Elsewhere, the rotation is the
+one that fits the edge's vectors on both sides best; an edge too short to tell takes the rotation of
+the branch it lies on. Edges without rotation whose sides are apart by no more than a small multiple
+of the largest violation of the whole map are no cuts either, but noise: their corners belong together
+(they are <em>merged</em>). This is decided per branch.
+
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
+        with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh: any number of components, of any genus, with or without border
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{tolerance}
+    \cgalParamDescription{the largest violation of a transition that is taken for inaccuracy, relative to
+                          the extent of the coordinates}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1e-4}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_cut_map}
+    \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are
+                          merged.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{read off the uv map}
+  \cgalParamNEnd
+  \cgalParamNBegin{halfedge_rotation_map}
+    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
+                          halfedge, where it is known; modulo 4, and inverse for opposite halfedges}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
+                   type as value type}
+    \cgalParamDefault{read off the uv map}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index; they
+                          appear in messages and determine the order of processing}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t`
+                   as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the transitions, or the reason why they could not be read; test with `operator bool()`
+
+\par Complexity
+One pass over the edges, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose sides differ.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                                const NamedParameters& np =
+                                                  CGAL::parameters::default_values())
+{
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return Seam_transitions<TriangleMesh>(internal::read_transitions(tmesh, uv_map, internal::strip(np)));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_SEAM_TRANSITIONS_H
