@@ -31,7 +31,7 @@
 
 namespace options = boost::program_options;
 
-using Matrix = Eigen::SparseMatrix<double>;
+using Matrix = Eigen::SparseMatrix<int>;
 using Values = std::vector<double>;
 
 struct Settings

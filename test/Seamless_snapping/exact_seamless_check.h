@@ -193,8 +193,8 @@ int face_orientation(typename boost::graph_traits<Graph>::face_descriptor f, con
 // face, or -1 for whichever fits; is_aligned(e) tells whether Eq. (5) is asked of the edge.
 template <typename Graph, typename UVMap, typename IsAligned = No_edge_aligned,
           typename Rotation = Any_rotation>
-Result check(const Graph& g, const UVMap& uv, const IsAligned& is_aligned = IsAligned(),
-             const Rotation& rotation = Rotation())
+Result check_edges(const Graph& g, const UVMap& uv, const IsAligned& is_aligned = IsAligned(),
+                   const Rotation& rotation = Rotation())
 {
   Result result;
   Rational largest(0);
@@ -205,12 +205,22 @@ Result check(const Graph& g, const UVMap& uv, const IsAligned& is_aligned = IsAl
     if(is_aligned(e))
       internal::check_alignment(h, g, uv, largest, result);
   }
+  result.largest_violation = CGAL::to_double(largest);
+  return result;
+}
+
+// The same, and the orientations of the faces.
+template <typename Graph, typename UVMap, typename IsAligned = No_edge_aligned,
+          typename Rotation = Any_rotation>
+Result check(const Graph& g, const UVMap& uv, const IsAligned& is_aligned = IsAligned(),
+             const Rotation& rotation = Rotation())
+{
+  Result result = check_edges(g, uv, is_aligned, rotation);
   for(const auto f : faces(g)) {
     const int sign = face_orientation(f, g, uv);
     ++(sign > 0 ? result.positive_faces
                 : (sign == 0 ? result.degenerate_faces : result.flipped_faces));
   }
-  result.largest_violation = CGAL::to_double(largest);
   return result;
 }
 

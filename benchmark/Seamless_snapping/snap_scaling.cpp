@@ -1,0 +1,275 @@
+// How the time and memory of snap_to_seamless() grow with the mesh. The yardstick is one pass over
+// the edges that compares the coordinates of both ends on both sides: no method that is exact can do
+// with less.
+//
+// Meshes: Height_field_surface.h, with noise of 1e-9 of the extent in every sector. Each size runs in
+// a process of its own. Times are of the fastest of several runs; memory is the peak resident set
+// during the first snap above what mesh and uv map (and a copy of it) occupy before.
+
+#include "benchmark_tools.h"
+
+#include "../../test/Seamless_snapping/Height_field_surface.h"
+#include "../../test/Seamless_snapping/exact_seamless_check.h"
+
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace options = boost::program_options;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+
+struct Settings
+{
+  std::vector<std::size_t> faces;
+  std::size_t faces_per_node;
+  int repeats;
+  unsigned int seed;
+  double noise;
+};
+
+// --- one size ------------------------------------------------------------------------------------
+
+// The yardstick: the number of edges whose sides differ somewhere.
+std::size_t count_mismatches(const Mesh& mesh, const UV_map& uv)
+{
+  std::size_t result = 0;
+  for(const Mesh::Edge_index e : mesh.edges()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+    result += uv[h] != uv[mesh.prev(o)] || uv[o] != uv[mesh.prev(h)] ? 1 : 0;
+  }
+  return result;
+}
+
+double kilobytes(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for(std::string line; std::getline(status, line);)
+    if(line.compare(0, key.size(), key) == 0)
+      return std::stod(line.substr(key.size() + 1));
+  return 0;
+}
+
+// From here on VmHWM is the peak since now.
+void reset_memory_peak()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5" << std::flush;
+}
+
+struct Measurement
+{
+  double faces = 0, nodes = 0, pass = 0, bytes_per_face = 0;
+  bool is_exact = false;
+  benchmark::Fastest_run run;
+};
+
+double time_of_pass(const Mesh& mesh, const UV_map& uv, int repeats)
+{
+  double best = 0;
+  std::size_t mismatches = 0;
+  for(int i = 0; i < repeats; ++i) {
+    const double start = benchmark::seconds_now();
+    mismatches += count_mismatches(mesh, uv);
+    const double seconds = benchmark::seconds_now() - start;
+    best = i == 0 ? seconds : (std::min)(best, seconds);
+  }
+  if(mismatches == 0)
+    std::cerr << "the input has no cut" << std::endl; // also keeps the pass from being optimised away
+  return best;
+}
+
+Measurement measure(std::size_t faces, const Settings& settings)
+{
+  Mesh mesh;
+  height_field_surface::make_surface({ faces, faces / settings.faces_per_node, settings.seed },
+                                     mesh);
+  height_field_surface::perturb(mesh, settings.noise, settings.seed);
+  UV_map uv = square_complex::uv_map(mesh);
+
+  Measurement result;
+  result.faces = double(mesh.number_of_faces());
+  result.pass = time_of_pass(mesh, uv, (std::max)(5, settings.repeats));
+
+  const std::vector<Kernel::Point_2> input(uv.begin(), uv.end());
+  reset_memory_peak();
+  const double before = kilobytes("VmRSS:");
+  for(int i = 0; i < settings.repeats; ++i) {
+    std::copy(input.begin(), input.end(), uv.begin());
+    const double start = benchmark::seconds_now();
+    const auto report = CGAL::Seamless_snapping::snap_to_seamless(mesh, uv);
+    result.run.add(report.step_times, benchmark::seconds_now() - start);
+    result.nodes = double(report.number_of_nodes);
+    if(i == 0)
+      result.bytes_per_face = 1024 * (kilobytes("VmHWM:") - before) / result.faces;
+    if(!report)
+      std::cerr << report << std::endl;
+  }
+  const exact_check::Result check = exact_check::check_edges(mesh, uv);
+  result.is_exact = check.is_exact();
+  return result;
+}
+
+// --- a process for each size ---------------------------------------------------------------------
+
+std::string to_text(const Measurement& m)
+{
+  std::ostringstream os;
+  os.precision(17);
+  os << m.faces << '\t' << m.nodes << '\t' << m.pass << '\t' << m.bytes_per_face << '\t'
+     << m.is_exact << '\t' << m.run.total() << '\n';
+  for(const auto& step : m.run.steps())
+    os << step.second << '\t' << step.first << '\n';
+  return os.str();
+}
+
+Measurement from_text(const std::string& text)
+{
+  Measurement m;
+  std::istringstream is(text);
+  double total = 0, seconds = 0;
+  is >> m.faces >> m.nodes >> m.pass >> m.bytes_per_face >> m.is_exact >> total;
+  benchmark::Step_times steps;
+  for(std::string name; is >> seconds && is.get() && std::getline(is, name);)
+    steps.emplace_back(name, seconds);
+  m.run.add(steps, total);
+  return m;
+}
+
+// Returns a measurement of no faces if the child fails.
+Measurement measure_in_child(std::size_t faces, const Settings& settings)
+{
+  int ends[2];
+  if(pipe(ends) != 0)
+    return Measurement();
+  const pid_t child = fork();
+  if(child < 0)
+    return Measurement();
+  if(child == 0) {
+    close(ends[0]);
+    const std::string text = to_text(measure(faces, settings));
+    const bool complete = write(ends[1], text.data(), text.size()) == ssize_t(text.size());
+    _exit(complete ? 0 : 1);
+  }
+  close(ends[1]);
+  std::string text;
+  char buffer[4096];
+  for(ssize_t size = 0; (size = read(ends[0], buffer, sizeof(buffer))) > 0;)
+    text.append(buffer, std::size_t(size));
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status == 0 ? from_text(text) : Measurement();
+}
+
+// --- the table -----------------------------------------------------------------------------------
+
+int width_of(const std::string& step)
+{
+  return int((std::max)(step.size(), std::size_t(8)));
+}
+
+void print_head(const Measurement& m)
+{
+  std::printf("%10s %7s %9s |", "faces", "nodes", "pass");
+  for(const auto& step : m.run.steps())
+    std::printf(" %*s", width_of(step.first), step.first.c_str());
+  std::printf(" | %9s %10s %10s %5s\n", "total", "total/pass", "bytes/face", "exact");
+}
+
+void print(const Measurement& m)
+{
+  std::printf("%10.0f %7.0f %9.2f |", m.faces, m.nodes, 1e3 * m.pass);
+  for(const auto& step : m.run.steps())
+    std::printf(" %*.2f", width_of(step.first), 1e3 * step.second);
+  std::printf(" | %9.2f %10.2f %10.1f %5s\n", 1e3 * m.run.total(), m.run.total() / m.pass,
+              m.bytes_per_face, m.is_exact ? "yes" : "NO");
+  std::fflush(stdout);
+}
+
+void print_growth(const std::vector<Measurement>& all)
+{
+  if(all.size() < 2)
+    return;
+  std::vector<std::pair<double, double> > total, pass;
+  for(const Measurement& m : all) {
+    total.emplace_back(m.faces, m.run.total());
+    pass.emplace_back(m.faces, m.pass);
+  }
+  std::printf("growth with the faces: total n^%.3f, pass n^%.3f\n",
+              benchmark::growth_exponent(total), benchmark::growth_exponent(pass));
+}
+
+// --- the command line ----------------------------------------------------------------------------
+
+bool read_command_line(int argc, char** argv, Settings& settings)
+{
+  options::options_description description("Options");
+  description.add_options()("help,h", "print this")(
+    "faces", options::value(&settings.faces)->multitoken(), "sizes, about (default: 100000 1000000)")(
+    "faces-per-node", options::value(&settings.faces_per_node)->default_value(200), "about")(
+    "repeats", options::value(&settings.repeats)->default_value(5), "runs, of which the fastest counts")(
+    "seed", options::value(&settings.seed)->default_value(1), "of surface and noise")(
+    "noise", options::value(&settings.noise)->default_value(1e-9), "relative to the extent");
+  options::variables_map values;
+  options::store(options::parse_command_line(argc, argv, description), values);
+  options::notify(values);
+  if(values.count("help") != 0) {
+    std::cout << description;
+    return false;
+  }
+  if(settings.faces.empty())
+    settings.faces = { 100000, 1000000 };
+  settings.faces_per_node = (std::max)(settings.faces_per_node, std::size_t(1));
+  settings.repeats = (std::max)(settings.repeats, 1);
+  return true;
+}
+
+int main(int argc, char** argv)
+{
+  Settings settings;
+  try {
+    if(!read_command_line(argc, argv, settings))
+      return EXIT_SUCCESS;
+  } catch(const options::error& error) {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  std::printf("times in milliseconds\n");
+  std::vector<Measurement> all;
+  for(const std::size_t faces : settings.faces) {
+    all.push_back(measure_in_child(faces, settings));
+    if(all.back().faces == 0) {
+      std::cerr << "the run with " << faces << " faces failed" << std::endl;
+      return EXIT_FAILURE;
+    }
+    if(all.size() == 1)
+      print_head(all.back());
+    print(all.back());
+  }
+  print_growth(all);
+  const bool ok =
+    std::all_of(all.begin(), all.end(), [](const Measurement& m) { return m.is_exact; });
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,468 @@
+// Thousands of random systems through snap_to_linear_constraints(), each compared with the exact
+// references: the verdict, the exactness of the result, its distance to the input, and that nothing
+// is touched where there is nothing to do or nothing to be done. Then the systems of the data folder.
+
+#include <CGAL/Seamless_snapping/Linear_constraints.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+
+#include "checking.h"
+#include "exact_reference.h"
+#include "lattice_reference.h"
+
+#include <Eigen/SparseCore>
+#include <unsupported/Eigen/SparseExtra>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CS = CGAL::Seamless_snapping;
+
+using exact_reference::Integer;
+using exact_reference::Optimum;
+using exact_reference::Rational;
+using exact_reference::Rationals;
+using exact_reference::System;
+using Random = std::mt19937_64;
+
+// --- random systems ------------------------------------------------------------------------------
+
+int random_integer(Random& random, int low, int high)
+{
+  return low + int(random() % std::uint64_t(high - low + 1));
+}
+
+double random_real(Random& random) // in [-1,1)
+{
+  return static_cast<double>(static_cast<std::int64_t>(random())) * 0x1p-63;
+}
+
+enum class Kind { signs, small, halves_and_thirds, wide, huge, number_of_kinds };
+
+Rational random_coefficient(Random& random, Kind kind)
+{
+  switch(kind) {
+    case Kind::signs: return Rational(random() % 2 == 0 ? 1 : -1);
+    case Kind::small: return Rational(random_integer(random, -4, 4));
+    case Kind::halves_and_thirds:
+      return Rational(random_integer(random, -9, 9)) / Rational(random_integer(random, 1, 6));
+    case Kind::wide: return Rational(random_integer(random, -1000000, 1000000));
+    default: return Rational(static_cast<long>(random() >> 3) - (1L << 60)); // overflow at once
+  }
+}
+
+System random_homogeneous_system(Random& random, Kind kind, std::size_t columns, std::size_t rows)
+{
+  System system;
+  system.columns = columns;
+  for(std::size_t r = 0; r < rows; ++r) {
+    exact_reference::Row row;
+    const int most = random() % 8 == 0 ? int(columns) : 4;
+    const int entries = random_integer(random, random() % 16 == 0 ? 0 : 2, (std::max)(2, most));
+    for(int k = 0; k < entries; ++k)
+      row.push_back({ random() % columns, random_coefficient(random, kind) });
+    system.add_row(row);
+  }
+  return system;
+}
+
+// Appends sums of rows: redundant ones, of a consistent system.
+void add_redundant_rows(Random& random, System& system, int count)
+{
+  for(int k = 0; k < count && !system.rows.empty(); ++k) {
+    exact_reference::Row row;
+    Rational b(0);
+    for(int terms = random_integer(random, 1, 3); terms > 0; --terms) {
+      const std::size_t r = random() % system.rows.size();
+      const Rational factor(random_integer(random, -2, 2));
+      for(const auto& entry : system.rows[r])
+        row.push_back({ entry.column, Rational(factor * entry.coefficient) });
+      b += factor * system.b[r];
+    }
+    system.add_row(row, b);
+  }
+}
+
+enum class Right_hand_side { zero, of_grid_point, of_double, integer, thirds, number_of_kinds };
+
+void set_right_hand_side(Random& random, Right_hand_side kind, System& system)
+{
+  Rationals point;
+  for(std::size_t c = 0; c < system.columns; ++c)
+    point.push_back(Rational(random_integer(random, -64, 64)) / Rational(16));
+  for(std::size_t r = 0; r < system.rows.size(); ++r) {
+    switch(kind) {
+      case Right_hand_side::zero: break;
+      case Right_hand_side::of_grid_point:
+        system.b[r] = exact_reference::residual(system, r, point) + system.b[r];
+        break;
+      case Right_hand_side::of_double: system.b[r] = Rational(random_real(random)); break;
+      case Right_hand_side::integer: system.b[r] = Rational(random_integer(random, -9, 9)); break;
+      default: system.b[r] = Rational(random_integer(random, -9, 9)) / Rational(3);
+    }
+  }
+}
+
+// --- calling the function in all its forms -------------------------------------------------------
+
+bool are_integers(const System& system, double bound)
+{
+  for(const auto& row : system.rows)
+    for(const auto& entry : exact_reference::merged(row))
+      if(exact_reference::denominator(entry.coefficient) != 1
+         || CGAL::abs(entry.coefficient) > Rational(bound))
+        return false;
+  return true;
+}
+
+template <typename Coefficient>
+CS::Linear_constraints<Coefficient> linear_constraints(const System& system)
+{
+  CS::Linear_constraints<Coefficient> result(system.columns);
+  for(std::size_t r = 0; r < system.rows.size(); ++r) {
+    std::vector<std::pair<std::size_t, Coefficient> > terms;
+    for(const auto& entry : system.rows[r]) {
+      if constexpr(std::is_same<Coefficient, Rational>::value)
+        terms.emplace_back(entry.column, entry.coefficient);
+      else
+        terms.emplace_back(entry.column,
+                           static_cast<Coefficient>(std::stoll(
+                             (std::ostringstream() << entry.coefficient).str())));
+    }
+    result.add_constraint(terms, system.b[r]);
+  }
+  return result;
+}
+
+template <typename Scalar>
+Eigen::SparseMatrix<Scalar> sparse_matrix(const System& system)
+{
+  std::vector<Eigen::Triplet<Scalar> > entries;
+  for(std::size_t r = 0; r < system.rows.size(); ++r)
+    for(const auto& entry : system.rows[r])
+      entries.emplace_back(int(r), int(entry.column),
+                           static_cast<Scalar>(CGAL::to_double(entry.coefficient)));
+  Eigen::SparseMatrix<Scalar> result(Eigen::Index(system.rows.size()),
+                                     Eigen::Index(system.columns));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+template <typename Matrix, typename Values, typename NamedParameters>
+CS::Snapping_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
+                                const NamedParameters& np)
+{
+  std::vector<double> b;
+  for(const Rational& value : system.b)
+    b.push_back(CGAL::to_double(value));
+  if(exact_reference::to_rationals(b) != system.b)
+    return CS::snap_to_linear_constraints(matrix, system.b, x, np);
+  if(std::all_of(b.begin(), b.end(), [](double value) { return value == 0; }))
+    return CS::snap_to_linear_constraints(matrix, x, np);
+  return CS::snap_to_linear_constraints(matrix, b, x, np);
+}
+
+template <typename Values>
+CS::Snapping_report snap(Random& random, const System& system, Values& x,
+                         const std::vector<double>& weights)
+{
+  const auto np = CS::parameters::weights(weights);
+  const bool are_small = are_integers(system, 1000000);
+  switch(random() % 4) {
+    case 1:
+      if(are_integers(system, 0x1p62))
+        return CS::snap_to_linear_constraints(linear_constraints<std::int64_t>(system), x, np);
+      break;
+    case 2:
+      if(are_small)
+        return snap_matrix(sparse_matrix<int>(system), system, x, np);
+      break;
+    case 3:
+      if(are_small)
+        return snap_matrix(sparse_matrix<double>(system), system, x, np);
+      break;
+    default: break;
+  }
+  return CS::snap_to_linear_constraints(linear_constraints<Rational>(system), x, np);
+}
+
+// --- what must hold ------------------------------------------------------------------------------
+
+template <typename Number>
+bool same_bits(const std::vector<Number>& a, const std::vector<Number>& b)
+{
+  return a.size() == b.size()
+         && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Number)) == 0);
+}
+
+std::vector<bool> used_columns(const System& system)
+{
+  std::vector<bool> result(system.columns, false);
+  for(const auto& row : system.rows)
+    for(const auto& entry : exact_reference::merged(row))
+      result[entry.column] = true;
+  return result;
+}
+
+// The multiples of the rows add up to 0 = c with c other than 0.
+bool is_contradiction(const System& system,
+                      const std::vector<std::pair<std::size_t, CGAL::Exact_integer> >& certificate)
+{
+  exact_reference::Row sum;
+  Rational b(0);
+  for(const auto& term : certificate) {
+    for(const auto& entry : system.rows.at(term.first))
+      sum.push_back({ entry.column, Rational(entry.coefficient * Rational(term.second)) });
+    b += Rational(term.second) * system.b[term.first];
+  }
+  return exact_reference::merged(sum).empty() && b != 0;
+}
+
+// The coarsest grid that may be needed: its step is such that the largest value has all p bits.
+template <typename Number>
+double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
+                     const std::vector<bool>& used)
+{
+  double largest = 0;
+  for(std::size_t i = 0; i < before.size(); ++i)
+    if(used[i])
+      largest = (std::max)({ largest, std::abs(double(before[i])), std::abs(double(after[i])) });
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1., exponent - std::numeric_limits<Number>::digits);
+}
+
+struct Tally
+{
+  std::map<std::string, int> outcomes;
+  double largest_excess = 0; // of the squared change over its optimum, relative to what is allowed
+};
+
+// The change may exceed the optimum by 1 % and by what the grid costs. The optimum x* is the
+// projection of the input, so that the squared change of any solution x is that of x* plus
+// |x - x*|^2; and on a grid of step s there is a solution with |x - x*| <= s grid_radius(...).
+template <typename Number>
+void check_distance(const std::vector<Number>& before, const std::vector<Number>& after,
+                    const Rationals& weights, const Optimum& optimum, const System& system,
+                    const std::vector<exact_reference::Integer_vector>& kernel, Tally& tally)
+{
+  const Rational change = exact_reference::squared_distance(
+    exact_reference::to_rationals(after), exact_reference::to_rationals(before), weights);
+  const double excess = CGAL::to_double(Rational(change - optimum.value));
+  const double step = expected_step(before, after, used_columns(system));
+  const double grid = step * exact_reference::grid_radius(kernel, weights).first;
+  const double allowed = 0.01 * CGAL::to_double(optimum.value) + grid * grid;
+  CHECK(excess >= 0);
+  if(!CHECK(excess <= allowed))
+    std::cerr << "    excess " << excess << ", optimum " << CGAL::to_double(optimum.value)
+              << ", contribution of the grid " << grid * grid << std::endl;
+  if(allowed > 0)
+    tally.largest_excess = (std::max)(tally.largest_excess, excess / allowed);
+}
+
+// A system with a solution may be refused only if the numbers can't hold one.
+template <typename Number>
+void check_refusal(const System& system, const Optimum& optimum,
+                   const std::vector<exact_reference::Integer_vector>& kernel)
+{
+  const exact_reference::Dyadic_solvability dyadic = exact_reference::dyadic_solvability(system);
+  if(!dyadic.is_solvable)
+    return;
+  double largest = 0;
+  for(const Rational& value : optimum.x)
+    largest = (std::max)(largest, std::abs(CGAL::to_double(value)));
+  const double step = std::ldexp(1., -dyadic.bits);
+  const double reach = largest + step * exact_reference::grid_radius(kernel, Rationals()).second;
+  if(!CHECK(reach > std::ldexp(step, std::numeric_limits<Number>::digits)))
+    std::cerr << "    there is a solution on the grid of step 2^-" << dyadic.bits
+              << " with values up to " << reach << std::endl;
+}
+
+template <typename Number>
+void check_system(Random& random, const System& system, const std::vector<Number>& before,
+                  const std::vector<double>& weights, bool with_quadratic_program, Tally& tally)
+{
+  const Rationals xbar = exact_reference::to_rationals(before);
+  const Rationals exact_weights = exact_reference::to_rationals(weights);
+  const Optimum optimum = exact_reference::optimum_in_closed_form(system, xbar, exact_weights);
+  if(with_quadratic_program) {
+    const Optimum other =
+      exact_reference::optimum_by_quadratic_program(system, xbar, exact_weights);
+    CHECK_EQUAL(other.feasible, optimum.feasible);
+    CHECK(other.value == optimum.value);
+  }
+
+  std::vector<Number> after = before;
+  const CS::Snapping_report report = snap(random, system, after, weights);
+  ++tally.outcomes[CS::to_string(report.status)];
+  const bool was_exact = exact_reference::exactly_satisfies(system, before);
+  CHECK_EQUAL(report.status == CS::Snapping_status::INCONSISTENT, !optimum.feasible);
+  CHECK_EQUAL(report.status == CS::Snapping_status::ALREADY_EXACT, was_exact);
+  if(!report || was_exact)
+    CHECK(same_bits(before, after));
+  if(report.status == CS::Snapping_status::INCONSISTENT)
+    CHECK(is_contradiction(system, report.certificate));
+  if(!optimum.feasible || was_exact)
+    return;
+
+  const auto kernel = exact_reference::kernel_vectors(system);
+  if(!report) {
+    CHECK(report.status == CS::Snapping_status::NOT_REPRESENTABLE);
+    check_refusal<Number>(system, optimum, kernel);
+    return;
+  }
+  CHECK(exact_reference::exactly_satisfies(system, after));
+  const std::vector<bool> used = used_columns(system);
+  for(std::size_t i = 0; i < used.size(); ++i)
+    if(!used[i])
+      CHECK(before[i] == after[i]);
+  check_distance(before, after, exact_weights, optimum, system, kernel, tally);
+}
+
+// --- the runs ------------------------------------------------------------------------------------
+
+// Values that violate the constraints by noise of some size: the projection of a random point,
+// rounded, and moved at random.
+template <typename Number>
+std::vector<Number> values_near_a_solution(Random& random, const System& system, bool near)
+{
+  const double magnitude = std::ldexp(1., random_integer(random, -20, 20));
+  const double noise =
+    magnitude * std::ldexp(1., -random_integer(random, 4, std::numeric_limits<Number>::digits));
+  Rationals point;
+  for(std::size_t c = 0; c < system.columns; ++c)
+    point.push_back(Rational(magnitude * random_real(random)));
+  if(near) {
+    const Optimum projection = exact_reference::optimum_in_closed_form(system, point);
+    if(projection.feasible)
+      point = projection.x;
+  }
+  std::vector<Number> result;
+  for(const Rational& value : point)
+    result.push_back(Number(CGAL::to_double(value) + noise * random_real(random)));
+  return result;
+}
+
+template <typename Number>
+void test_random_system(std::uint64_t seed, std::size_t largest, Tally& tally)
+{
+  Random random(seed);
+  const Kind kind = Kind(random() % std::uint64_t(Kind::number_of_kinds));
+  const Right_hand_side rhs =
+    Right_hand_side(random() % std::uint64_t(Right_hand_side::number_of_kinds));
+  const std::size_t columns = 1 + random() % largest;
+  const std::size_t rows = random() % (random() % 2 == 0 ? columns + 1 : columns / 2 + 2);
+  System system =
+    random_homogeneous_system(random, kind, columns, (std::max)(rows, std::size_t(1)));
+  const bool redundant_first = random() % 2 == 0; // then right-hand sides may contradict
+  if(redundant_first)
+    add_redundant_rows(random, system, random_integer(random, 0, 2));
+  set_right_hand_side(random, rhs, system);
+  if(!redundant_first)
+    add_redundant_rows(random, system, random_integer(random, 0, 3));
+
+  const std::vector<Number> values =
+    values_near_a_solution<Number>(random, system, random() % 4 != 0);
+  std::vector<double> weights(columns, 1.);
+  if(random() % 2 == 0)
+    for(double& weight : weights)
+      weight = std::ldexp(double(random_integer(random, 1, 3)), random_integer(random, -3, 3));
+  const std::size_t failed = checking::counts().failed;
+  check_system(random, system, values, weights, columns <= 40, tally);
+  if(failed != checking::counts().failed)
+    std::cerr << "    seed " << seed << ", " << columns << " unknowns, kind " << int(kind)
+              << ", right-hand side " << int(rhs) << ", " << 8 * sizeof(Number) << " bits"
+              << std::endl;
+}
+
+void print(const std::string& name, const Tally& tally)
+{
+  std::cout << name << ":";
+  for(const auto& outcome : tally.outcomes)
+    std::cout << "  " << outcome.first << " " << outcome.second;
+  std::cout << ", largest excess over the optimum " << tally.largest_excess << " of what is allowed"
+            << std::endl;
+}
+
+template <typename Number>
+void test_random_systems(const std::string& name, std::uint64_t first_seed, int count,
+                         std::size_t largest)
+{
+  Tally tally;
+  for(int i = 0; i < count; ++i)
+    test_random_system<Number>(first_seed + std::uint64_t(i), largest, tally);
+  print(name + ", seeds " + std::to_string(first_seed) + " to "
+          + std::to_string(first_seed + std::uint64_t(count) - 1),
+        tally);
+}
+
+// Seam systems and random ones of thousands of unknowns: exactness only, the references are too slow.
+void test_file(const std::string& path)
+{
+  Eigen::SparseMatrix<double> matrix;
+  if(!CHECK(Eigen::loadMarket(matrix, path)))
+    return;
+  Random random(std::uint64_t(matrix.rows()));
+  std::vector<double> x(std::size_t(matrix.cols()));
+  for(double& value : x)
+    value = random_real(random);
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(matrix, x);
+  CHECK(bool(report));
+
+  Rationals sums(std::size_t(matrix.rows()), Rational(0));
+  for(Eigen::Index c = 0; c < matrix.cols(); ++c)
+    for(Eigen::SparseMatrix<double>::InnerIterator entry(matrix, c); entry; ++entry)
+      sums[std::size_t(entry.row())] += Rational(entry.value()) * Rational(x[std::size_t(c)]);
+  CHECK(std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 0; }));
+  if(path.find("seams_") != std::string::npos) {
+    CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
+    if(path.find("connections") == std::string::npos)
+      CHECK_EQUAL(report.number_of_non_unit_pivots, 0u);
+  }
+  std::cout << std::filesystem::path(path).filename().string() << ": " << report << ", "
+            << report.coefficient_bits << " bits" << std::endl;
+}
+
+void test_files()
+{
+#ifdef SEAMLESS_SNAPPING_DATA_DIR
+  const std::filesystem::path folder =
+    std::filesystem::path(SEAMLESS_SNAPPING_DATA_DIR) / "systems";
+  std::vector<std::string> paths;
+  if(std::filesystem::is_directory(folder))
+    for(const auto& entry : std::filesystem::directory_iterator(folder))
+      if(entry.path().extension() == ".mtx")
+        paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  for(const std::string& path : paths)
+    test_file(path);
+  if(!paths.empty())
+    return;
+#endif
+  std::cout << "systems of the data folder: skipped, there are none" << std::endl;
+}
+
+int main(int argc, char** argv)
+{
+  const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
+  test_random_systems<double>("up to 4 unknowns", seed, 600, 4);
+  test_random_systems<float>("up to 4 unknowns, float", seed + 10000, 400, 4);
+  test_random_systems<double>("up to 12 unknowns", seed + 20000, 900, 12);
+  test_random_systems<float>("up to 12 unknowns, float", seed + 30000, 400, 12);
+  test_random_systems<double>("up to 40 unknowns", seed + 40000, 100, 40);
+  test_random_systems<double>("up to 120 unknowns", seed + 50000, 10, 120);
+  test_files();
+  return report_checks();
+}
