@@ -100,6 +100,30 @@ struct Given_transitions
   bool is_cut_anyway(const Halfedge h) const { return is_cut(h) || rotation(h) != 0; }
 };
 
+template <typename TriangleMesh, typename NamedParameters>
+auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto edge_is_cut =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_cut);
+  const auto rotations =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::halfedge_rotation);
+  return Given_transitions<TriangleMesh, std::decay_t<decltype(edge_is_cut)>,
+                           std::decay_t<decltype(rotations)> >{tmesh, edge_is_cut, rotations};
+}
+
+// By how much an edge violates Eq. (4), in units of 2^exponent: for the given rotation, or the best.
+template <typename Given, typename Halfedge>
+double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
+                            const int exponent)
+{
+  Open_edge<Halfedge> edge{h};
+  if(Given::has_rotations || (Given::has_cuts && !given.is_cut(h)))
+    set_rotation(edge, sides, given.rotation(h), exponent);
+  else
+    read_rotation(edge, sides, exponent);
+  return edge.residual;
+}
+
 template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
 std::string edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
 {
@@ -263,14 +287,11 @@ Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const 
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto edge_is_cut = get_parameter(np, CGAL::internal_np::edge_is_cut);
-  const auto rotations = get_parameter(np, CGAL::internal_np::halfedge_rotation);
+  const auto given = given_transitions(tmesh, np);
   const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
                                             default_tolerance);
-  using Given = Given_transitions<TriangleMesh, std::decay_t<decltype(edge_is_cut)>,
-                                  std::decay_t<decltype(rotations)> >;
-  const Given given{tmesh, edge_is_cut, rotations};
-  return Transition_reader<TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>, Given>(
+  return Transition_reader<TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
+                           std::decay_t<decltype(given)> >(
            tmesh, uv_map, vertex_indices, given, tolerance).run();
 }
 

@@ -1,0 +1,273 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_IS_SEAMLESS_H
+#define CGAL_SEAMLESS_SNAPPING_IS_SEAMLESS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Exact verification of a parametrization, and measurement of what it lacks. The decision is exact, at
+// about the price of a floating point pass: see Exact_difference.h.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+What `measure_seamlessness()` returns. The counts are exact; the violations are computed in floating point
+with an error in the order of their last digit.
+*/
+struct Seamlessness
+{
+  std::size_t number_of_interior_edges = 0; ///< edges with a face on both sides
+  std::size_t number_of_open_edges = 0;     ///< interior edges whose sides have different coordinates
+  std::size_t number_of_inexact_edges = 0;  ///< interior edges for which no transition holds exactly
+  std::size_t number_of_aligned_edges = 0;  ///< edges that were asked to be aligned
+  std::size_t number_of_misaligned_edges = 0; ///< those of them along which neither coordinate is constant
+  std::size_t number_of_flipped_faces = 0;    ///< faces of negative orientation
+  std::size_t number_of_degenerate_faces = 0; ///< faces of no area
+  double extent = 0;    ///< the larger side of the bounding box of the coordinates
+  double violation = 0; ///< the largest violation of a transition
+  double misalignment = 0; ///< the largest change of the coordinate that changes less along an aligned edge
+
+  /// returns `true` if and only if all transitions and alignments hold exactly.
+  bool is_exact() const
+  {
+    return number_of_inexact_edges == 0 && number_of_misaligned_edges == 0;
+  }
+};
+
+namespace internal {
+
+// Whether the transition across an interior edge is exact: the given one, or any.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Given, typename Halfedge>
+bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Given& given,
+                   const Halfedge h)
+{
+  const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+  for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
+    if(!std::isfinite(u[0]) || !std::isfinite(u[1]))
+      return false;
+  if constexpr(Given::has_cuts) {
+    if(!given.is_cut(h))
+      return sides.are_identical();
+  }
+  if constexpr(Given::has_rotations)
+    return satisfies_transition(sides, given.rotation(h));
+  else
+    return satisfies_some_transition(sides);
+}
+
+// Eq. (5) for one edge: whether a coordinate is constant along it, exactly.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
+{
+  if(is_border(h, tmesh))
+    h = opposite(h, tmesh);
+  const Uv a = get_uv(uv_map, prev(h, tmesh)), b = get_uv(uv_map, h);
+  return (std::min)(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])); // 0 only if equal
+}
+
+// Calls `f(e)` for the edges that the named parameters ask to align, while it returns true.
+template <typename TriangleMesh, typename NamedParameters, typename F>
+bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np, const F& f)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
+  const auto is_constrained =
+    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
+  const bool align_border = choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
+    return true;
+  for(const Edge e : edges(tmesh)) {
+    const bool asked = get(is_constrained, e) ||
+                       (align_border && CGAL::is_border_edge(halfedge(e, tmesh), tmesh));
+    if(asked && !f(e))
+      return false;
+  }
+  return true;
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
+{
+  const auto given = given_transitions(tmesh, np);
+  for(const auto e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge(tmesh, uv_map, given, h))
+      return false;
+  }
+  return for_each_aligned_edge(tmesh, np, [&](const auto e) {
+    return misalignment(tmesh, uv_map, halfedge(e, tmesh)) == 0;
+  });
+}
+
+// The sign of the area of a face in the domain, exactly.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Face>
+CGAL::Orientation face_orientation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Face f)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto h = halfedge(f, tmesh);
+  const auto point = [&](const auto corner) {
+    const Uv u = get_uv(uv_map, corner);
+    return Kernel::Point_2(u[0], u[1]);
+  };
+  return Kernel().orientation_2_object()(point(prev(h, tmesh)), point(h), point(next(h, tmesh)));
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                  const NamedParameters& np)
+{
+  Seamlessness result;
+  const auto given = given_transitions(tmesh, np);
+  Uv_box box;
+  for(const auto f : faces(tmesh)) {
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))
+      box.add(get_uv(uv_map, h));
+    const CGAL::Orientation orientation = face_orientation(tmesh, uv_map, f);
+    result.number_of_flipped_faces += (orientation == CGAL::NEGATIVE) ? 1 : 0;
+    result.number_of_degenerate_faces += (orientation == CGAL::ZERO) ? 1 : 0;
+  }
+  result.extent = box.extent();
+  int exponent = 0;
+  std::frexp(result.extent, &exponent);
+  for(const auto e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    if(CGAL::is_border_edge(h, tmesh))
+      continue;
+    ++result.number_of_interior_edges;
+    const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+    if(sides.are_identical() && !given.is_cut_anyway(h))
+      continue;
+    ++result.number_of_open_edges;
+    if(is_exact_edge(tmesh, uv_map, given, h))
+      continue;
+    ++result.number_of_inexact_edges;
+    result.violation = (std::max)(result.violation,
+                                  std::ldexp(transition_violation(sides, given, h, exponent), exponent));
+  }
+  for_each_aligned_edge(tmesh, np, [&](const auto e) {
+    const double m = misalignment(tmesh, uv_map, halfedge(e, tmesh));
+    ++result.number_of_aligned_edges;
+    result.number_of_misaligned_edges += (m == 0) ? 0 : 1;
+    result.misalignment = (std::max)(result.misalignment, m);
+    return true;
+  });
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+decides whether a parametrization is exactly seamless: whether for each interior edge there is a rotation
+\f$ R \f$ by a multiple of 90 degrees such that
+\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$, where \f$ \mathbf{u} \f$ and
+\f$ \mathbf{u}' \f$ are the coordinates of its ends \f$ a, b \f$ in the charts of its two faces; and whether
+a coordinate is constant along each edge that is to be aligned. The answer is that of exact arithmetic.
+
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
+        with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that are to lie on isocurves}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{align_border}
+    \cgalParamDescription{whether all border edges are to lie on isocurves}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_cut_map}
+    \cgalParamDescription{the cut edges; along all others, both sides must have the same coordinates}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{every edge may be a cut}
+  \cgalParamNEnd
+  \cgalParamNBegin{halfedge_rotation_map}
+    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each halfedge}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
+                   type as value type}
+    \cgalParamDefault{any rotation will do}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `false` also if a coordinate of an interior edge is NaN or infinite
+
+\par Complexity
+Linear in the number of edges; about as fast as comparing the coordinates on both sides of each edge.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                 const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return internal::is_seamless(tmesh, uv_map, internal::strip(np));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+measures how far a parametrization is from being exactly seamless and aligned, and counts the faces that are
+flipped or degenerate in the domain. Template and named parameters are those of `is_seamless()`.
+
+\pre all coordinates are finite
+
+\par Complexity
+Linear in the number of faces.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Seamlessness measure_seamlessness(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_IS_SEAMLESS_H
