@@ -20,14 +20,12 @@
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Seamless_parameterizer.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Supernodal_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/read_surface.h>
 
-#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
-
-#include <Eigen/SparseCholesky>
 
 #include <array>
 #include <cmath>
@@ -39,9 +37,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
-
-using Default_solver = CGAL::Eigen_solver_traits<
-  Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >;
 
 // The indices that the caller prescribes; border vertices have none.
 template <typename TriangleMesh, typename ConeIndexMap>
@@ -97,7 +92,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using Solver = typename internal_np::Lookup_named_param_def<
-    internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
+    internal_np::sparse_linear_solver_t, NamedParameters, Supernodal_solver_traits>::type;
 
   Mesh_indexing<TriangleMesh> indexing;
   Triangle_surface surface = read_connectivity(tmesh, indexing);
@@ -218,8 +213,11 @@ small amount, as much as it takes. Vertices without a face are ignored.
     \cgalParamDescription{an object whose type is used, default constructed, for all sparse systems;
                           they are symmetric and positive definite}
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
-    \cgalParamDefault{`CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<...> >`}
-    \cgalParamExtra{\ref thirdpartyEigen "Eigen" is required for the default.}
+    \cgalParamDefault{a multifrontal Cholesky factorization that comes with the package and needs
+                      \ref thirdpartyEigen "Eigen"}
+    \cgalParamExtra{With \ref thirdpartySuiteSparse "SuiteSparse",
+                    `CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >`
+                    is an alternative.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
