@@ -146,20 +146,30 @@ inline std::vector<double> distortion(const Triangle_surface& surface, const Cut
   return result;
 }
 
-// Raises the weights where the distortion differs from that of the neighbors, and doubles them at
-// flipped faces and around.
+// Raises the weights where the distortion differs from that of the neighbors, and multiplies them at
+// flipped faces and around, where raising alone takes many rounds.
 inline void stiffen(const Triangle_surface& surface, const Cut_complex& complex,
                     const Coordinates& uv, std::vector<double>& weights)
 {
-  constexpr double largest_increase = 5;
+  constexpr double largest_increase = 5, factor_of_flips = 2;
   const std::vector<double> lambda = distortion(surface, complex, uv);
+  std::vector<char> is_near_flip(surface.number_of_faces, false);
   for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+    const bool is_flipped = !(doubled_uv_area(complex, uv, f) > 0);
+    is_near_flip[f] = is_near_flip[f] || is_flipped;
     double laplacian = 0;
-    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h)
-      if(!surface.is_border_edge(h))
-        laplacian += lambda[surface.face(surface.opposite[h])] - lambda[f];
+    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+      if(surface.is_border_edge(h))
+        continue;
+      const std::size_t g = surface.face(surface.opposite[h]);
+      laplacian += lambda[g] - lambda[f];
+      is_near_flip[g] = is_near_flip[g] || is_flipped;
+    }
     weights[f] += (std::min)(std::abs(laplacian), largest_increase);
   }
+  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    if(is_near_flip[f])
+      weights[f] *= factor_of_flips;
 }
 
 } // namespace parameterization
