@@ -1,11 +1,12 @@
 // How the time and memory of snap_to_seamless() grow with the mesh. The yardstick is one pass over
-// the edges that compares the coordinates of both ends on both sides: no method that is exact can do
-// with less.
+// the edges that compares the coordinates of both ends on both sides: no exact method can do with
+// less.
 //
-// Meshes: Height_field_surface.h, with noise of 1e-9 of the extent in every sector. Each size runs in
-// a process of its own. (The smallest mesh may fit into the cache, which makes all of it, the pass too,
-// seem to grow faster than it does from there on.) Times are of the fastest of several runs; memory is the peak resident set
-// during the first snap above what mesh and uv map (and a copy of it) occupy before.
+// Meshes: Height_field_surface.h, with noise of 1e-9 of the extent in every sector. Each size runs
+// in a process of its own. (The smallest mesh may fit into the cache, which makes all of it, the
+// pass too, seem to grow faster than it does from there on.) Times are of the fastest of several
+// runs; memory is the peak resident set during the first snap above what mesh and uv map (and a
+// copy of it) occupy before.
 
 #include "benchmark_tools.h"
 
@@ -96,7 +97,7 @@ double time_of_pass(const Mesh& mesh, const UV_map& uv, int repeats)
     best = i == 0 ? seconds : (std::min)(best, seconds);
   }
   if(mismatches == 0)
-    std::cerr << "the input has no cut" << std::endl; // also keeps the pass from being optimised away
+    std::cerr << "the input has no cut" << std::endl; // keeps the pass from being optimised away
   return best;
 }
 
@@ -237,9 +238,9 @@ bool read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
   description.add_options()("help,h", "print this")(
-    "faces", options::value(&settings.faces)->multitoken(), "sizes, about (default: 100000 1000000)")(
+    "faces", options::value(&settings.faces)->multitoken(), "sizes (default: 100000 1000000)")(
     "faces-per-node", options::value(&settings.faces_per_node)->default_value(200), "about")(
-    "repeats", options::value(&settings.repeats)->default_value(5), "runs, of which the fastest counts")(
+    "repeats", options::value(&settings.repeats)->default_value(5), "of which the fastest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of surface and noise")(
     "noise", options::value(&settings.noise)->default_value(1e-9), "relative to the extent");
   options::variables_map values;

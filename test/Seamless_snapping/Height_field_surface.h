@@ -1,8 +1,8 @@
 // Big closed meshes with many cones: the boundary of the voxels below a height field
-// h(x,y) = f(x) + g(y), unfolded along a spanning tree of its squares. A sum of two functions of one
-// variable has no saddle where two voxels touch in an edge or a vertex only, so the boundary is a
-// closed 2-manifold for any f and g, a topological sphere; and every place where f and g both step
-// has cones of positive and of negative curvature.
+// h(x,y) = f(x) + g(y), unfolded along a spanning tree of its squares. A sum of two functions of
+// one variable has no saddle where two voxels touch in an edge or a vertex only, so the boundary is
+// a closed 2-manifold for any f and g, a topological sphere; and every place where f and g both
+// step has cones of positive and of negative curvature.
 
 #ifndef SEAMLESS_SNAPPING_TEST_HEIGHT_FIELD_SURFACE_H
 #define SEAMLESS_SNAPPING_TEST_HEIGHT_FIELD_SURFACE_H

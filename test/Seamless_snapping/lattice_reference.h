@@ -1,5 +1,5 @@
-// What solutions a system of linear equations has on grids: which powers of two suffice, and how far
-// apart the solutions on a grid lie. Exact, for small systems, with CGAL's numbers only.
+// What solutions a system of linear equations has on grids: which powers of two suffice, and how
+// far apart the solutions on a grid lie. Exact, for small systems, with CGAL's numbers only.
 
 #ifndef SEAMLESS_SNAPPING_TEST_LATTICE_REFERENCE_H
 #define SEAMLESS_SNAPPING_TEST_LATTICE_REFERENCE_H
@@ -46,9 +46,10 @@ inline std::vector<Integer_vector> kernel_vectors(const System& system)
   return result;
 }
 
-// A point of the solution space is within this distance of a solution on the grid of step 1, if there
-// is any: half the sum of the lengths of kernel vectors, for one can round along each in turn. The
-// first number is the distance weighted as in the squared change, the second the largest component.
+// A point of the solution space is within this distance of a solution on the grid of step 1, if
+// there is any: half the sum of the lengths of kernel vectors, for one can round along each in
+// turn. The first number is the distance weighted as in the squared change, the second the largest
+// component.
 inline std::pair<double, double> grid_radius(const std::vector<Integer_vector>& kernel,
                                              const Rationals& weights)
 {
@@ -72,8 +73,8 @@ struct Dyadic_solvability
   int bits = 0;            // then the coarsest grid with a solution has the step 2^-bits
 };
 
-// Adds multiples of the columns from `first` on to each other until at most the first of them has an
-// entry in the row (Euclid's algorithm). Such steps keep the integer solutions.
+// Adds multiples of the columns from `first` on to each other until at most the first of them has
+// an entry in the row (Euclid's algorithm). Such steps keep the integer solutions.
 inline void clear_row(std::vector<Integer_vector>& columns, std::size_t first, std::size_t row)
 {
   for(std::size_t j = first + 1; j < columns.size(); ++j) {
@@ -105,7 +106,8 @@ inline Integer power_of_two(int exponent)
 }
 
 // Whether the system, which must be consistent, has solutions on any grid 2^-bits Z. After the
-// unimodular column operations each row fixes one new unknown; a solution has as many bits as these.
+// unimodular column operations each row fixes one new unknown at most; a solution has as many bits
+// as these.
 inline Dyadic_solvability dyadic_solvability(const System& system)
 {
   const Integer_problem problem =

@@ -1,14 +1,14 @@
 // Thousands of random systems through snap_to_linear_constraints(), each compared with the exact
 // references: the verdict, the exactness of the result, its distance to the input, and that nothing
-// is touched where there is nothing to do or nothing to be done. Then the systems of the data folder.
+// is touched where there is nothing to do or nothing to be done. Then those of the data folder.
 
-#include <CGAL/Seamless_snapping/Linear_constraints.h>
-#include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
 #include "checking.h"
 #include "exact_reference.h"
 #include "lattice_reference.h"
+#include "random_systems.h"
+#include "snap_in_any_form.h"
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/SparseExtra>
@@ -22,181 +22,21 @@
 #include <limits>
 #include <map>
 #include <random>
-#include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CS = CGAL::Seamless_snapping;
 
-using exact_reference::Integer;
 using exact_reference::Optimum;
 using exact_reference::Rational;
 using exact_reference::Rationals;
 using exact_reference::System;
-using Random = std::mt19937_64;
-
-// --- random systems ------------------------------------------------------------------------------
-
-int random_integer(Random& random, int low, int high)
-{
-  return low + int(random() % std::uint64_t(high - low + 1));
-}
-
-double random_real(Random& random) // in [-1,1)
-{
-  return static_cast<double>(static_cast<std::int64_t>(random())) * 0x1p-63;
-}
-
-enum class Kind { signs, small, halves_and_thirds, wide, huge, number_of_kinds };
-
-Rational random_coefficient(Random& random, Kind kind)
-{
-  switch(kind) {
-    case Kind::signs: return Rational(random() % 2 == 0 ? 1 : -1);
-    case Kind::small: return Rational(random_integer(random, -4, 4));
-    case Kind::halves_and_thirds:
-      return Rational(random_integer(random, -9, 9)) / Rational(random_integer(random, 1, 6));
-    case Kind::wide: return Rational(random_integer(random, -1000000, 1000000));
-    default: return Rational(static_cast<long>(random() >> 3) - (1L << 60)); // overflow at once
-  }
-}
-
-System random_homogeneous_system(Random& random, Kind kind, std::size_t columns, std::size_t rows)
-{
-  System system;
-  system.columns = columns;
-  for(std::size_t r = 0; r < rows; ++r) {
-    exact_reference::Row row;
-    const int most = random() % 8 == 0 ? int(columns) : 4;
-    const int entries = random_integer(random, random() % 16 == 0 ? 0 : 2, (std::max)(2, most));
-    for(int k = 0; k < entries; ++k)
-      row.push_back({ random() % columns, random_coefficient(random, kind) });
-    system.add_row(row);
-  }
-  return system;
-}
-
-// Appends sums of rows: redundant ones, of a consistent system.
-void add_redundant_rows(Random& random, System& system, int count)
-{
-  for(int k = 0; k < count && !system.rows.empty(); ++k) {
-    exact_reference::Row row;
-    Rational b(0);
-    for(int terms = random_integer(random, 1, 3); terms > 0; --terms) {
-      const std::size_t r = random() % system.rows.size();
-      const Rational factor(random_integer(random, -2, 2));
-      for(const auto& entry : system.rows[r])
-        row.push_back({ entry.column, Rational(factor * entry.coefficient) });
-      b += factor * system.b[r];
-    }
-    system.add_row(row, b);
-  }
-}
-
-enum class Right_hand_side { zero, of_grid_point, of_double, integer, thirds, number_of_kinds };
-
-void set_right_hand_side(Random& random, Right_hand_side kind, System& system)
-{
-  Rationals point;
-  for(std::size_t c = 0; c < system.columns; ++c)
-    point.push_back(Rational(random_integer(random, -64, 64)) / Rational(16));
-  for(std::size_t r = 0; r < system.rows.size(); ++r) {
-    switch(kind) {
-      case Right_hand_side::zero: break;
-      case Right_hand_side::of_grid_point:
-        system.b[r] = exact_reference::residual(system, r, point) + system.b[r];
-        break;
-      case Right_hand_side::of_double: system.b[r] = Rational(random_real(random)); break;
-      case Right_hand_side::integer: system.b[r] = Rational(random_integer(random, -9, 9)); break;
-      default: system.b[r] = Rational(random_integer(random, -9, 9)) / Rational(3);
-    }
-  }
-}
-
-// --- calling the function in all its forms -------------------------------------------------------
-
-bool are_integers(const System& system, double bound)
-{
-  for(const auto& row : system.rows)
-    for(const auto& entry : exact_reference::merged(row))
-      if(exact_reference::denominator(entry.coefficient) != 1
-         || CGAL::abs(entry.coefficient) > Rational(bound))
-        return false;
-  return true;
-}
-
-template <typename Coefficient>
-CS::Linear_constraints<Coefficient> linear_constraints(const System& system)
-{
-  CS::Linear_constraints<Coefficient> result(system.columns);
-  for(std::size_t r = 0; r < system.rows.size(); ++r) {
-    std::vector<std::pair<std::size_t, Coefficient> > terms;
-    for(const auto& entry : system.rows[r]) {
-      if constexpr(std::is_same<Coefficient, Rational>::value)
-        terms.emplace_back(entry.column, entry.coefficient);
-      else
-        terms.emplace_back(entry.column,
-                           static_cast<Coefficient>(std::stoll(
-                             (std::ostringstream() << entry.coefficient).str())));
-    }
-    result.add_constraint(terms, system.b[r]);
-  }
-  return result;
-}
-
-template <typename Scalar>
-Eigen::SparseMatrix<Scalar> sparse_matrix(const System& system)
-{
-  std::vector<Eigen::Triplet<Scalar> > entries;
-  for(std::size_t r = 0; r < system.rows.size(); ++r)
-    for(const auto& entry : system.rows[r])
-      entries.emplace_back(int(r), int(entry.column),
-                           static_cast<Scalar>(CGAL::to_double(entry.coefficient)));
-  Eigen::SparseMatrix<Scalar> result(Eigen::Index(system.rows.size()),
-                                     Eigen::Index(system.columns));
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-template <typename Matrix, typename Values, typename NamedParameters>
-CS::Snapping_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
-                                const NamedParameters& np)
-{
-  std::vector<double> b;
-  for(const Rational& value : system.b)
-    b.push_back(CGAL::to_double(value));
-  if(exact_reference::to_rationals(b) != system.b)
-    return CS::snap_to_linear_constraints(matrix, system.b, x, np);
-  if(std::all_of(b.begin(), b.end(), [](double value) { return value == 0; }))
-    return CS::snap_to_linear_constraints(matrix, x, np);
-  return CS::snap_to_linear_constraints(matrix, b, x, np);
-}
-
-template <typename Values>
-CS::Snapping_report snap(Random& random, const System& system, Values& x,
-                         const std::vector<double>& weights)
-{
-  const auto np = CS::parameters::weights(weights);
-  const bool are_small = are_integers(system, 1000000);
-  switch(random() % 4) {
-    case 1:
-      if(are_integers(system, 0x1p62))
-        return CS::snap_to_linear_constraints(linear_constraints<std::int64_t>(system), x, np);
-      break;
-    case 2:
-      if(are_small)
-        return snap_matrix(sparse_matrix<int>(system), system, x, np);
-      break;
-    case 3:
-      if(are_small)
-        return snap_matrix(sparse_matrix<double>(system), system, x, np);
-      break;
-    default: break;
-  }
-  return CS::snap_to_linear_constraints(linear_constraints<Rational>(system), x, np);
-}
+using random_systems::Kind;
+using random_systems::Random;
+using random_systems::random_integer;
+using random_systems::random_real;
+using random_systems::Right_hand_side;
 
 // --- what must hold ------------------------------------------------------------------------------
 
@@ -305,7 +145,8 @@ void check_system(Random& random, const System& system, const std::vector<Number
   }
 
   std::vector<Number> after = before;
-  const CS::Snapping_report report = snap(random, system, after, weights);
+  const CS::Snapping_report report =
+    snap_in_any_form::snap(random, system, after, weights);
   ++tally.outcomes[CS::to_string(report.status)];
   const bool was_exact = exact_reference::exactly_satisfies(system, before);
   CHECK_EQUAL(report.status == CS::Snapping_status::INCONSISTENT, !optimum.feasible);
@@ -363,15 +204,15 @@ void test_random_system(std::uint64_t seed, std::size_t largest, Tally& tally)
   const Right_hand_side rhs =
     Right_hand_side(random() % std::uint64_t(Right_hand_side::number_of_kinds));
   const std::size_t columns = 1 + random() % largest;
-  const std::size_t rows = random() % (random() % 2 == 0 ? columns + 1 : columns / 2 + 2);
-  System system =
-    random_homogeneous_system(random, kind, columns, (std::max)(rows, std::size_t(1)));
+  const std::size_t most_rows = random() % 2 == 0 ? columns : columns / 2 + 1;
+  const std::size_t rows = 1 + random() % most_rows;
+  System system = random_systems::random_homogeneous_system(random, kind, columns, rows);
   const bool redundant_first = random() % 2 == 0; // then right-hand sides may contradict
   if(redundant_first)
-    add_redundant_rows(random, system, random_integer(random, 0, 2));
-  set_right_hand_side(random, rhs, system);
+    random_systems::add_redundant_rows(random, system, random_integer(random, 0, 2));
+  random_systems::set_right_hand_side(random, rhs, system);
   if(!redundant_first)
-    add_redundant_rows(random, system, random_integer(random, 0, 3));
+    random_systems::add_redundant_rows(random, system, random_integer(random, 0, 3));
 
   const std::vector<Number> values =
     values_near_a_solution<Number>(random, system, random() % 4 != 0);
@@ -408,7 +249,7 @@ void test_random_systems(const std::string& name, std::uint64_t first_seed, int 
         tally);
 }
 
-// Seam systems and random ones of thousands of unknowns: exactness only, the references are too slow.
+// Seam systems and random ones of thousands of unknowns: for the references they are too big.
 void test_file(const std::string& path)
 {
   Eigen::SparseMatrix<double> matrix;

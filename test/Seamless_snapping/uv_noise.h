@@ -29,7 +29,8 @@ inline double symmetric_random(std::mt19937_64& random)
 }
 
 // Quarter turns of the transition across each halfedge h, from face(h) to the opposite face; -1: no
-// cut. Kept per halfedge, since halfedge(edge(h)) is h for either halfedge of a Surface_mesh. For exactly seamless maps of few significant bits only, whose differences are exact.
+// cut. Kept per halfedge, since halfedge(edge(h)) is h for either halfedge of a Surface_mesh. For
+// exactly seamless maps of few significant bits only, whose differences are exact.
 template <typename Graph, typename UVMap>
 class Cuts
 {
@@ -45,7 +46,8 @@ public:
     for(const auto e : edges(g)) {
       const Halfedge h = halfedge(e, g), o = opposite(h, g);
       const bool is_cut = !is_border(h, g) && !is_border(o, g)
-                          && (get(uv, h) != get(uv, prev(o, g)) || get(uv, prev(h, g)) != get(uv, o));
+                          && (get(uv, h) != get(uv, prev(o, g))
+                              || get(uv, prev(h, g)) != get(uv, o));
       const int k = is_cut ? quarter_turns(h, uv) : -1;
       put(m_rotation, h, static_cast<signed char>(k));
       put(m_rotation, o, static_cast<signed char>(is_cut ? (4 - k) % 4 : -1));
