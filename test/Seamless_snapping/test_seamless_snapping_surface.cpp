@@ -1,0 +1,165 @@
+// Tests of the surface function on small surfaces with every kind of cut, node, branch, border and
+// alignment: exactness, transitions, merged edges, and the distance from the exact optimum.
+
+#include "surface_checks.h"
+
+#include "exact_reference.h"
+#include "full_seamless_system.h"
+
+#include <CGAL/Timer.h>
+
+#include <random>
+
+using namespace surface_checks;
+using test_meshes::Named_mesh;
+using uv_noise::Noise;
+
+// The factor between noise and change. The optimum of least squares may concentrate changes.
+constexpr double largest_factor = 8;
+
+// Disturbs a warped test mesh by relative noise, snaps it, and checks all that can be known.
+template <typename K>
+void test_noise(const Named_mesh<K>& original, unsigned int seed, double relative, Noise kind)
+{
+  const std::string context = original.name + ", seed " + std::to_string(seed) + ", noise "
+                              + std::to_string(std::log10(relative))
+                              + (kind == Noise::per_corner ? " per corner" : "");
+  Named_mesh<K> named = original;
+  auto& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(mesh);
+  test_meshes::warp(named, seed);
+  using Mesh = std::decay_t<decltype(mesh)>;
+  const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
+  check_sum_of_indices(mesh, truth, context);
+
+  const double noise = relative * truth.extent;
+  uv_noise::perturb(mesh, uv, noise, seed, kind);
+  // rounding to the number type is noise, too
+  const double eps = double(std::numeric_limits<typename K::FT>::epsilon()) * truth.extent;
+  const bool is_clear = truth.is_clear_with(noise + eps);
+  if(is_clear)
+    check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context);
+
+  const Snapped<K> snapped = snap_and_check(named, context);
+  CHECK_IN(context, snapped.report.largest_change <= largest_factor * (noise + eps)
+                      || !is_clear);
+  if(!is_clear)
+    return;
+  CHECK_IN(context, edges_that_gape(mesh, uv, truth) == 0);
+  const auto rotation = [&](auto h) { return truth.rotation(h); };
+  const auto aligned = is_aligned(mesh, test_meshes::feature_map(mesh), named.align_border);
+  CHECK_IN(context, exact_check::check_edges(mesh, uv, aligned, rotation).is_exact());
+  check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context + ", snapped");
+}
+
+template <typename K>
+void test_random_noise(int rounds, double finest, double coarsest, const std::string& what)
+{
+  CGAL::Timer timer;
+  timer.start();
+  std::size_t runs = 0;
+  for(const Named_mesh<K>& named : test_meshes::all_meshes<K>()) {
+    for(int round = 0; round < rounds; ++round) {
+      const unsigned int seed = 1 + static_cast<unsigned int>(runs);
+      std::mt19937_64 random(seed);
+      const double exponent = finest + (coarsest - finest) * double(random() % 1000) / 999;
+      test_noise(named, seed, std::pow(10., exponent),
+                 random() % 2 == 0 ? Noise::per_sector : Noise::per_corner);
+      ++runs;
+    }
+  }
+  std::cout << what << ": seeds 1 to " << runs << ", " << timer.time() << " s" << std::endl;
+}
+
+// The sum of squared changes of all sectors against that of the exact optimum of the full system,
+// which knows nothing of nodes and branches.
+void test_against_optimum(const Named_mesh<Kernel>& original, unsigned int seed, double relative,
+                          Noise kind, double& worst)
+{
+  const std::string context = original.name + " against the optimum, seed " + std::to_string(seed);
+  Named_mesh<Kernel> named = original;
+  auto& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(mesh);
+  test_meshes::warp(named, seed);
+  using Mesh = std::decay_t<decltype(mesh)>;
+  const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
+  const double noise = relative * truth.extent;
+  if(!truth.is_clear_with(noise))
+    return;
+  uv_noise::perturb(mesh, uv, noise, seed, kind);
+
+  const auto full = exact_check::full_system(
+    mesh, uv, [&](auto h) { return truth.rotation(h); },
+    is_aligned(mesh, test_meshes::feature_map(mesh), named.align_border),
+    [&](auto e) { return truth.is_cut(halfedge(e, mesh)); });
+  if(full.system.columns > 400) // the reference takes cubic time
+    return;
+  const auto optimum = exact_reference::optimum_in_closed_form(full.system, full.xbar);
+  CHECK_IN(context, optimum.feasible);
+
+  const Snapped<Kernel> snapped = snap_and_check(named, context);
+  const auto values = full.values(uv);
+  CHECK_IN(context, exact_reference::exactly_satisfies(full.system, values));
+  const double best = std::sqrt(CGAL::to_double(optimum.value));
+  const double found =
+    std::sqrt(CGAL::to_double(exact_reference::squared_distance(values, full.xbar)));
+  // rounding to the grid adds a step or so to each unknown
+  const double rounding = snapped.report.grid_step * std::sqrt(double(full.system.columns));
+  worst = (std::max)(worst, (found - 1.01 * best) / rounding);
+  CHECK_IN(context, found <= 1.01 * best + 2 * rounding);
+}
+
+void test_optimality()
+{
+  CGAL::Timer timer;
+  timer.start();
+  double worst = 0;
+  unsigned int seed = 0;
+  for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
+    for(const double relative : { 1e-6, 1e-9, 1e-12, 1e-15 }) {
+      ++seed;
+      test_against_optimum(named, seed, relative, Noise::per_sector, worst);
+      test_against_optimum(named, seed, relative, Noise::per_corner, worst);
+    }
+  }
+  std::cout << "optima: seeds 1 to " << seed << ", up to " << worst
+            << " grid steps per unknown above 1.01 times the optimum, " << timer.time() << " s"
+            << std::endl;
+}
+
+// A translation of 1e-9 beside noise of 1e-17 is a cut; beside noise of its own size it is none.
+void test_tiny_translation()
+{
+  for(unsigned int seed = 1; seed <= 50; ++seed) {
+    Named_mesh<Kernel> named = test_meshes::tiny_translation<Kernel>();
+    auto& mesh = named.mesh;
+    const auto uv = test_meshes::uv_map(mesh);
+    using Mesh = std::decay_t<decltype(mesh)>;
+    const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
+    const std::string context = "tiny translation, seed " + std::to_string(seed);
+    CHECK_IN(context, truth.smallest_translation < 1e-9 * truth.extent);
+    const Named_mesh<Kernel> exact = named;
+
+    uv_noise::perturb(mesh, uv, 1e-16 * truth.extent, seed, Noise::per_sector);
+    check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context);
+    snap_and_check(named, context);
+    check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context + ", snapped");
+
+    named = exact;
+    uv_noise::perturb(named.mesh, test_meshes::uv_map(named.mesh), truth.smallest_translation,
+                      seed, Noise::per_corner);
+    const SS::Snapping_report report = snap_and_check(named, context + ", drowned").report;
+    CHECK_IN(context, report.number_of_cut_edges == 0);
+    CHECK_IN(context, report.number_of_merged_edges > 0);
+  }
+}
+
+int main()
+{
+  std::cout.precision(3);
+  test_random_noise<Kernel>(400, -15, -6, "noise");
+  test_random_noise<Float_kernel>(100, -7, -5.3, "noise on floats");
+  test_tiny_translation();
+  test_optimality();
+  return report_checks();
+}
