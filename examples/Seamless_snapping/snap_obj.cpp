@@ -100,9 +100,9 @@ void print_help()
   Options ignored;
   std::cout
     << "Usage: snap_obj IN.obj OUT.obj [options]\n\n"
-       "Moves the texture coordinates of a triangle mesh, by about as much as they are inaccurate,\n"
-       "so that they are exactly seamless: across each edge, the coordinates on both sides differ\n"
-       "by a rotation by a multiple of 90 degrees and a translation.\n\n"
+       "Moves the texture coordinates of a triangle mesh, by about as much as they are\n"
+       "inaccurate, so that they are exactly seamless: across each edge, the coordinates on\n"
+       "both sides differ by a rotation by a multiple of 90 degrees and a translation.\n\n"
     << description_of(ignored)
     << "\nExit status: 0 the output is exact; 1 there is no exact solution, and no output;\n"
        "2 wrong usage; 3 unreadable input; 4 a file cannot be written.\n";

@@ -91,60 +91,89 @@ private:
     std::map<Halfedge, Vector_uv> displacements;
   };
 
-  // Round the two ends of a cut halfedge, on its side, up to the next cut or border.
+  // Of the face's domain, at the target of `h`.
+  double angle(Halfedge h) const
+  {
+    const Vector_uv a = uv(m_uv_map, prev(h, m_mesh)), b = uv(m_uv_map, h),
+                    c = uv(m_uv_map, next(h, m_mesh));
+    const double x1 = a[0] - b[0], y1 = a[1] - b[1], x2 = c[0] - b[0], y2 = c[1] - b[1];
+    return std::abs(std::atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2));
+  }
+
+  // Round the two ends of a cut halfedge, on its side, up to the next cut or border. Faces count up
+  // to a right angle or a little more: those behind the end of a branch belong to no side.
   void add_to_strip(Halfedge cut, const Vector_uv& at_source, const Vector_uv& at_target,
                     Strip& strip) const
   {
+    const double limit = 1.8;
+    double sum = 0;
     for(Halfedge c = cut; ; c = opposite(next(c, m_mesh), m_mesh)) {
-      strip.faces.insert(face(c, m_mesh));
+      if(sum < limit)
+        strip.faces.insert(face(c, m_mesh));
+      sum += angle(c);
       strip.displacements.emplace(c, at_target);
       if(is_boundary(next(c, m_mesh)) || opposite(next(c, m_mesh), m_mesh) == cut)
         break;
     }
+    sum = 0;
     for(Halfedge c = prev(cut, m_mesh); ; c = prev(opposite(c, m_mesh), m_mesh)) {
-      strip.faces.insert(face(c, m_mesh));
+      if(sum < limit)
+        strip.faces.insert(face(c, m_mesh));
+      sum += angle(c);
       strip.displacements.emplace(c, at_source);
       if(is_boundary(c) || prev(opposite(c, m_mesh), m_mesh) == prev(cut, m_mesh))
         break;
     }
   }
 
-  // The faces of the strip and those next to them on the same side.
-  std::set<Face> widened(const std::set<Face>& strip) const
+  Strip strip_of_side(bool second, const Branch_gaps& gaps, double factor) const
   {
-    std::set<Face> result = strip;
-    for(const Face f : strip)
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-        if(!is_boundary(h))
-          result.insert(face(opposite(h, m_mesh), m_mesh));
-    return result;
+    Strip strip;
+    const double half = (second ? -0.5 : 0.5) * factor;
+    for(std::size_t i = 0; i < m_branch.halfedges.size(); ++i) {
+      const Vector_uv at_source = {half * gaps.gaps[i][0][0], half * gaps.gaps[i][0][1]};
+      const Vector_uv at_target = {half * gaps.gaps[i][1][0], half * gaps.gaps[i][1][1]};
+      if(second)
+        add_to_strip(opposite(m_branch.halfedges[i], m_mesh), at_target, at_source, strip);
+      else
+        add_to_strip(m_branch.halfedges[i], at_source, at_target, strip);
+    }
+    return strip;
+  }
+
+  // Adds the faces next to those of the strip, but for those that the other side has.
+  void widen(Strip& strip, const Strip& other) const
+  {
+    const std::set<Face> narrow = strip.faces;
+    for(const Face f : narrow)
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+        const Halfedge o = opposite(h, m_mesh);
+        if(!is_boundary(h) && other.faces.count(face(o, m_mesh)) == 0)
+          strip.faces.insert(face(o, m_mesh));
+      }
   }
 
   // Both sides of the branch in the chart of the second one, each moved by half the enlarged gap.
   template <typename Map>
-  void write_window(std::ostream& os, Map map, const Branch_gaps& gaps,
-                    const Window& shown, const Vector_uv& corner, const std::string& fill,
+  void write_window(std::ostream& os, Map map, const Branch_gaps& gaps, const Window& shown,
+                    const Vector_uv& corner, const std::string& fill,
                     const std::string& stroke) const
   {
     const double size = 250;
-    const double factor = shown.factor;
     const View view{shown.center, size / 2 / shown.half_width,
                     {corner[0] + size / 2, corner[1] + size / 2}};
+    Strip strips[2] = {strip_of_side(false, gaps, shown.factor),
+                       strip_of_side(true, gaps, shown.factor)};
+    for(int i = 0; i < 2; ++i) {
+      widen(strips[0], strips[1]);
+      widen(strips[1], strips[0]);
+    }
 
     os << "<svg x=\"" << corner[0] << "\" y=\"" << corner[1] << "\" width=\"" << size
        << "\" height=\"" << size << "\" viewBox=\"" << corner[0] << ' ' << corner[1] << ' ' << size
        << ' ' << size << "\">\n";
     for(const bool second : {true, false}) {
-      Strip strip;
-      for(std::size_t i = 0; i < m_branch.halfedges.size(); ++i) {
-        const double half = (second ? -0.5 : 0.5) * factor;
-        const Vector_uv at_source = {half * gaps.gaps[i][0][0], half * gaps.gaps[i][0][1]};
-        const Vector_uv at_target = {half * gaps.gaps[i][1][0], half * gaps.gaps[i][1][1]};
-        if(second)
-          add_to_strip(opposite(m_branch.halfedges[i], m_mesh), at_target, at_source, strip);
-        else
-          add_to_strip(m_branch.halfedges[i], at_source, at_target, strip);
-      }
+      const Strip& strip = strips[second ? 1 : 0];
       const int turns = second ? 0 : m_branch.rotation;
       const Vector_uv shift = second ? Vector_uv{0, 0} : gaps.translation;
       const auto position = [&](Halfedge h) {
@@ -154,7 +183,6 @@ private:
           u[k] += shift[k] + (found == strip.displacements.end() ? 0. : found->second[k]);
         return u;
       };
-      strip.faces = widened(widened(strip.faces));
       write_strip(os, strip, view, corner, size, position, fill);
       write_seam(os, second, view, position, stroke);
     }
@@ -186,8 +214,8 @@ private:
   }
 
   template <typename Position>
-  void write_seam(std::ostream& os, bool second, const View& view,
-                  const Position& position, const std::string& stroke) const
+  void write_seam(std::ostream& os, bool second, const View& view, const Position& position,
+                  const std::string& stroke) const
   {
     os << "<path fill=\"none\" stroke-width=\"2.2\" stroke-linejoin=\"round\" stroke=\"" << stroke
        << "\" d=\"";
