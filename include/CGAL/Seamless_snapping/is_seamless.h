@@ -157,8 +157,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
     result.number_of_degenerate_faces += (orientation == CGAL::ZERO) ? 1 : 0;
   }
   result.extent = box.extent();
-  int exponent = 0;
-  std::frexp(result.extent, &exponent);
+  const double scale = unit_scale(result.extent);
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
     if(CGAL::is_border_edge(h, tmesh))
@@ -172,7 +171,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
       continue;
     ++result.number_of_inexact_edges;
     result.violation = (std::max)(result.violation,
-                                  std::ldexp(transition_violation(sides, given, h, exponent), exponent));
+                                  transition_violation(sides, given, h, scale) / scale);
   }
   for_each_aligned_edge(tmesh, np, [&](const auto e) {
     const double m = misalignment(tmesh, uv_map, halfedge(e, tmesh));

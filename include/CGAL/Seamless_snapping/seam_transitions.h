@@ -21,8 +21,10 @@
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -56,7 +58,13 @@ public:
   using Singular_vertex = std::pair<vertex_descriptor, int>;
 
   /// \cond SKIP_IN_MANUAL
-  explicit Seam_transitions(internal::Transition_data<TriangleMesh>&& data) : m_data(std::move(data)) { }
+  Seam_transitions(const TriangleMesh& tmesh, internal::Transition_data<TriangleMesh>&& data)
+    : m_tmesh(&tmesh), m_index(get(CGAL::dynamic_edge_property_t<int>(), tmesh)), m_data(std::move(data))
+  {
+    for(std::size_t i = 0; i < m_data.edges.size(); ++i)
+      put(m_index, edge(m_data.edges[i].halfedge, tmesh), static_cast<int>(i) + 1);
+  }
+
   const internal::Transition_data<TriangleMesh>& data() const { return m_data; }
   /// \endcond
 
@@ -74,7 +82,7 @@ public:
   /// `face(h)` to the chart of `face(opposite(h))`.
   int rotation(const halfedge_descriptor h) const
   {
-    const int i = m_data.index(h);
+    const int i = index(h);
     if(i < 0)
       return 0;
     const auto& edge = m_data.edges[std::size_t(i)];
@@ -84,7 +92,7 @@ public:
   /// returns `true` if the transition across the edge of `h` is not the identity.
   bool is_cut(const halfedge_descriptor h) const
   {
-    const int i = m_data.index(h);
+    const int i = index(h);
     return i >= 0 && m_data.edges[std::size_t(i)].is_cut;
   }
 
@@ -108,6 +116,14 @@ public:
   double violation() const { return m_data.violation; }
 
 private:
+  using Edge_map =
+    typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
+
+  // The open edge of `h`, or -1.
+  int index(const halfedge_descriptor h) const { return get(m_index, edge(h, *m_tmesh)) - 1; }
+
+  const TriangleMesh* m_tmesh;
+  Edge_map m_index; // of an open edge, plus 1
   internal::Transition_data<TriangleMesh> m_data;
 };
 
@@ -178,7 +194,8 @@ Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, Halfe
                                                   CGAL::parameters::default_values())
 {
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
-  return Seam_transitions<TriangleMesh>(internal::read_transitions(tmesh, uv_map, internal::strip(np)));
+  return Seam_transitions<TriangleMesh>(tmesh, internal::read_transitions(tmesh, uv_map,
+                                                                         internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

@@ -56,7 +56,11 @@ struct Number_format
 class Grid
 {
 public:
-  Grid(const Number_format& format, const int exponent) : m_format(format), m_exponent(exponent) { }
+  Grid(const Number_format& format, const int exponent)
+    : m_format(format), m_exponent(exponent), m_step(std::ldexp(1., exponent)),
+      m_half_inverse(std::ldexp(1., -exponent / 2)),
+      m_other_half_inverse(std::ldexp(1., -exponent - (-exponent / 2)))
+  { }
 
   // The finest grid on which all numbers up to `largest` have at most p bits. (Sec. 4.3 adds a bit of
   // margin; here the rare result that needs it is computed again on a coarser grid.)
@@ -70,23 +74,27 @@ public:
 
   const Number_format& format() const { return m_format; }
   int exponent() const { return m_exponent; }
-  double step() const { return std::ldexp(1., m_exponent); }
+  double step() const { return m_step; }
 
   // \pre |x| <= 2^62 step(); this split is exact
   Grid_value split(const double x) const
   {
-    const double scaled = std::ldexp(x, -m_exponent);
+    const double scaled = (x * m_half_inverse) * m_other_half_inverse; // 1 / step() may overflow
     const std::int64_t base = std::llround(scaled);
     return {base, scaled - static_cast<double>(base)};
   }
 
   // \pre is_representable(x)
-  double value(const std::int64_t x) const { return std::ldexp(static_cast<double>(x), m_exponent); }
+  double value(const std::int64_t x) const { return static_cast<double>(x) * m_step; }
 
   // Whether x 2^exponent is a number of the format.
   bool is_representable(const std::int64_t x) const
   {
     if(x == 0)
+      return true;
+    // the common case first
+    const std::int64_t largest = std::int64_t(1) << m_format.digits;
+    if(-largest <= x && x <= largest && m_exponent + m_format.digits < m_format.maximum_exponent)
       return true;
     std::uint64_t significand = static_cast<std::uint64_t>(x < 0 ? -x : x);
     const int bits = static_cast<int>(bit_length(x));
@@ -114,6 +122,7 @@ public:
 private:
   Number_format m_format;
   int m_exponent;
+  double m_step, m_half_inverse, m_other_half_inverse;
 };
 
 // The same real number in units of another grid, 2^shift times as coarse (as fine for shift < 0).

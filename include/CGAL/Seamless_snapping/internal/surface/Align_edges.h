@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -59,13 +58,12 @@ public:
     }
     if(m_halfedges.empty())
       return;
-    sort_canonically(tmesh, vertex_indices, m_halfedges);
+    Vertex_numbers<TriangleMesh, VertexIndexMap> vertices(tmesh, vertex_indices);
+    vertices.number_ends({&m_halfedges});
+    sort_canonically(tmesh, vertex_indices, vertices, m_halfedges);
     for(Halfedge& h : m_halfedges)
       if(is_border(h, tmesh))
         h = opposite(h, tmesh);
-    m_index = get(CGAL::dynamic_edge_property_t<int>(), tmesh);
-    for(std::size_t i = 0; i < m_halfedges.size(); ++i)
-      put(*m_index, edge(m_halfedges[i], tmesh), static_cast<int>(i) + 1);
     choose_components(uv_map, vertex_indices, tolerance);
   }
 
@@ -76,12 +74,6 @@ public:
 
   // Of the chart of the halfedge's face.
   int component(const Edge_index a) const { return m_components[std::size_t(a)]; }
-
-  // The aligned edge of `h`, or -1.
-  Edge_index index(const Halfedge h) const
-  {
-    return m_index ? get(*m_index, edge(h, *m_tmesh)) - 1 : -1;
-  }
 
   // Whether Eq. (5) holds exactly along all edges, and the largest violation.
   bool is_exact() const { return m_violation == 0; }
@@ -121,7 +113,6 @@ private:
   const TriangleMesh* m_tmesh;
   std::vector<Halfedge> m_halfedges;
   std::vector<int> m_components;
-  std::optional<typename Transition_data<TriangleMesh>::Edge_map> m_index; // of an aligned edge, plus 1
   Snapping_status m_status = Snapping_status::ALREADY_EXACT;
   std::string m_message;
   double m_violation = 0;

@@ -45,27 +45,24 @@ private:
 };
 
 // Walks along the chains of one set of edges.
-template <typename TriangleMesh, typename Halfedge>
 class Branch_tracer
 {
 public:
-  Branch_tracer(const Vertex_numbers<TriangleMesh>& vertices, const Vertex_incidences& incidences,
-                const std::vector<Halfedge>& halfedges)
-    : m_vertices(vertices), m_incidences(incidences), m_halfedges(halfedges),
-      m_is_done(halfedges.size(), false)
+  Branch_tracer(const Vertex_incidences& incidences, const std::vector<Edge_ends>& ends)
+    : m_incidences(incidences), m_ends(ends), m_is_done(ends.size(), false)
   { }
 
   // First the branches that begin at a node, then closed ones, which receive a node where they begin.
   Branch_list trace(std::vector<bool>& is_node)
   {
     Branch_list branches;
-    for(std::size_t i = 0; i < m_halfedges.size(); ++i)
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
       for(int side = 0; side < 2 && !m_is_done[i]; ++side) {
         const std::int32_t d = static_cast<std::int32_t>(2 * i) + side;
         if(is_node[std::size_t(source(d))])
           walk(d, is_node, branches);
       }
-    for(std::size_t i = 0; i < m_halfedges.size(); ++i)
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
       if(!m_is_done[i]) {
         const std::int32_t d = static_cast<std::int32_t>(2 * i);
         is_node[std::size_t(source(d))] = true;
@@ -77,8 +74,8 @@ public:
 private:
   Vertex_index source(const std::int32_t d) const
   {
-    const Halfedge h = m_halfedges[std::size_t(d / 2)];
-    return d % 2 == 0 ? m_vertices.source_index(h) : m_vertices.target_index(h);
+    const Edge_ends& ends = m_ends[std::size_t(d / 2)];
+    return d % 2 == 0 ? ends.source : ends.target;
   }
 
   Vertex_index target(const std::int32_t d) const { return source(d ^ 1); }
@@ -104,9 +101,8 @@ private:
     branches.finish_branch();
   }
 
-  const Vertex_numbers<TriangleMesh>& m_vertices;
   const Vertex_incidences& m_incidences;
-  const std::vector<Halfedge>& m_halfedges;
+  const std::vector<Edge_ends>& m_ends;
   std::vector<bool> m_is_done;
 };
 
@@ -115,16 +111,13 @@ private:
 struct Branches
 {
   template <typename TriangleMesh, typename HalfedgeUVMap>
-  Branches(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
-           const Transition_data<TriangleMesh>& transitions,
-           const Align_edges<TriangleMesh>& align_edges)
+  explicit Branches(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors)
     : is_node(sectors.number_of_vertices())
   {
-    using Tracer = Branch_tracer<TriangleMesh, typename Transition_data<TriangleMesh>::Halfedge>;
     for(std::size_t v = 0; v < is_node.size(); ++v)
       is_node[v] = sectors.is_node(Vertex_index(v));
-    cut = Tracer(sectors.vertices(), sectors.cuts(), transitions.cut_halfedges).trace(is_node);
-    aligned = Tracer(sectors.vertices(), sectors.aligned(), align_edges.halfedges()).trace(is_node);
+    cut = Branch_tracer(sectors.cuts(), sectors.cut_ends()).trace(is_node);
+    aligned = Branch_tracer(sectors.aligned(), sectors.align_ends()).trace(is_node);
   }
 
   std::vector<bool> is_node; // per vertex of the sector map

@@ -102,27 +102,25 @@ public:
     return r(rounded(m_side)) == rounded(m_opposite) && r(error(m_side)) == error(m_opposite);
   }
 
-  // The larger component of the difference, after scaling by 2^-exponent, which keeps the smallest and
-  // largest numbers in range.
-  double residual(const int k, const int exponent) const
+  // The larger component of the difference, times `scale`: a power of two that brings lengths near 1.
+  double residual(const int k, const double scale) const
   {
     const Rotation& r = rotation_matrix(k);
     const Uv a = r(rounded(m_side)), b = rounded(m_opposite);
     const Uv a_error = r(error(m_side)), b_error = error(m_opposite);
     double largest = 0;
     for(std::size_t c = 0; c < 2; ++c)
-      largest = (std::max)(largest, std::abs(std::ldexp(a[c], -exponent) - std::ldexp(b[c], -exponent) +
-                                             std::ldexp(a_error[c], -exponent) -
-                                             std::ldexp(b_error[c], -exponent)));
+      largest = (std::max)(largest, std::abs((a[c] * scale - b[c] * scale) +
+                                             (a_error[c] * scale - b_error[c] * scale)));
     return largest;
   }
 
-  // The length of the longer side, in the maximum norm, scaled likewise.
-  double length(const int exponent) const
+  // The length of the longer side, in the maximum norm, times `scale`.
+  double length(const double scale) const
   {
-    return std::ldexp((std::max)((std::max)(std::abs(m_side[0].rounded), std::abs(m_side[1].rounded)),
-                                 (std::max)(std::abs(m_opposite[0].rounded),
-                                            std::abs(m_opposite[1].rounded))), -exponent);
+    return scale * (std::max)((std::max)(std::abs(m_side[0].rounded), std::abs(m_side[1].rounded)),
+                              (std::max)(std::abs(m_opposite[0].rounded),
+                                         std::abs(m_opposite[1].rounded)));
   }
 
 private:

@@ -58,26 +58,13 @@ public:
   Sector_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
              const Transition_data<TriangleMesh>& transitions,
              const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_transitions(transitions), m_align_edges(align_edges),
-      m_vertices(numbers(tmesh, transitions, align_edges)),
-      m_cuts(m_vertices, transitions.cut_halfedges), m_aligned(m_vertices, align_edges.halfedges()),
-      m_target_sector(2 * transitions.cut_halfedges.size(), -1),
-      m_source_sector(2 * transitions.cut_halfedges.size(), -1),
-      m_align_target_sector(align_edges.halfedges().size(), -1),
-      m_align_source_sector(align_edges.halfedges().size(), -1),
-      m_is_node(m_vertices.size(), false)
-  {
-    m_first_sector.reserve(m_vertices.size() + 1);
-    for(std::size_t v = 0; v < m_vertices.size(); ++v) {
-      m_first_sector.push_back(Sector_index(m_sectors.size()));
-      const bool border = walk_around(Vertex_index(v), vertex_indices);
-      m_is_node[v] = needs_node(Vertex_index(v), border);
-    }
-    m_first_sector.push_back(Sector_index(m_sectors.size()));
-  }
+    : Sector_map(tmesh, uv_map, transitions, align_edges, vertex_indices,
+                 numbers(tmesh, transitions, align_edges, vertex_indices))
+  { }
 
-  std::size_t number_of_vertices() const { return m_vertices.size(); }
-  const Vertex_numbers<TriangleMesh>& vertices() const { return m_vertices; }
+  std::size_t number_of_vertices() const { return m_is_node.size(); }
+  const std::vector<Edge_ends>& cut_ends() const { return m_cut_ends; }
+  const std::vector<Edge_ends>& align_ends() const { return m_align_ends; }
   const Vertex_incidences& cuts() const { return m_cuts; }
   const Vertex_incidences& aligned() const { return m_aligned; }
   bool is_node(const Vertex_index v) const { return m_is_node[std::size_t(v)]; }
@@ -108,38 +95,72 @@ public:
   double largest_coordinate() const { return m_largest_coordinate; }
 
 private:
-  static Vertex_numbers<TriangleMesh> numbers(const TriangleMesh& tmesh,
-                                              const Transition_data<TriangleMesh>& transitions,
-                                              const Align_edges<TriangleMesh>& align_edges)
+  template <typename VertexIndexMap>
+  static Vertex_numbers<TriangleMesh, VertexIndexMap>
+  numbers(const TriangleMesh& tmesh, const Transition_data<TriangleMesh>& transitions,
+          const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices)
   {
-    Vertex_numbers<TriangleMesh> result(tmesh);
-    result.add_ends(transitions.cut_halfedges);
-    result.add_ends(align_edges.halfedges());
-    result.add_ends(transitions.merged_halfedges);
+    Vertex_numbers<TriangleMesh, VertexIndexMap> result(tmesh, vertex_indices);
+    result.number_ends({&transitions.cut_halfedges, &align_edges.halfedges(),
+                        &transitions.merged_halfedges});
     return result;
   }
 
-  // -1 if the edge is no cut
-  Directed_cut directed_cut(const Halfedge h) const
+  template <typename VertexIndexMap>
+  Sector_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+             const Transition_data<TriangleMesh>& transitions,
+             const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices,
+             const Vertex_numbers<TriangleMesh, VertexIndexMap>& vertices)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_transitions(transitions), m_align_edges(align_edges),
+      m_cut_ends(vertices.ends(transitions.cut_halfedges)),
+      m_align_ends(vertices.ends(align_edges.halfedges())),
+      m_cuts(vertices.size(), m_cut_ends), m_aligned(vertices.size(), m_align_ends),
+      m_target_sector(2 * transitions.cut_halfedges.size(), -1),
+      m_source_sector(2 * transitions.cut_halfedges.size(), -1),
+      m_align_target_sector(align_edges.halfedges().size(), -1),
+      m_align_source_sector(align_edges.halfedges().size(), -1), m_is_node(vertices.size(), false)
   {
-    const Edge_index i = m_transitions.index(h);
-    if(i < 0 || !m_transitions.edges[std::size_t(i)].is_cut)
-      return -1;
-    return 2 * i + (m_transitions.edges[std::size_t(i)].halfedge == h ? 0 : 1);
+    m_first_sector.reserve(vertices.size() + 1);
+    m_corners.reserve(6 * vertices.size());
+    m_sectors.reserve(2 * vertices.size());
+    for(std::size_t v = 0; v < vertices.size(); ++v) {
+      m_first_sector.push_back(Sector_index(m_sectors.size()));
+      collect_cuts_towards(Vertex_index(v));
+      const Halfedge first = m_cuts_here.empty() ? start(vertices.vertex(Vertex_index(v)), vertex_indices)
+                                                 : m_cuts_here.front().halfedge;
+      const bool border = walk_around(Vertex_index(v), first);
+      m_is_node[v] = needs_node(Vertex_index(v), border);
+    }
+    m_first_sector.push_back(Sector_index(m_sectors.size()));
   }
 
-  // A halfedge towards `v` where a sector begins, or, at an inner vertex without cuts, the one from the
-  // neighbor of least index.
-  template <typename VertexIndexMap>
-  Halfedge start(const Vertex_index v, const VertexIndexMap& vertex_indices) const
+  // The cut edges at a vertex, each by its halfedge towards it.
+  void collect_cuts_towards(const Vertex_index v)
   {
-    if(m_cuts.degree(v) > 0) {
-      const Incidence& first = *m_cuts.begin(v);
-      const Halfedge h = m_transitions.cut_halfedges[std::size_t(first.edge)];
-      return first.points_to_vertex ? h : opposite(h, m_tmesh);
+    m_cuts_here.clear();
+    for(const Incidence* i = m_cuts.begin(v); i != m_cuts.end(v); ++i) {
+      const Halfedge h = m_transitions.cut_halfedges[std::size_t(i->edge)];
+      m_cuts_here.push_back(i->points_to_vertex ? Cut_here{h, 2 * i->edge}
+                                                : Cut_here{opposite(h, m_tmesh), 2 * i->edge + 1});
     }
-    Halfedge best = halfedge(m_vertices.vertex(v), m_tmesh);
-    for(const Halfedge h : CGAL::halfedges_around_target(m_vertices.vertex(v), m_tmesh)) {
+  }
+
+  // -1 if the edge of `h`, which points to the vertex under way, is no cut
+  Directed_cut cut_towards(const Halfedge h) const
+  {
+    for(const Cut_here& cut : m_cuts_here)
+      if(cut.halfedge == h)
+        return cut.directed;
+    return -1;
+  }
+
+  // Where a walk begins at a vertex without cuts: behind the border or, at an inner vertex, at the halfedge
+  // from the neighbor of least index.
+  template <typename Vertex, typename VertexIndexMap>
+  Halfedge start(const Vertex v, const VertexIndexMap& vertex_indices) const
+  {
+    Halfedge best = halfedge(v, m_tmesh);
+    for(const Halfedge h : CGAL::halfedges_around_target(v, m_tmesh)) {
       if(is_border(h, m_tmesh))
         return h;
       if(get(vertex_indices, source(h, m_tmesh)) < get(vertex_indices, source(best, m_tmesh)))
@@ -149,17 +170,16 @@ private:
   }
 
   // Returns whether the vertex lies on the border.
-  template <typename VertexIndexMap>
-  bool walk_around(const Vertex_index v, const VertexIndexMap& vertex_indices)
+  bool walk_around(const Vertex_index v, const Halfedge first)
   {
-    const Halfedge first = start(v, vertex_indices);
     bool on_border = false;
     bool begins = true;
     Halfedge h = first;
-    Directed_cut cut = directed_cut(h);
+    Directed_cut cut = cut_towards(h);
     do {
       const Halfedge out = next(h, m_tmesh); // the other edge of the corner
-      const Directed_cut out_cut = directed_cut(out);
+      const Halfedge following = opposite(out, m_tmesh);
+      const Directed_cut following_cut = cut_towards(following);
       if(is_border(h, m_tmesh)) {
         on_border = true;
         begins = true;
@@ -168,16 +188,18 @@ private:
         if(begins || cut >= 0)
           m_sectors.push_back({uv, m_corners.size(), true, 1.});
         begins = false;
-        add_corner(h, uv, cut, out, out_cut);
+        add_corner(h, uv, cut, following_cut);
+        if(m_aligned.degree(v) > 0)
+          add_to_aligned(v, h, out);
       }
-      h = opposite(out, m_tmesh);
-      cut = out_cut >= 0 ? opposite_cut(out_cut) : -1;
+      h = following;
+      cut = following_cut;
     } while(h != first);
     return on_border;
   }
 
-  void add_corner(const Halfedge h, const Uv& uv, const Directed_cut cut, const Halfedge out,
-                  const Directed_cut out_cut)
+  void add_corner(const Halfedge h, const Uv& uv, const Directed_cut cut,
+                  const Directed_cut following_cut)
   {
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
     Sector& sector = m_sectors.back();
@@ -186,16 +208,20 @@ private:
     m_corners.push_back(h);
     if(cut >= 0)
       m_target_sector[std::size_t(cut)] = s;
-    if(out_cut >= 0)
-      m_source_sector[std::size_t(out_cut)] = s;
-    if(m_align_edges.halfedges().empty())
-      return;
-    const Edge_index a = m_align_edges.index(h);
-    if(a >= 0 && m_align_edges.halfedges()[std::size_t(a)] == h)
-      m_align_target_sector[std::size_t(a)] = s;
-    const Edge_index b = m_align_edges.index(out);
-    if(b >= 0 && m_align_edges.halfedges()[std::size_t(b)] == out)
-      m_align_source_sector[std::size_t(b)] = s;
+    if(following_cut >= 0)
+      m_source_sector[std::size_t(opposite_cut(following_cut))] = s;
+  }
+
+  void add_to_aligned(const Vertex_index v, const Halfedge h, const Halfedge out)
+  {
+    const Sector_index s = Sector_index(m_sectors.size()) - 1;
+    for(const Incidence* i = m_aligned.begin(v); i != m_aligned.end(v); ++i) {
+      const std::size_t a = std::size_t(i->edge);
+      if(i->points_to_vertex && m_align_edges.halfedges()[a] == h)
+        m_align_target_sector[a] = s;
+      else if(!i->points_to_vertex && m_align_edges.halfedges()[a] == out)
+        m_align_source_sector[a] = s;
+    }
   }
 
   // Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned chains. (A
@@ -217,7 +243,9 @@ private:
   const HalfedgeUVMap& m_uv_map;
   const Transition_data<TriangleMesh>& m_transitions;
   const Align_edges<TriangleMesh>& m_align_edges;
-  Vertex_numbers<TriangleMesh> m_vertices;
+  struct Cut_here { Halfedge halfedge; Directed_cut directed; };
+  std::vector<Cut_here> m_cuts_here; // of the vertex under way
+  std::vector<Edge_ends> m_cut_ends, m_align_ends;
   Vertex_incidences m_cuts, m_aligned;
   std::vector<Sector_index> m_target_sector, m_source_sector;
   std::vector<Sector_index> m_align_target_sector, m_align_source_sector;

@@ -69,7 +69,7 @@ public:
                           CGAL::get_initialized_vertex_index_map(m_tmesh, m_np));
     m_timer.finish("sectors");
 
-    const Branches branches(sectors, transitions, align_edges);
+    const Branches branches(sectors);
     fill_in(sectors, branches);
     m_timer.finish("branches");
 

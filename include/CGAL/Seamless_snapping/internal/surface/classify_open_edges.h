@@ -38,38 +38,49 @@ namespace internal {
 // be closed can be a few times as wide as a single residual.
 constexpr double noise_factor = 8;
 
-// Measures Eq. (4) for one rotation.
+// Lengths are measured after multiplication with this power of two, which keeps the smallest and the
+// largest maps in range.
+inline double unit_scale(const double extent)
+{
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  return std::ldexp(1., (std::min)(-exponent, 1000));
+}
+
+// Measures Eq. (4) for one rotation. \pre the coordinates are in range
 template <typename Halfedge>
-void set_rotation(Open_edge<Halfedge>& edge, const Edge_sides& sides, const int k, const int exponent)
+void set_rotation(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const int k, const double scale)
 {
   edge.rotation = k;
-  edge.is_exact = satisfies_transition(sides, k);
-  edge.residual = edge.is_exact ? 0 : Edge_vectors(sides).residual(k, exponent);
+  edge.is_exact = vectors.match(k);
+  edge.residual = edge.is_exact ? 0 : vectors.residual(k, scale);
 }
 
-// The rotation of least residual, as in [EBCK13]. All lengths in units of 2^exponent.
+// The rotation of least residual, as in [EBCK13].
 template <typename Halfedge>
-void read_rotation(Open_edge<Halfedge>& edge, const Edge_sides& sides, const int exponent)
+void read_rotation(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const double scale)
 {
-  set_rotation(edge, sides, 0, exponent);
-  for(int k = 1; k < number_of_rotations && edge.residual > 0; ++k) {
-    Open_edge<Halfedge> candidate = edge;
-    set_rotation(candidate, sides, k, exponent);
-    if(candidate.residual < edge.residual)
-      edge = candidate;
+  int best = 0;
+  double least = vectors.residual(0, scale);
+  for(int k = 1; k < number_of_rotations; ++k) {
+    const double residual = vectors.residual(k, scale);
+    if(residual < least) {
+      best = k;
+      least = residual;
+    }
   }
+  set_rotation(edge, vectors, best, scale);
 }
 
 template <typename Halfedge>
-void measure_length_and_gap(Open_edge<Halfedge>& edge, const Edge_sides& sides, const int exponent)
+void measure_length_and_gap(Open_edge<Halfedge>& edge, const Edge_sides& sides,
+                            const Edge_vectors& vectors, const double scale)
 {
-  edge.length = Edge_vectors(sides).length(exponent);
+  edge.length = vectors.length(scale);
   edge.gap = 0;
   for(std::size_t c = 0; c < 2; ++c)
-    edge.gap = (std::max)({edge.gap, std::abs(std::ldexp(sides.a[c], -exponent) -
-                                              std::ldexp(sides.a_opposite[c], -exponent)),
-                                     std::abs(std::ldexp(sides.b[c], -exponent) -
-                                              std::ldexp(sides.b_opposite[c], -exponent))});
+    edge.gap = (std::max)({edge.gap, scale * std::abs(sides.a[c] - sides.a_opposite[c]),
+                                     scale * std::abs(sides.b[c] - sides.b_opposite[c])});
 }
 
 template <typename Halfedge>
@@ -82,8 +93,8 @@ double largest_residual(const std::vector<Open_edge<Halfedge> >& edges)
 }
 
 // At a regular inner vertex where just two open edges meet, the one's branch goes on in the other.
-template <typename TriangleMesh>
-bool joins_two_edges(const TriangleMesh& tmesh, const Vertex_numbers<TriangleMesh>& vertices,
+template <typename TriangleMesh, typename Vertices>
+bool joins_two_edges(const TriangleMesh& tmesh, const Vertices& vertices,
                      const Vertex_incidences& incidences, const Vertex_index v)
 {
   return incidences.degree(v) == 2 && !CGAL::is_border(vertices.vertex(v), tmesh);
@@ -91,9 +102,9 @@ bool joins_two_edges(const TriangleMesh& tmesh, const Vertex_numbers<TriangleMes
 
 // An edge not longer than a few residuals looks alike under all rotations: it takes its rotation from
 // the branch it lies on.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const int exponent,
-                        const Vertex_numbers<TriangleMesh>& vertices,
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Vertices, typename Halfedge>
+void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
+                        const Vertices& vertices, const std::vector<Edge_ends>& ends,
                         const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
@@ -110,20 +121,19 @@ void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, 
   while(!known.empty()) {
     const Edge_index i = known.back();
     known.pop_back();
-    const Halfedge h = edges[std::size_t(i)].halfedge;
-    for(const Vertex_index v : {vertices.source_index(h), vertices.target_index(h)}) {
+    for(const Vertex_index v : {ends[std::size_t(i)].source, ends[std::size_t(i)].target}) {
       if(!joins_two_edges(tmesh, vertices, incidences, v))
         continue;
-      const Incidence* ends = incidences.begin(v);
-      const Incidence& here = ends[ends[0].edge == i ? 0 : 1];
-      const Incidence& other = ends[ends[0].edge == i ? 1 : 0];
+      const Incidence* pair = incidences.begin(v);
+      const Incidence& here = pair[pair[0].edge == i ? 0 : 1];
+      const Incidence& other = pair[pair[0].edge == i ? 1 : 0];
       if(is_known[std::size_t(other.edge)])
         continue;
       // towards the vertex the rotations of both add up to 0
       const int k = edges[std::size_t(i)].rotation;
       Open_edge<Halfedge>& edge = edges[std::size_t(other.edge)];
-      set_rotation(edge, edge_sides(tmesh, uv_map, edge.halfedge),
-                   here.points_to_vertex == other.points_to_vertex ? inverse_rotation(k) : k, exponent);
+      set_rotation(edge, Edge_vectors(edge_sides(tmesh, uv_map, edge.halfedge)),
+                   here.points_to_vertex == other.points_to_vertex ? inverse_rotation(k) : k, scale);
       is_known[std::size_t(other.edge)] = true;
       known.push_back(other.edge);
     }
@@ -133,10 +143,10 @@ void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, 
 // Chains of edges without rotation whose sides would coincide but for noise are no cuts: their corners
 // are merged. A chain is judged as a whole, by the mean of its gaps against the largest residual of the
 // map, so that a small translation on an accurate map stays what it is.
-template <typename TriangleMesh, typename Halfedge>
-void mark_merged_edges(const TriangleMesh& tmesh, const Vertex_numbers<TriangleMesh>& vertices,
-                       const Vertex_incidences& incidences, const double residual,
-                       std::vector<Open_edge<Halfedge> >& edges)
+template <typename TriangleMesh, typename Vertices, typename Halfedge>
+void mark_merged_edges(const TriangleMesh& tmesh, const Vertices& vertices,
+                       const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
+                       const double residual, std::vector<Open_edge<Halfedge> >& edges)
 {
   const auto is_candidate = [&](const Edge_index i) {
     const Open_edge<Halfedge>& edge = edges[std::size_t(i)];
@@ -151,12 +161,11 @@ void mark_merged_edges(const TriangleMesh& tmesh, const Vertex_numbers<TriangleM
       candidates.push_back(Edge_index(i));
   }
   for(const Edge_index i : candidates) {
-    const Halfedge h = edges[std::size_t(i)].halfedge;
-    for(const Vertex_index v : {vertices.source_index(h), vertices.target_index(h)}) {
-      const Incidence* ends = incidences.begin(v);
-      if(incidences.degree(v) == 2 && is_candidate(ends[0].edge) && is_candidate(ends[1].edge) &&
+    for(const Vertex_index v : {ends[std::size_t(i)].source, ends[std::size_t(i)].target}) {
+      const Incidence* pair = incidences.begin(v);
+      if(incidences.degree(v) == 2 && is_candidate(pair[0].edge) && is_candidate(pair[1].edge) &&
          joins_two_edges(tmesh, vertices, incidences, v))
-        chains.union_set(ends[0].edge, ends[1].edge);
+        chains.union_set(pair[0].edge, pair[1].edge);
     }
   }
   std::vector<double> sum(edges.size(), 0), count(edges.size(), 0);

@@ -43,19 +43,8 @@ struct Transition_data
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Edge_map =
-    typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
 
-  explicit Transition_data(const TriangleMesh& mesh)
-    : tmesh(&mesh), edge_index(get(CGAL::dynamic_edge_property_t<int>(), mesh))
-  { }
-
-  // The open edge of `h`, or -1.
-  Edge_index index(const Halfedge h) const { return get(edge_index, edge(h, *tmesh)) - 1; }
-
-  const TriangleMesh* tmesh;
-  Edge_map edge_index; // of an open edge, plus 1
-  std::vector<Open_edge<Halfedge> > edges;
+  std::vector<Open_edge<Halfedge> > edges; // the cut edges, then the merged ones
   std::vector<Halfedge> cut_halfedges, merged_halfedges;
   std::vector<std::pair<Vertex, int> > singular_vertices;
   Snapping_status status = Snapping_status::ALREADY_EXACT;
@@ -111,16 +100,16 @@ auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
                            std::decay_t<decltype(rotations)> >{tmesh, edge_is_cut, rotations};
 }
 
-// By how much an edge violates Eq. (4), in units of 2^exponent: for the given rotation, or the best.
+// By how much an edge violates Eq. (4), times `scale`: for the given rotation, or the best.
 template <typename Given, typename Halfedge>
 double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
-                            const int exponent)
+                            const double scale)
 {
   Open_edge<Halfedge> edge{h};
   if(Given::has_rotations || (Given::has_cuts && !given.is_cut(h)))
-    set_rotation(edge, sides, given.rotation(h), exponent);
+    set_rotation(edge, Edge_vectors(sides), given.rotation(h), scale);
   else
-    read_rotation(edge, sides, exponent);
+    read_rotation(edge, Edge_vectors(sides), scale);
   return edge.residual;
 }
 
@@ -145,6 +134,7 @@ class Transition_reader
 {
   using Data = Transition_data<TriangleMesh>;
   using Halfedge = typename Data::Halfedge;
+  using Vertices = Vertex_numbers<TriangleMesh, VertexIndexMap>;
 
 public:
   Transition_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -155,7 +145,7 @@ public:
 
   Data run()
   {
-    Data data(m_tmesh);
+    Data data;
     Uv_survey<TriangleMesh> survey =
       survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
                 [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
@@ -164,12 +154,14 @@ public:
     data.message = std::move(survey.message);
     if(data.status != Snapping_status::ALREADY_EXACT)
       return data;
-    if(data.extent > 0)
-      std::frexp(data.extent, &m_exponent);
-    sort_canonically(m_tmesh, m_vertex_indices, survey.open_halfedges);
+    m_scale = unit_scale(data.extent);
+    Vertices vertices(m_tmesh, m_vertex_indices);
+    vertices.number_ends({&survey.open_halfedges});
+    sort_canonically(m_tmesh, m_vertex_indices, vertices, survey.open_halfedges);
     if(!read_rotations(survey.open_halfedges, data) || !check_residuals(data))
       return data;
-    number_edges(survey.open_halfedges, data);
+    tell_cuts_from_noise(vertices, survey.open_halfedges, data);
+    collect(vertices, data);
     return data;
   }
 
@@ -181,6 +173,7 @@ private:
       Open_edge<Halfedge>& edge = data.edges[i];
       edge.halfedge = halfedges[i];
       const Edge_sides sides = edge_sides(m_tmesh, m_uv_map, edge.halfedge);
+      const Edge_vectors vectors(sides);
       edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
       if constexpr(Given::has_rotations) {
         const Halfedge g = opposite(edge.halfedge, m_tmesh);
@@ -196,13 +189,13 @@ private:
                " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
           return false;
         }
-        set_rotation(edge, sides, k, m_exponent);
+        set_rotation(edge, vectors, k, m_scale);
       } else if(edge.is_cut) {
-        read_rotation(edge, sides, m_exponent);
+        read_rotation(edge, vectors, m_scale);
       } else {
-        set_rotation(edge, sides, 0, m_exponent);
+        set_rotation(edge, vectors, 0, m_scale);
       }
-      measure_length_and_gap(edge, sides, m_exponent);
+      measure_length_and_gap(edge, sides, vectors, m_scale);
     }
     return true;
   }
@@ -210,16 +203,15 @@ private:
   // A residual beyond the tolerance is an error that names the edge, never a guess.
   bool check_residuals(Data& data) const
   {
-    const double unit = std::ldexp(1., m_exponent);
     const Open_edge<Halfedge>* worst = nullptr;
     std::size_t count = 0;
     double worst_violation = 0;
     for(const Open_edge<Halfedge>& edge : data.edges) {
       data.is_exact = data.is_exact && edge.is_exact;
-      data.violation = (std::max)(data.violation, edge.residual * unit);
+      data.violation = (std::max)(data.violation, edge.residual / m_scale);
       // the sides of an edge that is known to be no cut must coincide
       const double violation = edge.is_cut ? edge.residual : (std::max)(edge.residual, edge.gap);
-      if(violation * unit <= m_tolerance * data.extent)
+      if(violation <= m_tolerance * (data.extent * m_scale))
         continue;
       ++count;
       if(worst == nullptr || violation > worst_violation) {
@@ -230,37 +222,37 @@ private:
     if(worst == nullptr)
       return true;
     fail(data, Snapping_status::NOT_SEAMLESS, worst->halfedge,
-         " has sides that differ by " + short_number(worst_violation * (unit / data.extent)) +
+         " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
          (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
          "; if this is the accuracy of the parametrization, raise the tolerance");
     return false;
   }
 
-  void number_edges(const std::vector<Halfedge>& halfedges, Data& data) const
+  void tell_cuts_from_noise(const Vertices& vertices, const std::vector<Halfedge>& halfedges,
+                            Data& data) const
   {
-    Vertex_numbers<TriangleMesh> vertices(m_tmesh);
-    vertices.add_ends(halfedges);
-    {
-      const Vertex_incidences incidences(vertices, halfedges);
-      const double residual = largest_residual(data.edges);
-      if(!Given::has_rotations && residual > 0)
-        complete_rotations(m_tmesh, m_uv_map, m_exponent, vertices, incidences, data.edges);
-      if(!Given::has_cuts && residual > 0)
-        mark_merged_edges(m_tmesh, vertices, incidences, residual, data.edges);
-    }
-    // Cut edges first, so that these are numbered without gaps.
+    const double residual = largest_residual(data.edges);
+    if(residual == 0)
+      return;
+    const std::vector<Edge_ends> ends = vertices.ends(halfedges);
+    const Vertex_incidences incidences(vertices.size(), ends);
+    if(!Given::has_rotations)
+      complete_rotations(m_tmesh, m_uv_map, m_scale, vertices, ends, incidences, data.edges);
+    if(!Given::has_cuts)
+      mark_merged_edges(m_tmesh, vertices, ends, incidences, residual, data.edges);
+  }
+
+  void collect(const Vertices& vertices, Data& data) const
+  {
     std::stable_partition(data.edges.begin(), data.edges.end(),
                           [](const Open_edge<Halfedge>& edge) { return edge.is_cut; });
-    for(std::size_t i = 0; i < data.edges.size(); ++i) {
-      const Halfedge h = data.edges[i].halfedge;
-      put(data.edge_index, edge(h, m_tmesh), static_cast<int>(i) + 1);
-      (data.edges[i].is_cut ? data.cut_halfedges : data.merged_halfedges).push_back(h);
-    }
+    for(const Open_edge<Halfedge>& edge : data.edges)
+      (edge.is_cut ? data.cut_halfedges : data.merged_halfedges).push_back(edge.halfedge);
     data.is_exact = data.is_exact && data.merged_halfedges.empty();
-    data.singular_vertices = singular_vertices(m_tmesh, m_uv_map, m_exponent, vertices,
-                                               Vertex_incidences(vertices, data.cut_halfedges),
-                                               data.edges);
+    data.singular_vertices =
+      singular_vertices(m_tmesh, m_uv_map, m_scale, vertices,
+                        Vertex_incidences(vertices.size(), vertices.ends(data.cut_halfedges)), data.edges);
   }
 
   void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
@@ -274,7 +266,7 @@ private:
   const VertexIndexMap& m_vertex_indices;
   const Given& m_given;
   double m_tolerance;
-  int m_exponent = 0; // lengths are measured in units of 2^m_exponent
+  double m_scale = 1; // lengths are measured after multiplication with it
 };
 
 // The residual, relative to the extent, up to which a map counts as seamless by default.

@@ -35,11 +35,11 @@ namespace internal {
 // The angle of the corner `h`, in quarter turns.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double corner_angle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h,
-                    const int exponent)
+                    const double scale)
 {
   const auto scaled = [&](const Halfedge corner) -> Uv {
     const Uv u = get_uv(uv_map, corner);
-    return {std::ldexp(u[0], -exponent), std::ldexp(u[1], -exponent)};
+    return {u[0] * scale, u[1] * scale};
   };
   const Uv p = scaled(h), q = scaled(next(h, tmesh)), r = scaled(prev(h, tmesh));
   const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
@@ -61,23 +61,23 @@ int holonomy(const Vertex_incidences& incidences,
   return sum % number_of_rotations;
 }
 
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Vertices, typename Halfedge>
 std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> >
-singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const int exponent,
-                  const Vertex_numbers<TriangleMesh>& vertices,
-                  const Vertex_incidences& incidences,
+singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
+                  const Vertices& vertices, const Vertex_incidences& incidences,
                   const std::vector<Open_edge<Halfedge> >& edges)
 {
   std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> > result;
   for(std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vertex_index vi = Vertex_index(i);
-    const int turns = holonomy(incidences, edges, vi);
-    const auto v = vertices.vertex(vi);
-    if(turns == 0 || CGAL::is_border(v, tmesh))
+    const int turns = holonomy(incidences, edges, Vertex_index(i));
+    if(turns == 0)
+      continue;
+    const auto v = vertices.vertex(Vertex_index(i));
+    if(CGAL::is_border(v, tmesh))
       continue;
     double angles = 0;
     for(const Halfedge h : CGAL::halfedges_around_target(v, tmesh))
-      angles += corner_angle(tmesh, uv_map, h, exponent);
+      angles += corner_angle(tmesh, uv_map, h, scale);
     const double estimate = number_of_rotations - angles;
     const int full_turns =
       static_cast<int>(std::lround((estimate - turns) / double(number_of_rotations)));

@@ -78,36 +78,38 @@ struct Uv_survey
 // Beyond this, differences of coordinates and their squares may overflow.
 constexpr double largest_coordinate = 1e300;
 
-// The bounding box of coordinates, which also notices numbers that are not finite.
+inline bool is_in_range(const Uv& u)
+{
+  return std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate;
+}
+
+// The bounding box of coordinates. Ignores NaN.
 class Uv_box
 {
 public:
   void add(const Uv& u)
   {
-    m_low[0] = (std::min)(m_low[0], u[0]);
-    m_low[1] = (std::min)(m_low[1], u[1]);
-    m_high[0] = (std::max)(m_high[0], u[0]);
-    m_high[1] = (std::max)(m_high[1], u[1]);
-    m_not_finite += (u[0] - u[0]) + (u[1] - u[1]); // NaN for NaN and infinity
+    for(std::size_t c = 0; c < 2; ++c) {
+      m_low[c] = u[c] < m_low[c] ? u[c] : m_low[c];
+      m_high[c] = u[c] > m_high[c] ? u[c] : m_high[c];
+    }
   }
 
-  bool is_empty() const { return m_low[0] > m_high[0] && m_not_finite == 0; }
+  bool is_empty() const { return m_low[0] > m_high[0]; }
 
   bool is_in_range() const
   {
-    return m_not_finite == 0 && (std::min)(m_low[0], m_low[1]) >= -largest_coordinate &&
-           (std::max)(m_high[0], m_high[1]) <= largest_coordinate;
+    return is_empty() || (internal::is_in_range(m_low) && internal::is_in_range(m_high));
   }
 
   double extent() const
   {
-    return m_low[0] <= m_high[0] ? (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]) : 0;
+    return is_empty() ? 0 : (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]);
   }
 
 private:
-  Uv m_low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Uv m_high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  double m_not_finite = 0;
+  Uv m_low{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
+  Uv m_high{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
 };
 
 // On failure only: names the place.
@@ -121,7 +123,7 @@ void explain_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
     for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh)) {
       ++degree;
       const Uv u = get_uv(uv_map, h);
-      if(std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate)
+      if(is_in_range(u))
         continue;
       survey.status = Snapping_status::NOT_FINITE;
       survey.message = "face " + std::to_string(index) + " has a coordinate that is NaN, infinite, or "
@@ -149,31 +151,34 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
 {
   Uv_survey<TriangleMesh> survey;
   Uv_box box;
-  bool triangular = true;
+  std::size_t number_of_corners = 0;
+  bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
     const auto g = opposite(h, tmesh);
-    const bool h_has_face = !is_border(h, tmesh);
-    const bool g_has_face = !is_border(g, tmesh);
-    Uv h_uv{}, g_uv{};
-    const auto h_prev = prev(h, tmesh);
-    const auto g_prev = prev(g, tmesh);
-    if(h_has_face) {
-      h_uv = get_uv(uv_map, h);
-      box.add(h_uv);
-      triangular = triangular && next(next(h, tmesh), tmesh) == h_prev;
+    if(is_border(h, tmesh) || is_border(g, tmesh)) {
+      for(const auto corner : {h, g})
+        if(!is_border(corner, tmesh)) {
+          ++number_of_corners;
+          box.add(get_uv(uv_map, corner));
+          in_range = in_range && is_in_range(get_uv(uv_map, corner));
+        }
+      continue;
     }
-    if(g_has_face) {
-      g_uv = get_uv(uv_map, g);
-      box.add(g_uv);
-      triangular = triangular && next(next(g, tmesh), tmesh) == g_prev;
-    }
-    if(h_has_face && g_has_face &&
-       (get_uv(uv_map, g_prev) != h_uv || get_uv(uv_map, h_prev) != g_uv || is_open_anyway(h)))
+    number_of_corners += 2;
+    const Uv h_uv = get_uv(uv_map, h);
+    const Uv g_uv = get_uv(uv_map, g);
+    box.add(h_uv);
+    box.add(g_uv);
+    if(get_uv(uv_map, prev(g, tmesh)) != h_uv || get_uv(uv_map, prev(h, tmesh)) != g_uv ||
+       is_open_anyway(h)) {
       survey.open_halfedges.push_back(h);
+      in_range = in_range && is_in_range(h_uv) && is_in_range(g_uv);
+    }
   }
   survey.extent = box.extent();
-  if(!triangular || !(box.is_in_range() || box.is_empty()))
+  // Faces have at least three corners, so that all are triangles if there are no more corners than that.
+  if(!in_range || !box.is_in_range() || number_of_corners != 3 * std::size_t(num_faces(tmesh)))
     explain_bad_face(tmesh, uv_map, vertex_indices, survey);
   return survey;
 }

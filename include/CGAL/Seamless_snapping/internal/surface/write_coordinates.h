@@ -31,31 +31,25 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Eq. (4) for cut edges, and the same coordinates on both sides of all others.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-bool edge_holds(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                const Transition_data<TriangleMesh>& transitions, const Halfedge h)
-{
-  if(CGAL::is_border_edge(h, tmesh))
-    return true;
-  const Edge_index i = transitions.index(h);
-  if(i < 0 || !transitions.edges[std::size_t(i)].is_cut)
-    return edge_sides(tmesh, uv_map, h).are_identical();
-  const Open_edge<Halfedge>& edge = transitions.edges[std::size_t(i)];
-  return satisfies_transition(edge_sides(tmesh, uv_map, edge.halfedge), edge.rotation);
-}
-
-// All edges that the sectors' corners touch; the others were not open and have not changed.
+// Eq. (4) across cut edges; the same coordinates on both sides of edges that were merged, and all over
+// each sector; Eq. (5) along aligned edges. No other edge was open, nor has changed.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 bool all_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                           const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
                           const Transition_data<TriangleMesh>& transitions,
                           const Align_edges<TriangleMesh>& align_edges)
 {
-  for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
-    for(auto h = sectors.corners_begin(Sector_index(s)); h != sectors.corners_end(Sector_index(s)); ++h)
-      if(!edge_holds(tmesh, uv_map, transitions, *h))
+  for(const auto& edge : transitions.edges) {
+    const Edge_sides sides = edge_sides(tmesh, uv_map, edge.halfedge);
+    if(edge.is_cut ? !satisfies_transition(sides, edge.rotation) : !sides.are_identical())
+      return false;
+  }
+  for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
+    const auto first = sectors.corners_begin(Sector_index(s));
+    for(auto h = first; h != sectors.corners_end(Sector_index(s)); ++h)
+      if(get_uv(uv_map, *h) != get_uv(uv_map, *first))
         return false;
+  }
   for(std::size_t a = 0; a < align_edges.halfedges().size(); ++a) {
     const std::size_t c = std::size_t(align_edges.component(Edge_index(a)));
     const auto h = align_edges.halfedges()[a];
@@ -71,13 +65,16 @@ class Change_statistics
 public:
   explicit Change_statistics(const double unit) : m_unit(unit) { } // keeps squares in range
 
-  void add(const double before, const double after)
+  void add(const Uv& before, const Uv& after, const std::size_t number_of_corners)
   {
-    const double change = std::abs(after - before) / m_unit;
-    m_largest = (std::max)(m_largest, change);
-    m_sum += change;
-    m_squares += change * change;
-    ++m_count;
+    const double count = static_cast<double>(number_of_corners);
+    for(std::size_t c = 0; c < 2; ++c) {
+      const double change = std::abs(after[c] - before[c]) / m_unit;
+      m_largest = (std::max)(m_largest, change);
+      m_sum += count * change;
+      m_squares += count * change * change;
+      m_count += number_of_corners;
+    }
   }
 
   void fill_in(Snapping_report& report) const
@@ -106,25 +103,32 @@ bool write_and_verify(const TriangleMesh& tmesh, HalfedgeUVMap& uv_map,
 {
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = typename Uv_number<HalfedgeUVMap>::type;
-  std::vector<Point> before;
+  std::vector<Point> before; // of sectors whose corners differed
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
     const Point point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
-    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h) {
-      before.push_back(get(uv_map, *h));
-      const Uv old = get_uv(uv_map, *h);
-      for(std::size_t c = 0; c < 2; ++c)
-        statistics.add(old[c], uv[c]);
+    const auto first = sectors.corners_begin(s), last = sectors.corners_end(s);
+    if(sectors.sector(s).is_uniform)
+      statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
+    for(auto h = first; h != last; ++h) {
+      if(!sectors.sector(s).is_uniform) {
+        statistics.add(get_uv(uv_map, *h), uv, 1);
+        before.push_back(get(uv_map, *h));
+      }
       put(uv_map, *h, point);
     }
   }
   if(all_constraints_hold(tmesh, uv_map, sectors, transitions, align_edges))
     return true;
+
   auto old = before.begin();
-  for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
-    for(auto h = sectors.corners_begin(Sector_index(s)); h != sectors.corners_end(Sector_index(s)); ++h)
-      put(uv_map, *h, *old++);
+  for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
+    const Sector& sector = sectors.sector(Sector_index(i));
+    const Point uniform(static_cast<Number>(sector.uv[0]), static_cast<Number>(sector.uv[1]));
+    for(auto h = sectors.corners_begin(Sector_index(i)); h != sectors.corners_end(Sector_index(i)); ++h)
+      put(uv_map, *h, sector.is_uniform ? uniform : *old++);
+  }
   return false;
 }
 
