@@ -23,7 +23,8 @@ run("${CMAKE_COMMAND}"
   "-DCMAKE_CXX_COMPILER=${COMPILER}"
   "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
   "-DCGAL_DIR=${CGAL_DIR}"
-  -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_BUILD_TYPE=Debug
+  -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
   "${package}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 run("${WORK_DIR}/build/consumer")
