@@ -1,0 +1,349 @@
+// Tests of the surface function: the same surface must come out the same to the bit in all mesh data
+// structures and rounding modes, and exact in all ranges of numbers.
+
+#include "surface_checks.h"
+
+#include "Polyhedron_copy.h"
+
+#include <CGAL/FPU.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <array>
+#include <cfenv>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <utility>
+
+using namespace surface_checks;
+using test_meshes::Named_mesh;
+using uv_noise::Noise;
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Halfedge = Mesh::Halfedge_index;
+using Point_2 = Kernel::Point_2;
+
+Named_mesh<Kernel> disturbed(Named_mesh<Kernel> named, unsigned int seed, double relative = 1e-9)
+{
+  test_meshes::warp(named, seed);
+  const auto uv = test_meshes::uv_map(named.mesh);
+  uv_noise::perturb(named.mesh, uv, relative * extent(named.mesh, uv), seed,
+                    seed % 2 == 0 ? Noise::per_sector : Noise::per_corner);
+  return named;
+}
+
+Named_mesh<Kernel> snapped(Named_mesh<Kernel> named, const std::string& context)
+{
+  snap_and_check(named, context);
+  return named;
+}
+
+// --- mesh data structures ------------------------------------------------------------------------
+
+// A point and a uv map that have only what the documentation asks for.
+struct Plain_point
+{
+  Plain_point(double x_, double y_)
+    : m_x(x_)
+    , m_y(y_)
+  { }
+  double x() const { return m_x; }
+  double y() const { return m_y; }
+
+private:
+  double m_x, m_y;
+};
+
+template <typename Halfedge_>
+struct Plain_map
+{
+  using key_type = Halfedge_;
+  using value_type = Plain_point;
+  using reference = Plain_point;
+  using category = boost::read_write_property_map_tag;
+
+  std::shared_ptr<std::map<Halfedge_, std::array<double, 2> > > values =
+    std::make_shared<std::map<Halfedge_, std::array<double, 2> > >();
+
+  friend Plain_point get(const Plain_map& m, const Halfedge_& h)
+  {
+    const std::array<double, 2>& value = m.values->at(h);
+    return Plain_point(value[0], value[1]);
+  }
+  friend void put(const Plain_map& m, const Halfedge_& h, const Plain_point& p)
+  {
+    (*m.values)[h] = { { p.x(), p.y() } };
+  }
+};
+
+// `pairs` relates the halfedges of a mesh to those of a copy that has no uv map as yet. The copy's
+// vertices may come in another order, since the order of processing is up to their indices.
+template <typename Graph, typename Pairs, typename UVMap>
+void expect_same(const Named_mesh<Kernel>& input, const Named_mesh<Kernel>& expected, Graph& copy,
+                 const Pairs& pairs, UVMap uv, const std::string& context)
+{
+  Mesh original = input.mesh, result = expected.mesh;
+  const auto original_uv = test_meshes::uv_map(original);
+  const auto result_uv = test_meshes::uv_map(result);
+  const auto original_features = test_meshes::feature_map(original);
+  const auto features = get(CGAL::dynamic_edge_property_t<bool>(), copy);
+  const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), copy);
+  for(const auto& pair : pairs) {
+    const Point_2& p = original_uv[pair.first];
+    put(uv, pair.second, typename UVMap::value_type(p.x(), p.y()));
+    put(features, edge(pair.second, copy), original_features[original.edge(pair.first)]);
+    put(index, target(pair.second, copy), std::size_t(target(pair.first, original)));
+  }
+  const Graph& unchanging = copy;
+  const auto np = SS::parameters::edge_is_constrained_map(features)
+                    .align_border(input.align_border)
+                    .vertex_index_map(index);
+  const SS::Snapping_report report = SS::snap_to_seamless(unchanging, uv, np);
+  CHECK_IN(context, bool(report));
+  CHECK_IN(context, report.number_of_faces == input.mesh.number_of_faces());
+  CHECK_IN(context, SS::is_seamless(unchanging, uv, np));
+  std::size_t different = 0;
+  for(const auto& pair : pairs) {
+    if(is_border(pair.first, original))
+      continue;
+    const auto p = get(uv, pair.second);
+    const Point_2& q = result_uv[pair.first];
+    different += bits(p.x()) != bits(q.x()) || bits(p.y()) != bits(q.y()) ? 1 : 0;
+  }
+  CHECK_IN(context, different == 0);
+}
+
+template <typename Graph>
+using Halfedge_pairs =
+  std::vector<std::pair<Halfedge, typename boost::graph_traits<Graph>::halfedge_descriptor> >;
+
+template <typename Graph>
+Halfedge_pairs<Graph> copy_into(const Mesh& mesh, Graph& copy)
+{
+  Halfedge_pairs<Graph> pairs;
+  CGAL::copy_face_graph(mesh, copy, CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                                      std::back_inserter(pairs)));
+  return pairs;
+}
+
+template <typename Graph>
+auto dynamic_uv(Graph& g)
+{
+  return get(CGAL::dynamic_halfedge_property_t<Point_2>(), g);
+}
+
+// The same vertices; faces and edges in another order, edges turned round, and any halfedge for the
+// one of a vertex or face.
+Halfedge_pairs<Mesh> shuffle_into(const Mesh& mesh, unsigned int seed, Mesh& copy)
+{
+  std::mt19937_64 random(seed);
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    copy.add_vertex();
+  std::vector<Halfedge> first;
+  for(std::size_t e = 0; e < mesh.number_of_edges(); ++e)
+    first.push_back(copy.add_edge());
+  std::vector<Mesh::Face_index> place;
+  for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    place.push_back(copy.add_face());
+  std::shuffle(first.begin(), first.end(), random);
+  std::shuffle(place.begin(), place.end(), random);
+
+  std::map<Halfedge, Halfedge> image;
+  std::size_t n = 0;
+  for(const auto e : mesh.edges()) {
+    const Halfedge h = mesh.halfedge(e), k = first[n++];
+    const bool turn = random() % 2 == 0;
+    image[h] = turn ? copy.opposite(k) : k;
+    image[mesh.opposite(h)] = turn ? k : copy.opposite(k);
+  }
+  for(const auto h : mesh.halfedges()) {
+    copy.set_target(image[h], mesh.target(h));
+    copy.set_next(image[h], image[mesh.next(h)]);
+    if(!mesh.is_border(h))
+      copy.set_face(image[h], place[mesh.face(h)]);
+  }
+  std::vector<Halfedge> halfedges;
+  for(const auto h : mesh.halfedges())
+    halfedges.push_back(image[h]);
+  std::shuffle(halfedges.begin(), halfedges.end(), random);
+  for(const Halfedge h : halfedges) { // the last one wins
+    copy.set_halfedge(copy.target(h), h);
+    if(!copy.is_border(h))
+      copy.set_halfedge(copy.face(h), h);
+  }
+  return Halfedge_pairs<Mesh>(image.begin(), image.end());
+}
+
+// Leaves removed elements behind.
+void add_garbage(Mesh& mesh)
+{
+  Mesh::Vertex_index v[3];
+  for(auto& vertex : v)
+    vertex = mesh.add_vertex();
+  const auto f = mesh.add_face(v[0], v[1], v[2]);
+  CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  CHECK(mesh.has_garbage() && mesh.number_of_removed_faces() > 0);
+}
+
+void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  const std::string context = original.name + ", seed " + std::to_string(seed);
+  const Named_mesh<Kernel> input = disturbed(original, seed);
+  const Named_mesh<Kernel> expected = snapped(input, context);
+  {
+    CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> polyhedron;
+    const auto pairs = copy_into(input.mesh, polyhedron);
+    expect_same(input, expected, polyhedron, pairs, dynamic_uv(polyhedron),
+                context + ", polyhedron with ids not set");
+  }
+  {
+    CGAL::Polyhedron_3<Kernel> polyhedron;
+    const auto pairs = copy_into(input.mesh, polyhedron);
+    expect_same(input, expected, polyhedron, pairs, dynamic_uv(polyhedron),
+                context + ", polyhedron without ids");
+  }
+  {
+    Mesh mesh;
+    mesh.set_recycle_garbage(false);
+    add_garbage(mesh);
+    const auto pairs = copy_into(input.mesh, mesh);
+    add_garbage(mesh);
+    Plain_map<Halfedge> uv;
+    for(const auto h : halfedges(mesh))
+      put(uv, h, Plain_point(0, 0));
+    expect_same(input, expected, mesh, pairs, uv, context + ", garbage");
+  }
+  for(unsigned int k = 1; k <= 3; ++k) {
+    Mesh mesh;
+    const auto pairs = shuffle_into(input.mesh, k * seed, mesh);
+    expect_same(input, expected, mesh, pairs, dynamic_uv(mesh),
+                context + ", shuffled " + std::to_string(k));
+  }
+}
+
+// --- rounding modes ------------------------------------------------------------------------------
+
+void test_rounding_modes(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  const std::string context = original.name + " in other rounding modes";
+  Named_mesh<Kernel> input = disturbed(original, seed);
+  const bool is_seamless_in_fact = exact_check::check_edges(
+    input.mesh, test_meshes::uv_map(input.mesh),
+    is_aligned(input.mesh, test_meshes::feature_map(input.mesh), input.align_border)).is_exact();
+  Named_mesh<Kernel> result = snapped(input, context);
+  const Bits expected = all_bits(result.mesh, test_meshes::uv_map(result.mesh));
+
+  const auto try_in_this_mode = [&](const std::function<bool()>& is_restored) {
+    Named_mesh<Kernel> named = input;
+    const auto uv = test_meshes::uv_map(named.mesh);
+    const auto np = SS::parameters::edge_is_constrained_map(test_meshes::feature_map(named.mesh))
+                      .align_border(named.align_border);
+    const bool is_right = SS::is_seamless(named.mesh, uv, np) == is_seamless_in_fact;
+    const bool transitions = bool(SS::seam_transitions(named.mesh, uv, np)) && is_restored();
+    const SS::Snapping_report report = SS::snap_to_seamless(named.mesh, uv, np);
+    const bool restored = is_restored();
+    const bool is_seamless = SS::is_seamless(named.mesh, uv, np) && is_restored();
+    const Bits found = all_bits(named.mesh, uv);
+    std::fesetround(FE_TONEAREST);
+    CHECK_IN(context, is_right && transitions && is_seamless);
+    CHECK_IN(context, restored);
+    CHECK_IN(context, bool(report));
+    CHECK_IN(context, found == expected);
+  };
+  for(const int mode : { FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    std::fesetround(mode);
+    try_in_this_mode([&]() { return std::fegetround() == mode; });
+  }
+  for(const int mode :
+      { int(CGAL_FE_UPWARD), int(CGAL_FE_DOWNWARD), int(CGAL_FE_TOWARDZERO) }) {
+    CGAL::FPU_set_cw(CGAL::FPU_CW_t(mode));
+    const auto word = CGAL::FPU_get_cw();
+    try_in_this_mode([&]() { return CGAL::FPU_get_cw() == word; });
+    CGAL::FPU_set_cw(CGAL_FE_TONEAREST);
+  }
+}
+
+// --- ranges of numbers ---------------------------------------------------------------------------
+
+template <typename F>
+Named_mesh<Kernel> transformed(Named_mesh<Kernel> named, const F& f)
+{
+  const auto uv = test_meshes::uv_map(named.mesh);
+  for(const auto h : named.mesh.halfedges())
+    uv[h] = Point_2(f(uv[h].x()), f(uv[h].y()));
+  return named;
+}
+
+void test_scales(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  const Named_mesh<Kernel> input = disturbed(original, seed);
+  const Named_mesh<Kernel> expected = snapped(input, original.name);
+  for(const int exponent : { -900, -498, -60, -1, 1, 60, 498, 900 }) {
+    const std::string context = original.name + " times 2^" + std::to_string(exponent);
+    const auto scale = [&](double x) { return std::ldexp(x, exponent); };
+    Named_mesh<Kernel> here = snapped(transformed(input, scale), context);
+    Named_mesh<Kernel> there = transformed(expected, scale);
+    CHECK_IN(context, all_bits(here.mesh, test_meshes::uv_map(here.mesh))
+                        == all_bits(there.mesh, test_meshes::uv_map(there.mesh)));
+  }
+  Named_mesh<Kernel> copy = input;
+  const double size = extent(copy.mesh, test_meshes::uv_map(copy.mesh));
+  // down to subnormal numbers of few bits, up to the largest that are accepted
+  for(const double scale : { 4e-318, 3e-310, 7e-308, 1e-300, 1e-150, 3e-7, 3e7, 1e150, 3e299 }) {
+    const std::string context = original.name + " of size " + std::to_string(std::log10(scale));
+    copy = transformed(input, [&](double x) { return x / size * scale; });
+    const auto result = snap_and_check(copy, context);
+    CHECK_IN(context, result.report.largest_change <= 1e-4 * scale);
+  }
+}
+
+void test_offsets(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  Named_mesh<Kernel> exact = original;
+  test_meshes::warp(exact, seed);
+  const auto exact_uv = test_meshes::uv_map(exact.mesh);
+  const Truth<Mesh, std::decay_t<decltype(exact_uv)> > truth(exact.mesh, exact_uv);
+  for(const double offset : { 1e6, -3e9 }) {
+    const std::string context = original.name + " moved by " + std::to_string(offset);
+    const double noise = 1e-9 * truth.extent;
+    const double rounding = std::abs(offset) * truth.extent * 0x1p-52;
+    Named_mesh<Kernel> named = exact;
+    uv_noise::perturb(named.mesh, test_meshes::uv_map(named.mesh), noise, seed);
+    named = transformed(named, [&](double x) { return x + offset * truth.extent; });
+    const auto uv = test_meshes::uv_map(named.mesh);
+    const bool is_clear = truth.is_clear_with(noise + rounding);
+    if(is_clear)
+      check_transitions(exact.mesh, truth, SS::seam_transitions(named.mesh, uv), context);
+    const auto result = snap_and_check(named, context);
+    CHECK_IN(context, result.report.largest_change <= 8 * (noise + rounding) || !is_clear);
+  }
+}
+
+// --- nothing to do -------------------------------------------------------------------------------
+
+void test_exact_input(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  Named_mesh<Kernel> named = original;
+  test_meshes::warp(named, seed);
+  const auto result = snap_and_check(named, named.name + ", exact");
+  CHECK_IN(named.name, result.report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(named.name, result.before == result.after);
+}
+
+int main()
+{
+  std::cout.precision(3);
+  unsigned int seed = 0;
+  for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
+    for(int round = 0; round < 20; ++round)
+      test_data_structures(named, ++seed);
+    test_rounding_modes(named, seed);
+    test_scales(named, ++seed);
+    test_offsets(named, ++seed);
+    test_exact_input(named, ++seed);
+  }
+  std::cout << "seeds 1 to " << seed << std::endl;
+  return report_checks();
+}
