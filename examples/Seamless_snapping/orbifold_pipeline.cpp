@@ -1,5 +1,5 @@
-// From a mesh to an exactly seamless parametrization: computes orbifold Tutte embeddings of a sphere
-// with three and with four cones, which are seamless up to rounding, and snaps them.
+// From a mesh to an exactly seamless parametrization: computes orbifold Tutte embeddings of a
+// sphere with three and with four cones, which are seamless up to rounding, and snaps them.
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>

@@ -5,6 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/config.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -16,7 +17,7 @@ using Halfedge = Mesh::Halfedge_index;
 
 int main(int argc, char* argv[])
 {
-  const std::string input = (argc > 1) ? argv[1] : "data/input.obj";
+  const std::string input = (argc > 1) ? argv[1] : CGAL::data_file_path("genus2.obj");
   const std::string output = (argc > 2) ? argv[2] : "snapped.obj";
 
   Mesh mesh;

@@ -9,7 +9,7 @@
 //
 // Author(s)     : The Seamless_snapping authors
 //
-// This file has the form of those that CGAL generates (Installation/include/CGAL/license/README.md).
+// This file has the form of those that CGAL generates, see Installation/include/CGAL/license.
 
 #ifndef CGAL_LICENSE_SEAMLESS_SNAPPING_H
 #define CGAL_LICENSE_SEAMLESS_SNAPPING_H
