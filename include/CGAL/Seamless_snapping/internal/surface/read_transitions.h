@@ -259,6 +259,7 @@ private:
   {
     data.status = status;
     data.message = edge_name(m_tmesh, m_vertex_indices, h) + what;
+    data.edges.clear(); // incomplete
   }
 
   const TriangleMesh& m_tmesh;
