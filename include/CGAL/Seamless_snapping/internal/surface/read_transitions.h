@@ -86,7 +86,13 @@ struct Given_transitions
   }
 
   // Edges that count as open even if their sides are the same to the bit.
-  bool is_cut_anyway(const Halfedge h) const { return is_cut(h) || rotation(h) != 0; }
+  bool is_cut_anyway(const Halfedge h) const
+  {
+    if constexpr(has_rotations)
+      if(rotation(h) != 0 || rotation(opposite(h, tmesh)) != 0) // perhaps not inverse
+        return true;
+    return is_cut(h);
+  }
 };
 
 template <typename TriangleMesh, typename NamedParameters>
