@@ -239,7 +239,8 @@ private:
                             Data& data) const
   {
     const double residual = largest_residual(data.edges);
-    if(residual == 0)
+    const auto tells_its_rotation = [](const Open_edge<Halfedge>& edge) { return edge.length > 0; };
+    if(residual == 0 && std::all_of(data.edges.begin(), data.edges.end(), tells_its_rotation))
       return;
     const std::vector<Edge_ends> ends = vertices.ends(halfedges);
     const Vertex_incidences incidences(vertices.size(), ends);
