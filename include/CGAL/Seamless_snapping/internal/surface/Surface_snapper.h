@@ -70,6 +70,7 @@ public:
     m_timer.finish("sectors");
 
     const Branches branches(sectors);
+    m_report.number_of_singular_vertices = sectors.number_of_singular_vertices();
     fill_in(sectors, branches);
     m_timer.finish("branches");
 
@@ -96,12 +97,11 @@ private:
 
   void fill_in(const Transition_data<TriangleMesh>& transitions)
   {
-    m_report.number_of_faces = num_faces(m_tmesh);
-    m_report.number_of_cut_edges = transitions.cut_halfedges.size();
-    m_report.number_of_merged_edges = transitions.merged_halfedges.size();
-    m_report.number_of_singular_vertices = transitions.singular_vertices.size();
+    m_report.number_of_faces = faces(m_tmesh).size(); // num_faces() counts removed ones too
+    m_report.number_of_cut_edges = transitions.number_of_cuts;
+    m_report.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
     m_report.extent = transitions.extent;
-    if(num_faces(m_tmesh) == 0)
+    if(m_report.number_of_faces == 0)
       m_report.message = "the mesh has no faces, so there is nothing to snap";
   }
 

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/Open_edges.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/graph/graph_traits.hpp>
@@ -64,12 +65,20 @@ Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, co
           get_uv(uv_map, g), get_uv(uv_map, prev(g, tmesh))};
 }
 
+// An open edge together with the coordinates of its sides, so that the mesh need not be asked again.
+template <typename Halfedge>
+struct Surveyed_edge
+  : Indexed_edge<Halfedge>
+{
+  Edge_sides sides;
+};
+
 template <typename TriangleMesh>
 struct Uv_survey
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  std::vector<Halfedge> open_halfedges; // one per open edge
+  std::vector<Surveyed_edge<Halfedge> > open_edges;
   double extent = 0;                    // the larger side of the bounding box of the coordinates
   Snapping_status status = Snapping_status::ALREADY_EXACT;
   std::string message;
@@ -166,19 +175,19 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
       continue;
     }
     number_of_corners += 2;
-    const Uv h_uv = get_uv(uv_map, h);
-    const Uv g_uv = get_uv(uv_map, g);
-    box.add(h_uv);
-    box.add(g_uv);
-    if(get_uv(uv_map, prev(g, tmesh)) != h_uv || get_uv(uv_map, prev(h, tmesh)) != g_uv ||
-       is_open_anyway(h)) {
-      survey.open_halfedges.push_back(h);
-      in_range = in_range && is_in_range(h_uv) && is_in_range(g_uv);
+    const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+    box.add(sides.b);
+    box.add(sides.a_opposite);
+    if(!sides.are_identical() || is_open_anyway(h)) {
+      survey.open_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
+                                    std::size_t(get(vertex_indices, target(h, tmesh)))}, sides});
+      in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
     }
   }
   survey.extent = box.extent();
   // Faces have at least three corners, so that all are triangles if there are no more corners than that.
-  if(!in_range || !box.is_in_range() || number_of_corners != 3 * std::size_t(num_faces(tmesh)))
+  // num_faces() counts removed ones too.
+  if(!in_range || !box.is_in_range() || number_of_corners != 3 * std::size_t(faces(tmesh).size()))
     explain_bad_face(tmesh, uv_map, vertex_indices, survey);
   return survey;
 }
