@@ -93,36 +93,39 @@ double largest_residual(const std::vector<Open_edge<Halfedge> >& edges)
 }
 
 // At a regular inner vertex where just two open edges meet, the one's branch goes on in the other.
-template <typename TriangleMesh, typename Vertices>
-bool joins_two_edges(const TriangleMesh& tmesh, const Vertices& vertices,
+template <typename TriangleMesh, typename Halfedge>
+bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Open_edge<Halfedge> >& edges,
                      const Vertex_incidences& incidences, const Vertex_index v)
 {
-  return incidences.degree(v) == 2 && !CGAL::is_border(vertices.vertex(v), tmesh);
+  if(incidences.degree(v) != 2)
+    return false;
+  const Incidence& incidence = *incidences.begin(v);
+  const Halfedge h = edges[std::size_t(incidence.edge)].halfedge;
+  return !CGAL::is_border(incidence.points_to_vertex ? target(h, tmesh) : source(h, tmesh), tmesh);
 }
 
 // An edge not longer than a few residuals looks alike under all rotations: it takes its rotation from
 // the branch it lies on.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Vertices, typename Halfedge>
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
-                        const Vertices& vertices, const std::vector<Edge_ends>& ends,
-                        const Vertex_incidences& incidences,
+                        const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
   const double shortest = 4 * largest_residual(edges);
   std::vector<char> is_known(edges.size());
   std::vector<Edge_index> known;
   for(std::size_t i = 0; i < edges.size(); ++i) {
-    is_known[i] = edges[i].length > shortest;
-    if(is_known[i])
+    is_known[i] = edges[i].length > shortest || !edges[i].is_cut;
+    if(is_known[i] && edges[i].is_cut)
       known.push_back(Edge_index(i));
   }
-  if(known.size() == edges.size())
+  if(std::find(is_known.begin(), is_known.end(), 0) == is_known.end())
     return;
   while(!known.empty()) {
     const Edge_index i = known.back();
     known.pop_back();
     for(const Vertex_index v : {ends[std::size_t(i)].source, ends[std::size_t(i)].target}) {
-      if(!joins_two_edges(tmesh, vertices, incidences, v))
+      if(!joins_two_edges(tmesh, edges, incidences, v))
         continue;
       const Incidence* pair = incidences.begin(v);
       const Incidence& here = pair[pair[0].edge == i ? 0 : 1];
@@ -143,9 +146,9 @@ void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, 
 // Chains of edges without rotation whose sides would coincide but for noise are no cuts: their corners
 // are merged. A chain is judged as a whole, by the mean of its gaps against the largest residual of the
 // map, so that a small translation on an accurate map stays what it is.
-template <typename TriangleMesh, typename Vertices, typename Halfedge>
-void mark_merged_edges(const TriangleMesh& tmesh, const Vertices& vertices,
-                       const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
+template <typename TriangleMesh, typename Halfedge>
+void mark_merged_edges(const TriangleMesh& tmesh, const std::vector<Edge_ends>& ends,
+                       const Vertex_incidences& incidences,
                        const double residual, std::vector<Open_edge<Halfedge> >& edges)
 {
   const auto is_candidate = [&](const Edge_index i) {
@@ -164,7 +167,7 @@ void mark_merged_edges(const TriangleMesh& tmesh, const Vertices& vertices,
     for(const Vertex_index v : {ends[std::size_t(i)].source, ends[std::size_t(i)].target}) {
       const Incidence* pair = incidences.begin(v);
       if(incidences.degree(v) == 2 && is_candidate(pair[0].edge) && is_candidate(pair[1].edge) &&
-         joins_two_edges(tmesh, vertices, incidences, v))
+         joins_two_edges(tmesh, edges, incidences, v))
         chains.union_set(pair[0].edge, pair[1].edge);
     }
   }
