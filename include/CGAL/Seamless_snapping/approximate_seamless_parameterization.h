@@ -62,8 +62,8 @@ Parameterization_options read_options(const Mesh_indexing<TriangleMesh>& indexin
     choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
   options.curvature_alignment = static_cast<double>(
     choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.));
-  options.number_of_stiffening_rounds = static_cast<unsigned int>(
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5u));
+  options.number_of_stiffening_rounds = static_cast<long>(
+    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5));
   options.random_seed = static_cast<unsigned int>(
     choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_index_t>::value)

@@ -47,7 +47,7 @@ struct Parameterization_options
 {
   double target_edge_length = 1;
   double curvature_alignment = 0;
-  unsigned int number_of_stiffening_rounds = 5;
+  long number_of_stiffening_rounds = 5;
   unsigned int random_seed = 0;
   std::vector<int> cone_index; // per vertex; empty: the field decides
 };
@@ -71,6 +71,8 @@ inline void check_options(const Parameterization_options& options, const Triangl
     refuse("target_edge_length must be positive");
   if(!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
     refuse("curvature_alignment must not be negative");
+  if(options.number_of_stiffening_rounds < 0)
+    refuse("number_of_iterations must not be negative");
   const bool is_aligned = std::find(surface.is_aligned.begin(), surface.is_aligned.end(), true)
                           != surface.is_aligned.end();
   if(!options.cone_index.empty() && (is_aligned || options.curvature_alignment > 0))
@@ -149,13 +151,13 @@ void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
 template <typename Solver, typename Report>
 Coordinates solve_with_stiffening(const Triangle_surface& surface,
                                   const std::vector<double>& angles, const Cut_complex& complex,
-                                  const unsigned int number_of_rounds, Report& report)
+                                  const long number_of_rounds, Report& report)
 {
   const Free_coordinates coordinates(surface, angles, complex);
   const Coordinate_table table(coordinates, complex.number_of_sectors());
   std::vector<double> weights(surface.number_of_faces, 1);
   Coordinates best;
-  for(unsigned int round = 0; ; ++round) {
+  for(long round = 0; ; ++round) {
     Coordinates uv = solve_poisson<Solver>(surface, angles, complex, coordinates, table, weights,
                                            report.seconds_in_solvers);
     const std::size_t flips = number_of_flips(surface, complex, uv);
@@ -165,7 +167,7 @@ Coordinates solve_with_stiffening(const Triangle_surface& surface,
       best.swap(uv);
       report.number_of_flipped_faces = flips;
     }
-    report.number_of_stiffening_rounds = round;
+    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
     if(round == number_of_rounds || flips == 0)
       return best;
   }
@@ -218,7 +220,7 @@ Parameterization_result parameterize(const Triangle_surface& surface,
       x /= options.target_edge_length;
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     result.sector.push_back(complex.sector(h));
-    report.number_of_aligned_edges += surface.is_aligned[h] && surface.represents_edge(h);
+    report.number_of_aligned_edges += (surface.is_aligned[h] && surface.represents_edge(h)) ? 1 : 0;
   }
   timer.end_of("coordinates");
 

@@ -42,7 +42,8 @@ class Sparse_system
 public:
   Sparse_system(const std::size_t dimension, double& seconds)
     : m_dimension(dimension)
-    , m_matrix(new Matrix(static_cast<int>(dimension), static_cast<int>(dimension)))
+    , m_matrix(dimension == 0 ? nullptr : new Matrix(static_cast<int>(dimension),
+                                                     static_cast<int>(dimension)))
     , m_scale(1)
     , m_seconds(seconds)
   { }
