@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/surface/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -58,11 +59,20 @@ public:
   using Singular_vertex = std::pair<vertex_descriptor, int>;
 
   /// \cond SKIP_IN_MANUAL
-  Seam_transitions(const TriangleMesh& tmesh, internal::Transition_data<TriangleMesh>&& data)
+  template <typename HalfedgeUVMap>
+  Seam_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                   internal::Transition_data<TriangleMesh>&& data)
     : m_tmesh(&tmesh), m_index(get(CGAL::dynamic_edge_property_t<int>(), tmesh)), m_data(std::move(data))
   {
-    for(std::size_t i = 0; i < m_data.edges.size(); ++i)
-      put(m_index, edge(m_data.edges[i].halfedge, tmesh), static_cast<int>(i) + 1);
+    for(std::size_t i = 0; i < m_data.edges.size(); ++i) {
+      const halfedge_descriptor h = m_data.edges[i].halfedge;
+      put(m_index, edge(h, tmesh), static_cast<int>(i) + 1);
+      (m_data.edges[i].is_cut ? m_cut_halfedges : m_merged_halfedges).push_back(h);
+    }
+    if(*this)
+      m_singular_vertices = internal::singular_vertices(tmesh, uv_map,
+                                                        internal::unit_scale(m_data.extent),
+                                                        m_data.edges);
   }
 
   const internal::Transition_data<TriangleMesh>& data() const { return m_data; }
@@ -97,13 +107,13 @@ public:
   }
 
   /// returns one halfedge of each cut edge, in an order that is the same for all mesh data structures.
-  const std::vector<halfedge_descriptor>& cut_halfedges() const { return m_data.cut_halfedges; }
+  const std::vector<halfedge_descriptor>& cut_halfedges() const { return m_cut_halfedges; }
 
   /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
-  const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_data.merged_halfedges; }
+  const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_merged_halfedges; }
 
   /// returns the interior vertices around which the rotations do not add up to the identity.
-  const std::vector<Singular_vertex>& singular_vertices() const { return m_data.singular_vertices; }
+  const std::vector<Singular_vertex>& singular_vertices() const { return m_singular_vertices; }
 
   /// returns `true` if all transitions hold exactly and nothing is to be merged.
   bool is_exact() const { return m_data.is_exact; }
@@ -125,6 +135,8 @@ private:
   const TriangleMesh* m_tmesh;
   Edge_map m_index; // of an open edge, plus 1
   internal::Transition_data<TriangleMesh> m_data;
+  std::vector<halfedge_descriptor> m_cut_halfedges, m_merged_halfedges;
+  std::vector<Singular_vertex> m_singular_vertices;
 };
 
 /*!
@@ -194,8 +206,8 @@ Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, Halfe
                                                   CGAL::parameters::default_values())
 {
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
-  return Seam_transitions<TriangleMesh>(tmesh, internal::read_transitions(tmesh, uv_map,
-                                                                         internal::strip(np)));
+  return Seam_transitions<TriangleMesh>(tmesh, uv_map,
+                                        internal::read_transitions(tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

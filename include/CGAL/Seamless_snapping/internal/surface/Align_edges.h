@@ -35,6 +35,17 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename F>
+void for_each_edge_to_align(const TriangleMesh& tmesh, const EdgeIsConstrainedMap& edge_is_constrained,
+                            const bool align_border, const F& f)
+{
+  for(const auto e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    if(get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh)))
+      f(h);
+  }
+}
+
 // Invariant: each edge is represented by a halfedge that has a face, in whose chart the component is
 // constant up to the tolerance; if not, `status()` and `message()` tell.
 template <typename TriangleMesh>
@@ -42,6 +53,7 @@ class Align_edges
 {
 public:
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Edge = Indexed_edge<Halfedge>;
 
   explicit Align_edges(const TriangleMesh& tmesh) : m_tmesh(&tmesh) { }
 
@@ -51,26 +63,32 @@ public:
               const bool align_border, const double tolerance)
     : m_tmesh(&tmesh)
   {
-    for(const auto e : edges(tmesh)) {
-      const Halfedge h = halfedge(e, tmesh);
-      if(get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh)))
-        m_halfedges.push_back(h);
+    const auto index = [&](const auto v) { return std::size_t(get(vertex_indices, v)); };
+    std::vector<Edge> found;
+    for_each_edge_to_align(tmesh, edge_is_constrained, align_border, [&](const Halfedge h) {
+      found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
+    });
+    const auto turn = [&](Edge& edge) { edge = {opposite(edge.halfedge, tmesh), edge.target, edge.source}; };
+    for(Edge& edge : found)
+      if(must_turn(tmesh, vertex_indices, edge))
+        turn(edge);
+    Vertex_numbers numbers(num_vertices(tmesh));
+    numbers.mark_ends(found);
+    numbers.assign_numbers();
+    for(const std::size_t i : canonical_order(tmesh, vertex_indices, numbers, found)) {
+      m_edges.push_back(found[i]);
+      if(is_border(found[i].halfedge, tmesh))
+        turn(m_edges.back());
     }
-    if(m_halfedges.empty())
-      return;
-    Vertex_numbers<TriangleMesh, VertexIndexMap> vertices(tmesh, vertex_indices);
-    vertices.number_ends({&m_halfedges});
-    sort_canonically(tmesh, vertex_indices, vertices, m_halfedges);
-    for(Halfedge& h : m_halfedges)
-      if(is_border(h, tmesh))
-        h = opposite(h, tmesh);
     choose_components(uv_map, vertex_indices, tolerance);
   }
 
   Snapping_status status() const { return m_status; }
   const std::string& message() const { return m_message; }
 
-  const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
+  const std::vector<Edge>& edges() const { return m_edges; }
+  std::size_t size() const { return m_edges.size(); }
+  Halfedge halfedge(const Edge_index a) const { return m_edges[std::size_t(a)].halfedge; }
 
   // Of the chart of the halfedge's face.
   int component(const Edge_index a) const { return m_components[std::size_t(a)]; }
@@ -87,7 +105,8 @@ private:
   {
     std::size_t count = 0;
     Halfedge worst{};
-    for(const Halfedge h : m_halfedges) {
+    for(const Edge& edge : m_edges) {
+      const Halfedge h = edge.halfedge;
       const Uv a = get_uv(uv_map, prev(h, *m_tmesh));
       const Uv b = get_uv(uv_map, h);
       const double change[2] = {std::abs(b[0] - a[0]), std::abs(b[1] - a[1])};
@@ -111,7 +130,7 @@ private:
   }
 
   const TriangleMesh* m_tmesh;
-  std::vector<Halfedge> m_halfedges;
+  std::vector<Edge> m_edges;
   std::vector<int> m_components;
   Snapping_status m_status = Snapping_status::ALREADY_EXACT;
   std::string m_message;

@@ -60,7 +60,9 @@ struct Edge_sides
   Uv a, b, a_opposite, b_opposite;
 
   bool are_identical() const { return a == a_opposite && b == b_opposite; }
-  bool is_degenerate() const { return a == b && a_opposite == b_opposite; }
+
+  // as seen from the opposite halfedge
+  Edge_sides turned() const { return {b_opposite, a_opposite, b, a}; }
 };
 
 // R_k (b - a) = b' - a', Eq. (4), in rationals: for differences beyond the largest double.

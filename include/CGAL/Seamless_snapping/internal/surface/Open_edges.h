@@ -17,8 +17,6 @@
 // The open edges of a uv map, in an order that does not depend on the mesh data structure, and which of
 // them meet at which vertex.
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -32,10 +30,18 @@ namespace internal {
 using Edge_index = std::int32_t;   // of an open edge
 using Vertex_index = std::int32_t; // of an end of an open or aligned edge
 
+// An edge, by one of its halfedges, and the mesh's indices of its ends.
+template <typename Halfedge>
+struct Indexed_edge
+{
+  Halfedge halfedge;
+  std::size_t source, target;
+};
+
 template <typename Halfedge>
 struct Open_edge
+  : Indexed_edge<Halfedge> // directed towards the end of larger index
 {
-  Halfedge halfedge;     // towards the end of larger index
   int rotation = 0;      // k of the transition from face(halfedge) to the opposite face
   bool is_cut = true;    // else the corners of both sides are merged
   bool is_exact = false; // whether Eq. (4) holds exactly
@@ -45,73 +51,59 @@ struct Open_edge
   double gap = 0;        // between the sides: for k = 0 the length of the translation
 };
 
+// The ends of an edge, by the numbers that follow.
 struct Edge_ends
 {
   Vertex_index source, target;
 };
 
-// The vertices at the ends of open or aligned edges, numbered in the order of their indices.
-template <typename TriangleMesh, typename VertexIndexMap>
+// Numbers without gaps for the ends of some edges, in the order of the mesh's indices.
 class Vertex_numbers
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using Halfedge = typename Graph_traits::halfedge_descriptor;
-  using Vertex = typename Graph_traits::vertex_descriptor;
-
 public:
-  Vertex_numbers(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
-    : m_tmesh(tmesh), m_vertex_indices(vertex_indices)
-  { }
+  // \param number_of_vertices of the mesh; indices may be larger
+  explicit Vertex_numbers(const std::size_t number_of_vertices) : m_numbers(number_of_vertices, -1) { }
 
-  // Numbers the ends of all halfedges of the lists.
-  void number_ends(const std::vector<const std::vector<Halfedge>*>& lists)
+  template <typename Edges>
+  void mark_ends(const Edges& edges)
   {
-    const auto for_each_end = [&](const auto& f) {
-      for(const std::vector<Halfedge>* halfedges : lists)
-        for(const Halfedge h : *halfedges) {
-          f(source(h, m_tmesh));
-          f(target(h, m_tmesh));
-        }
-    };
-    m_numbers.assign(num_vertices(m_tmesh), -1);
-    for_each_end([&](const Vertex v) {
-      const std::size_t i = index(v);
-      if(i >= m_numbers.size())
-        m_numbers.resize(i + 1, -1);
-      m_numbers[i] = 0;
-    });
-    Vertex_index count = 0;
+    for(const auto& edge : edges) {
+      mark(edge.source);
+      mark(edge.target);
+    }
+  }
+
+  void assign_numbers()
+  {
+    m_size = 0;
     for(Vertex_index& number : m_numbers)
-      if(number == 0)
-        number = count++;
-    m_vertices.resize(std::size_t(count));
-    for_each_end([&](const Vertex v) { m_vertices[std::size_t(m_numbers[index(v)])] = v; });
+      if(number >= 0)
+        number = m_size++;
   }
 
-  std::size_t size() const { return m_vertices.size(); }
-  Vertex vertex(const Vertex_index v) const { return m_vertices[std::size_t(v)]; }
+  std::size_t size() const { return std::size_t(m_size); }
+  Vertex_index operator[](const std::size_t index) const { return m_numbers[index]; }
 
-  Edge_ends ends(const Halfedge h) const
-  {
-    return {m_numbers[index(source(h, m_tmesh))], m_numbers[index(target(h, m_tmesh))]};
-  }
-
-  std::vector<Edge_ends> ends(const std::vector<Halfedge>& halfedges) const
+  template <typename Edges>
+  std::vector<Edge_ends> ends(const Edges& edges) const
   {
     std::vector<Edge_ends> result;
-    result.reserve(halfedges.size());
-    for(const Halfedge h : halfedges)
-      result.push_back(ends(h));
+    result.reserve(edges.size());
+    for(const auto& edge : edges)
+      result.push_back({m_numbers[edge.source], m_numbers[edge.target]});
     return result;
   }
 
 private:
-  std::size_t index(const Vertex v) const { return std::size_t(get(m_vertex_indices, v)); }
+  void mark(const std::size_t index)
+  {
+    if(index >= m_numbers.size())
+      m_numbers.resize(index + 1, -1);
+    m_numbers[index] = 0;
+  }
 
-  const TriangleMesh& m_tmesh;
-  const VertexIndexMap& m_vertex_indices;
-  std::vector<Vertex_index> m_numbers; // by index, -1 for none
-  std::vector<Vertex> m_vertices;
+  std::vector<Vertex_index> m_numbers; // -1 for none
+  Vertex_index m_size = 0;
 };
 
 // An end of an edge at a vertex: `points_to_vertex` tells whether the edge's halfedge does.
@@ -125,6 +117,8 @@ struct Incidence
 class Vertex_incidences
 {
 public:
+  Vertex_incidences() = default;
+
   Vertex_incidences(const std::size_t number_of_vertices, const std::vector<Edge_ends>& ends)
     : m_begin(number_of_vertices + 1, 0), m_incidences(2 * ends.size())
   {
@@ -155,47 +149,46 @@ private:
   std::vector<Incidence> m_incidences;
 };
 
-// Sorts one halfedge per edge by the indices of its ends, and directs each towards its end of larger
-// index: two mesh data structures that number their vertices alike get the same list. Parallel edges
-// are told apart by the vertices opposite to them.
-template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
-void sort_canonically(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices,
-                      const Vertex_numbers<TriangleMesh, VertexIndexMap>& vertices,
-                      std::vector<Halfedge>& halfedges)
+// The order of edges by the indices of their ends: two mesh data structures that number their vertices
+// alike get the same. Parallel edges are told apart by the vertices opposite to them.
+// \pre each edge is directed towards its end of larger index
+template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
+std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices,
+                                         const Vertex_numbers& numbers, const std::vector<Edge>& edges)
 {
-  const auto apex = [&](const Halfedge h) {
-    return std::size_t(get(vertex_indices, target(next(h, tmesh), tmesh)));
+  const auto apexes = [&](const Edge& edge) {
+    const auto g = opposite(edge.halfedge, tmesh);
+    return std::make_pair(std::size_t(get(vertex_indices, target(next(edge.halfedge, tmesh), tmesh))),
+                          std::size_t(get(vertex_indices, target(next(g, tmesh), tmesh))));
   };
-  struct Directed { Halfedge halfedge; Edge_ends ends; };
-  std::vector<Directed> directed;
-  directed.reserve(halfedges.size());
-  std::vector<std::size_t> begin(vertices.size() + 1, 0); // by source, for a counting sort
-  for(Halfedge h : halfedges) {
-    Edge_ends ends = vertices.ends(h);
-    if(ends.source > ends.target ||
-       (ends.source == ends.target && apex(h) > apex(opposite(h, tmesh)))) {
-      std::swap(ends.source, ends.target);
-      h = opposite(h, tmesh);
-    }
-    directed.push_back({h, ends});
-    ++begin[std::size_t(ends.source) + 1];
-  }
-  for(std::size_t v = 0; v < vertices.size(); ++v)
+  std::vector<std::size_t> begin(numbers.size() + 1, 0); // a counting sort by source
+  for(const Edge& edge : edges)
+    ++begin[std::size_t(numbers[edge.source]) + 1];
+  for(std::size_t v = 0; v < numbers.size(); ++v)
     begin[v + 1] += begin[v];
-  std::vector<Directed> sorted(directed.size());
+  std::vector<std::size_t> order(edges.size());
   std::vector<std::size_t> next_place(begin.begin(), begin.end() - 1);
-  for(const Directed& d : directed)
-    sorted[next_place[std::size_t(d.ends.source)]++] = d;
-  for(std::size_t v = 0; v < vertices.size(); ++v)
-    std::sort(sorted.begin() + std::ptrdiff_t(begin[v]), sorted.begin() + std::ptrdiff_t(begin[v + 1]),
-              [&](const Directed& a, const Directed& b) {
-                if(a.ends.target != b.ends.target)
-                  return a.ends.target < b.ends.target;
-                return std::make_pair(apex(a.halfedge), apex(opposite(a.halfedge, tmesh))) <
-                       std::make_pair(apex(b.halfedge), apex(opposite(b.halfedge, tmesh)));
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    order[next_place[std::size_t(numbers[edges[i].source])]++] = i;
+  for(std::size_t v = 0; v < numbers.size(); ++v)
+    std::sort(order.begin() + std::ptrdiff_t(begin[v]), order.begin() + std::ptrdiff_t(begin[v + 1]),
+              [&](const std::size_t i, const std::size_t j) {
+                if(edges[i].target != edges[j].target)
+                  return edges[i].target < edges[j].target;
+                return apexes(edges[i]) < apexes(edges[j]);
               });
-  for(std::size_t i = 0; i < sorted.size(); ++i)
-    halfedges[i] = sorted[i].halfedge;
+  return order;
+}
+
+// Whether an edge runs against the direction that `canonical_order` wants.
+template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
+bool must_turn(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Edge& edge)
+{
+  if(edge.source != edge.target)
+    return edge.source > edge.target;
+  const auto h = edge.halfedge, g = opposite(h, tmesh);
+  return get(vertex_indices, target(next(h, tmesh), tmesh)) >
+         get(vertex_indices, target(next(g, tmesh), tmesh));
 }
 
 } // namespace internal

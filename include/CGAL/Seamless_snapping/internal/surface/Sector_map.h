@@ -59,7 +59,7 @@ public:
              const Transition_data<TriangleMesh>& transitions,
              const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices)
     : Sector_map(tmesh, uv_map, transitions, align_edges, vertex_indices,
-                 numbers(tmesh, transitions, align_edges, vertex_indices))
+                 vertex_numbers(tmesh, transitions, align_edges))
   { }
 
   std::size_t number_of_vertices() const { return m_is_node.size(); }
@@ -68,6 +68,8 @@ public:
   const Vertex_incidences& cuts() const { return m_cuts; }
   const Vertex_incidences& aligned() const { return m_aligned; }
   bool is_node(const Vertex_index v) const { return m_is_node[std::size_t(v)]; }
+
+  std::size_t number_of_singular_vertices() const { return m_number_of_singular_vertices; }
 
   std::size_t number_of_sectors() const { return m_sectors.size(); }
   const Sector& sector(const Sector_index s) const { return m_sectors[std::size_t(s)]; }
@@ -95,43 +97,129 @@ public:
   double largest_coordinate() const { return m_largest_coordinate; }
 
 private:
-  template <typename VertexIndexMap>
-  static Vertex_numbers<TriangleMesh, VertexIndexMap>
-  numbers(const TriangleMesh& tmesh, const Transition_data<TriangleMesh>& transitions,
-          const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices)
+  static Vertex_numbers vertex_numbers(const TriangleMesh& tmesh,
+                                       const Transition_data<TriangleMesh>& transitions,
+                                       const Align_edges<TriangleMesh>& align_edges)
   {
-    Vertex_numbers<TriangleMesh, VertexIndexMap> result(tmesh, vertex_indices);
-    result.number_ends({&transitions.cut_halfedges, &align_edges.halfedges(),
-                        &transitions.merged_halfedges});
-    return result;
+    Vertex_numbers numbers(num_vertices(tmesh));
+    numbers.mark_ends(transitions.edges);
+    numbers.mark_ends(align_edges.edges());
+    numbers.assign_numbers();
+    return numbers;
   }
 
   template <typename VertexIndexMap>
   Sector_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
              const Transition_data<TriangleMesh>& transitions,
              const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices,
-             const Vertex_numbers<TriangleMesh, VertexIndexMap>& vertices)
+             const Vertex_numbers& numbers)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_transitions(transitions), m_align_edges(align_edges),
-      m_cut_ends(vertices.ends(transitions.cut_halfedges)),
-      m_align_ends(vertices.ends(align_edges.halfedges())),
-      m_cuts(vertices.size(), m_cut_ends), m_aligned(vertices.size(), m_align_ends),
-      m_target_sector(2 * transitions.cut_halfedges.size(), -1),
-      m_source_sector(2 * transitions.cut_halfedges.size(), -1),
-      m_align_target_sector(align_edges.halfedges().size(), -1),
-      m_align_source_sector(align_edges.halfedges().size(), -1), m_is_node(vertices.size(), false)
+      m_cut_ends(numbers.ends(transitions.edges)), m_align_ends(numbers.ends(align_edges.edges())),
+      m_target_sector(2 * transitions.number_of_cuts, -1),
+      m_source_sector(2 * transitions.number_of_cuts, -1),
+      m_align_target_sector(align_edges.size(), -1), m_align_source_sector(align_edges.size(), -1),
+      m_is_node(numbers.size(), false)
   {
-    m_first_sector.reserve(vertices.size() + 1);
-    m_corners.reserve(6 * vertices.size());
-    m_sectors.reserve(2 * vertices.size());
-    for(std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::vector<Halfedge> starts = start_halfedges(vertex_indices);
+    m_cut_ends.resize(transitions.number_of_cuts);
+    m_cuts = Vertex_incidences(numbers.size(), m_cut_ends);
+    m_aligned = Vertex_incidences(numbers.size(), m_align_ends);
+    collect_corners(starts);
+    form_sectors();
+  }
+
+  // For each vertex a halfedge towards it where a sector begins: a cut edge or, where there is none, one
+  // behind the border or, at an inner vertex, that from the neighbor of least index.
+  template <typename VertexIndexMap>
+  std::vector<Halfedge> start_halfedges(const VertexIndexMap& vertex_indices) const
+  {
+    std::vector<Halfedge> starts(m_is_node.size());
+    std::vector<char> has_start(m_is_node.size(), false);
+    const auto set = [&](const Vertex_index v, const Halfedge h, const bool is_cut) {
+      if(!has_start[std::size_t(v)])
+        starts[std::size_t(v)] = is_cut ? h : uncut_start(h, vertex_indices);
+      has_start[std::size_t(v)] = true;
+    };
+    for(std::size_t i = 0; i < m_transitions.edges.size(); ++i) {
+      const auto& edge = m_transitions.edges[i];
+      set(m_cut_ends[i].target, edge.halfedge, edge.is_cut);
+      set(m_cut_ends[i].source, opposite(edge.halfedge, m_tmesh), edge.is_cut);
+    }
+    for(std::size_t a = 0; a < m_align_edges.size(); ++a) {
+      const Halfedge h = m_align_edges.halfedge(Edge_index(a));
+      set(m_align_ends[a].target, h, false);
+      set(m_align_ends[a].source, opposite(h, m_tmesh), false);
+    }
+    return starts;
+  }
+
+  template <typename VertexIndexMap>
+  Halfedge uncut_start(const Halfedge any, const VertexIndexMap& vertex_indices) const
+  {
+    Halfedge best = any;
+    Halfedge h = any;
+    do {
+      if(is_border(h, m_tmesh))
+        return h;
+      if(get(vertex_indices, source(h, m_tmesh)) < get(vertex_indices, source(best, m_tmesh)))
+        best = h;
+      h = opposite(next(h, m_tmesh), m_tmesh);
+    } while(h != any);
+    return best;
+  }
+
+  // All halfedges towards each vertex, clockwise; nothing else, so that the memory accesses of many
+  // vertices overlap.
+  void collect_corners(const std::vector<Halfedge>& starts)
+  {
+    m_corners.reserve(7 * starts.size());
+    m_first_corner.reserve(starts.size() + 1);
+    for(const Halfedge start : starts) {
+      m_first_corner.push_back(m_corners.size());
+      Halfedge h = start;
+      do {
+        m_corners.push_back(h);
+        h = opposite(next(h, m_tmesh), m_tmesh);
+      } while(h != start);
+    }
+    m_first_corner.push_back(m_corners.size());
+  }
+
+  // Divides the corners into sectors, and drops border halfedges from them.
+  void form_sectors()
+  {
+    m_sectors.reserve(2 * m_is_node.size());
+    m_first_sector.reserve(m_is_node.size() + 1);
+    std::size_t kept = 0;
+    for(std::size_t v = 0; v < m_is_node.size(); ++v) {
       m_first_sector.push_back(Sector_index(m_sectors.size()));
       collect_cuts_towards(Vertex_index(v));
-      const Halfedge first = m_cuts_here.empty() ? start(vertices.vertex(Vertex_index(v)), vertex_indices)
-                                                 : m_cuts_here.front().halfedge;
-      const bool border = walk_around(Vertex_index(v), first);
-      m_is_node[v] = needs_node(Vertex_index(v), border);
+      bool on_border = false;
+      bool begins = true;
+      const std::size_t first = m_first_corner[v], last = m_first_corner[v + 1];
+      const Directed_cut first_cut = cut_towards(m_corners[first]);
+      Directed_cut cut = first_cut;
+      for(std::size_t i = first; i < last; ++i) {
+        const Halfedge h = m_corners[i];
+        const Directed_cut following_cut = i + 1 < last ? cut_towards(m_corners[i + 1]) : first_cut;
+        if(is_border(h, m_tmesh)) {
+          on_border = begins = true;
+        } else {
+          if(begins || cut >= 0)
+            m_sectors.push_back({get_uv(m_uv_map, h), kept, true, 1.});
+          begins = false;
+          add_corner(h, kept++, cut, following_cut);
+          if(m_aligned.degree(Vertex_index(v)) > 0)
+            add_to_aligned(Vertex_index(v), h, next(h, m_tmesh));
+        }
+        cut = following_cut;
+      }
+      const bool is_singular = !on_border && holonomy(m_cuts, m_transitions.edges, Vertex_index(v)) != 0;
+      m_number_of_singular_vertices += is_singular ? 1 : 0;
+      m_is_node[v] = needs_node(Vertex_index(v), on_border, is_singular);
     }
     m_first_sector.push_back(Sector_index(m_sectors.size()));
+    m_corners.resize(kept);
   }
 
   // The cut edges at a vertex, each by its halfedge towards it.
@@ -139,7 +227,7 @@ private:
   {
     m_cuts_here.clear();
     for(const Incidence* i = m_cuts.begin(v); i != m_cuts.end(v); ++i) {
-      const Halfedge h = m_transitions.cut_halfedges[std::size_t(i->edge)];
+      const Halfedge h = m_transitions.edges[std::size_t(i->edge)].halfedge;
       m_cuts_here.push_back(i->points_to_vertex ? Cut_here{h, 2 * i->edge}
                                                 : Cut_here{opposite(h, m_tmesh), 2 * i->edge + 1});
     }
@@ -154,58 +242,15 @@ private:
     return -1;
   }
 
-  // Where a walk begins at a vertex without cuts: behind the border or, at an inner vertex, at the halfedge
-  // from the neighbor of least index.
-  template <typename Vertex, typename VertexIndexMap>
-  Halfedge start(const Vertex v, const VertexIndexMap& vertex_indices) const
-  {
-    Halfedge best = halfedge(v, m_tmesh);
-    for(const Halfedge h : CGAL::halfedges_around_target(v, m_tmesh)) {
-      if(is_border(h, m_tmesh))
-        return h;
-      if(get(vertex_indices, source(h, m_tmesh)) < get(vertex_indices, source(best, m_tmesh)))
-        best = h;
-    }
-    return best;
-  }
-
-  // Returns whether the vertex lies on the border.
-  bool walk_around(const Vertex_index v, const Halfedge first)
-  {
-    bool on_border = false;
-    bool begins = true;
-    Halfedge h = first;
-    Directed_cut cut = cut_towards(h);
-    do {
-      const Halfedge out = next(h, m_tmesh); // the other edge of the corner
-      const Halfedge following = opposite(out, m_tmesh);
-      const Directed_cut following_cut = cut_towards(following);
-      if(is_border(h, m_tmesh)) {
-        on_border = true;
-        begins = true;
-      } else {
-        const Uv uv = get_uv(m_uv_map, h);
-        if(begins || cut >= 0)
-          m_sectors.push_back({uv, m_corners.size(), true, 1.});
-        begins = false;
-        add_corner(h, uv, cut, following_cut);
-        if(m_aligned.degree(v) > 0)
-          add_to_aligned(v, h, out);
-      }
-      h = following;
-      cut = following_cut;
-    } while(h != first);
-    return on_border;
-  }
-
-  void add_corner(const Halfedge h, const Uv& uv, const Directed_cut cut,
+  void add_corner(const Halfedge h, const std::size_t place, const Directed_cut cut,
                   const Directed_cut following_cut)
   {
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
     Sector& sector = m_sectors.back();
+    const Uv uv = get_uv(m_uv_map, h);
     sector.is_uniform = sector.is_uniform && uv == sector.uv;
     m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
-    m_corners.push_back(h);
+    m_corners[place] = h;
     if(cut >= 0)
       m_target_sector[std::size_t(cut)] = s;
     if(following_cut >= 0)
@@ -217,21 +262,21 @@ private:
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
     for(const Incidence* i = m_aligned.begin(v); i != m_aligned.end(v); ++i) {
       const std::size_t a = std::size_t(i->edge);
-      if(i->points_to_vertex && m_align_edges.halfedges()[a] == h)
+      if(i->points_to_vertex && m_align_edges.edges()[a].halfedge == h)
         m_align_target_sector[a] = s;
-      else if(!i->points_to_vertex && m_align_edges.halfedges()[a] == out)
+      else if(!i->points_to_vertex && m_align_edges.edges()[a].halfedge == out)
         m_align_source_sector[a] = s;
     }
   }
 
   // Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned chains. (A
   // vertex on a closed branch becomes a node later.)
-  bool needs_node(const Vertex_index v, const bool on_border) const
+  bool needs_node(const Vertex_index v, const bool on_border, const bool is_singular) const
   {
     const std::size_t cuts = m_cuts.degree(v);
     const std::size_t aligned = m_aligned.degree(v);
     if(cuts > 0)
-      return cuts != 2 || aligned > 0 || on_border || holonomy(m_cuts, m_transitions.edges, v) != 0;
+      return cuts != 2 || aligned > 0 || on_border || is_singular;
     if(aligned == 0)
       return false;
     const Incidence* ends = m_aligned.begin(v);
@@ -245,6 +290,7 @@ private:
   const Align_edges<TriangleMesh>& m_align_edges;
   struct Cut_here { Halfedge halfedge; Directed_cut directed; };
   std::vector<Cut_here> m_cuts_here; // of the vertex under way
+  std::vector<std::size_t> m_first_corner; // per vertex, border halfedges included
   std::vector<Edge_ends> m_cut_ends, m_align_ends;
   Vertex_incidences m_cuts, m_aligned;
   std::vector<Sector_index> m_target_sector, m_source_sector;
@@ -253,6 +299,7 @@ private:
   std::vector<Sector_index> m_first_sector;
   std::vector<Halfedge> m_corners;
   std::vector<bool> m_is_node;
+  std::size_t m_number_of_singular_vertices = 0;
   double m_largest_coordinate = 0;
 };
 

@@ -14,11 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From a uv map to its transitions: surveys the edges, measures the open ones, tells cuts from noise, and
-// collects the singular vertices.
+// From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from noise.
 
 #include <CGAL/Seamless_snapping/internal/surface/classify_open_edges.h>
-#include <CGAL/Seamless_snapping/internal/surface/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -37,16 +35,14 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Everything known about the transitions of a uv map; `Seam_transitions` documents the members.
+// The transitions of a uv map.
 template <typename TriangleMesh>
 struct Transition_data
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   std::vector<Open_edge<Halfedge> > edges; // the cut edges, then the merged ones
-  std::vector<Halfedge> cut_halfedges, merged_halfedges;
-  std::vector<std::pair<Vertex, int> > singular_vertices;
+  std::size_t number_of_cuts = 0;
   Snapping_status status = Snapping_status::ALREADY_EXACT;
   std::string message;
   bool is_exact = true;
@@ -111,7 +107,7 @@ template <typename Given, typename Halfedge>
 double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
                             const double scale)
 {
-  Open_edge<Halfedge> edge{h};
+  Open_edge<Halfedge> edge;
   if(Given::has_rotations || (Given::has_cuts && !given.is_cut(h)))
     set_rotation(edge, Edge_vectors(sides), given.rotation(h), scale);
   else
@@ -140,7 +136,6 @@ class Transition_reader
 {
   using Data = Transition_data<TriangleMesh>;
   using Halfedge = typename Data::Halfedge;
-  using Vertices = Vertex_numbers<TriangleMesh, VertexIndexMap>;
 
 public:
   Transition_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -161,47 +156,62 @@ public:
     if(data.status != Snapping_status::ALREADY_EXACT)
       return data;
     m_scale = unit_scale(data.extent);
-    Vertices vertices(m_tmesh, m_vertex_indices);
-    vertices.number_ends({&survey.open_halfedges});
-    sort_canonically(m_tmesh, m_vertex_indices, vertices, survey.open_halfedges);
-    if(!read_rotations(survey.open_halfedges, data) || !check_residuals(data))
+    Vertex_numbers numbers(num_vertices(m_tmesh));
+    numbers.mark_ends(survey.open_edges);
+    numbers.assign_numbers();
+    if(!read_rotations(survey.open_edges, numbers, data) || !check_residuals(data))
       return data;
-    tell_cuts_from_noise(vertices, survey.open_halfedges, data);
-    collect(vertices, data);
+    tell_cuts_from_noise(numbers, data);
+    std::stable_partition(data.edges.begin(), data.edges.end(),
+                          [](const Open_edge<Halfedge>& edge) { return edge.is_cut; });
+    data.number_of_cuts = std::size_t(std::count_if(data.edges.begin(), data.edges.end(),
+                                                    [](const auto& edge) { return edge.is_cut; }));
+    data.is_exact = data.is_exact && data.number_of_cuts == data.edges.size();
     return data;
   }
 
 private:
-  bool read_rotations(const std::vector<Halfedge>& halfedges, Data& data) const
+  bool read_rotations(std::vector<Surveyed_edge<Halfedge> >& surveyed, const Vertex_numbers& numbers,
+                      Data& data) const
   {
-    data.edges.resize(halfedges.size());
-    for(std::size_t i = 0; i < halfedges.size(); ++i) {
-      Open_edge<Halfedge>& edge = data.edges[i];
-      edge.halfedge = halfedges[i];
-      const Edge_sides sides = edge_sides(m_tmesh, m_uv_map, edge.halfedge);
-      const Edge_vectors vectors(sides);
-      edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
-      if constexpr(Given::has_rotations) {
-        const Halfedge g = opposite(edge.halfedge, m_tmesh);
-        const int k = m_given.rotation(edge.halfedge);
-        if(k != inverse_rotation(m_given.rotation(g))) {
-          fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
-               " has rotations that are not inverse to each other; those of opposite halfedges must add "
-               "up to a multiple of 4");
-          return false;
-        }
-        if(k != 0 && !edge.is_cut) {
-          fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
-               " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
-          return false;
-        }
-        set_rotation(edge, vectors, k, m_scale);
-      } else if(edge.is_cut) {
-        read_rotation(edge, vectors, m_scale);
-      } else {
-        set_rotation(edge, vectors, 0, m_scale);
+    for(Surveyed_edge<Halfedge>& s : surveyed)
+      if(must_turn(m_tmesh, m_vertex_indices, s))
+        s = {{opposite(s.halfedge, m_tmesh), s.target, s.source}, s.sides.turned()};
+    data.edges.reserve(surveyed.size());
+    for(const std::size_t i : canonical_order(m_tmesh, m_vertex_indices, numbers, surveyed)) {
+      data.edges.emplace_back();
+      static_cast<Indexed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
+      if(!read_rotation_of(surveyed[i].sides, data))
+        return false;
+    }
+    return true;
+  }
+
+  // Of the last edge.
+  bool read_rotation_of(const Edge_sides& sides, Data& data) const
+  {
+    Open_edge<Halfedge>& edge = data.edges.back();
+    const Edge_vectors vectors(sides);
+    measure_length_and_gap(edge, sides, vectors, m_scale);
+    edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
+    if constexpr(Given::has_rotations) {
+      const int k = m_given.rotation(edge.halfedge);
+      set_rotation(edge, vectors, k, m_scale);
+      if(k != inverse_rotation(m_given.rotation(opposite(edge.halfedge, m_tmesh)))) {
+        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+             " has rotations that are not inverse to each other; those of opposite halfedges must add "
+             "up to a multiple of 4");
+        return false;
       }
-      measure_length_and_gap(edge, sides, vectors, m_scale);
+      if(k != 0 && !edge.is_cut) {
+        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+             " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
+        return false;
+      }
+    } else if(edge.is_cut) {
+      read_rotation(edge, vectors, m_scale);
+    } else {
+      set_rotation(edge, vectors, 0, m_scale);
     }
     return true;
   }
@@ -235,31 +245,18 @@ private:
     return false;
   }
 
-  void tell_cuts_from_noise(const Vertices& vertices, const std::vector<Halfedge>& halfedges,
-                            Data& data) const
+  void tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
   {
     const double residual = largest_residual(data.edges);
     const auto tells_its_rotation = [](const Open_edge<Halfedge>& edge) { return edge.length > 0; };
     if(residual == 0 && std::all_of(data.edges.begin(), data.edges.end(), tells_its_rotation))
       return;
-    const std::vector<Edge_ends> ends = vertices.ends(halfedges);
-    const Vertex_incidences incidences(vertices.size(), ends);
+    const std::vector<Edge_ends> ends = numbers.ends(data.edges);
+    const Vertex_incidences incidences(numbers.size(), ends);
     if(!Given::has_rotations)
-      complete_rotations(m_tmesh, m_uv_map, m_scale, vertices, ends, incidences, data.edges);
+      complete_rotations(m_tmesh, m_uv_map, m_scale, ends, incidences, data.edges);
     if(!Given::has_cuts)
-      mark_merged_edges(m_tmesh, vertices, ends, incidences, residual, data.edges);
-  }
-
-  void collect(const Vertices& vertices, Data& data) const
-  {
-    std::stable_partition(data.edges.begin(), data.edges.end(),
-                          [](const Open_edge<Halfedge>& edge) { return edge.is_cut; });
-    for(const Open_edge<Halfedge>& edge : data.edges)
-      (edge.is_cut ? data.cut_halfedges : data.merged_halfedges).push_back(edge.halfedge);
-    data.is_exact = data.is_exact && data.merged_halfedges.empty();
-    data.singular_vertices =
-      singular_vertices(m_tmesh, m_uv_map, m_scale, vertices,
-                        Vertex_incidences(vertices.size(), vertices.ends(data.cut_halfedges)), data.edges);
+      mark_merged_edges(m_tmesh, ends, incidences, residual, data.edges);
   }
 
   void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const

@@ -61,18 +61,24 @@ int holonomy(const Vertex_incidences& incidences,
   return sum % number_of_rotations;
 }
 
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Vertices, typename Halfedge>
+// The singular vertices and their indices, in the order of the cut edges.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> >
 singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
-                  const Vertices& vertices, const Vertex_incidences& incidences,
                   const std::vector<Open_edge<Halfedge> >& edges)
 {
+  Vertex_numbers numbers(num_vertices(tmesh));
+  numbers.mark_ends(edges);
+  numbers.assign_numbers();
+  const Vertex_incidences incidences(numbers.size(), numbers.ends(edges));
   std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> > result;
-  for(std::size_t i = 0; i < vertices.size(); ++i) {
+  for(std::size_t i = 0; i < numbers.size(); ++i) {
     const int turns = holonomy(incidences, edges, Vertex_index(i));
     if(turns == 0)
       continue;
-    const auto v = vertices.vertex(Vertex_index(i));
+    const Incidence& incidence = *incidences.begin(Vertex_index(i));
+    const Halfedge any = edges[std::size_t(incidence.edge)].halfedge;
+    const auto v = incidence.points_to_vertex ? target(any, tmesh) : source(any, tmesh);
     if(CGAL::is_border(v, tmesh))
       continue;
     double angles = 0;

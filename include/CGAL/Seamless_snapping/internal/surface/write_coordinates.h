@@ -50,9 +50,9 @@ bool all_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
       if(get_uv(uv_map, *h) != get_uv(uv_map, *first))
         return false;
   }
-  for(std::size_t a = 0; a < align_edges.halfedges().size(); ++a) {
+  for(std::size_t a = 0; a < align_edges.size(); ++a) {
     const std::size_t c = std::size_t(align_edges.component(Edge_index(a)));
-    const auto h = align_edges.halfedges()[a];
+    const auto h = align_edges.halfedge(Edge_index(a));
     if(get_uv(uv_map, h)[c] != get_uv(uv_map, prev(h, tmesh))[c])
       return false;
   }
