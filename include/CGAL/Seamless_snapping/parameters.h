@@ -32,9 +32,12 @@
   F(align_border_t, align_border, align_border)                                                    \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
+  F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
+  F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
+  F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
   F(weights_t, weights, weights)
 
@@ -161,10 +164,13 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
+ * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
  * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
  *   where it is known
+ * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
+ * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of
  *   the coordinates (`double`)
  * - `weights`: one positive weight per value, in the sum of squared changes that is kept small

@@ -1,0 +1,266 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_ISOCURVE_POINT_H
+#define CGAL_SEAMLESS_SNAPPING_ISOCURVE_POINT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Where isocurves start, and what they are when traced: sequences of crossed edges and met
+// vertices.
+
+#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+The directions of isocurves in a chart: along \f$ +u, +v, -u, -v \f$. In a face that is flipped in
+the domain a direction tells the sides: at the left of `PLUS_U`, seen on the surface, \f$ v \f$ is
+larger.
+*/
+enum class Isocurve_direction
+{
+  PLUS_U,  ///< \f$ v \f$ is constant, \f$ u \f$ grows
+  PLUS_V,  ///< \f$ u \f$ is constant, \f$ v \f$ grows
+  MINUS_U, ///< \f$ v \f$ is constant, \f$ u \f$ falls
+  MINUS_V  ///< \f$ u \f$ is constant, \f$ v \f$ falls
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+returns the opposite direction.
+*/
+inline Isocurve_direction reversed(const Isocurve_direction direction)
+{
+  return Isocurve_direction(internal::reversed(int(direction)));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+What a point of an isocurve lies on.
+*/
+enum class Isocurve_place
+{
+  VERTEX, ///< a vertex
+  EDGE,   ///< the inside of an edge
+  FACE    ///< the inside of a face
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+A point of the surface at which an isocurve starts, together with the chart that its direction
+refers to.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+struct Isocurve_start
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
+
+  Isocurve_place place = Isocurve_place::VERTEX; ///< what the point lies on
+  halfedge_descriptor halfedge{};   ///< of the face whose chart is meant
+  Exact_rational parameter{0};      ///< on an edge: 0 at its source, 1 at its target
+  std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
+
+  /*!
+  the target of `h`. The direction refers to the chart of `face(h)`. The curve leaves along the ray
+  of this direction that is met first in counterclockwise order, beginning with the corner of
+  `face(h)`, when the direction is carried around the vertex; around a regular vertex there is only
+  one.
+  \pre `h` has a face
+  */
+  static Isocurve_start at_vertex(const halfedge_descriptor h)
+  { return {Isocurve_place::VERTEX, h, Exact_rational(0), {{0, 0}}}; }
+
+  /*!
+  the point \f$ (1-t) a + t b \f$ of the edge from \f$ a \f$ to \f$ b \f$.
+  \pre `h` has a face, and `t` is larger than 0 and smaller than 1
+  */
+  static Isocurve_start on_edge(const halfedge_descriptor h, const Exact_rational& t)
+  { return {Isocurve_place::EDGE, h, t, {{0, 0}}}; }
+
+  /*!
+  the point of `face(h)` with these coordinates in its chart.
+  \pre the point lies in the face, not at one of its vertices
+  */
+  static Isocurve_start in_face(const halfedge_descriptor h, const double u, const double v)
+  { return {Isocurve_place::FACE, h, Exact_rational(0), {{u, v}}}; }
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+A point of a traced isocurve: an edge that is crossed, a vertex that is met, or the point of a face
+at which the curve starts. Where two consecutive points are vertices, the curve runs along the edge
+between them.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+class Isocurve_point
+{
+public:
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
+
+  /// \cond SKIP_IN_MANUAL
+  Isocurve_point() = default;
+  Isocurve_point(const Isocurve_place place, const halfedge_descriptor h, const int direction,
+                 const internal::Exact_level& level, const double running = 0)
+    : m_halfedge(h), m_place(place), m_direction(static_cast<unsigned char>(direction)),
+      m_level(level), m_running(running)
+  { }
+  const internal::Exact_level& level() const { return m_level; }
+  double running_coordinate() const { return m_running; }
+  /// \endcond
+
+  /// returns what the point lies on.
+  Isocurve_place place() const { return m_place; }
+
+  /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge that
+  /// points to it, of a face that the curve has come through or along; for a face one of its halfedges.
+  halfedge_descriptor halfedge() const { return m_halfedge; }
+
+  /// returns the direction in which the curve arrives, in the chart of `face(halfedge())`.
+  Isocurve_direction direction() const { return Isocurve_direction(m_direction); }
+
+  /// returns the coordinate that is constant along the curve, in this chart, exactly.
+  Exact_rational constant_coordinate() const { return m_level.exact(); }
+
+  /// returns the same, rounded.
+  double approximate_constant_coordinate() const { return m_level.approximation(); }
+
+private:
+  halfedge_descriptor m_halfedge{};
+  Isocurve_place m_place = Isocurve_place::VERTEX;
+  unsigned char m_direction = 0;
+  internal::Exact_level m_level;
+  double m_running = 0;
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+A traced isocurve.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+struct Isocurve
+{
+  Isocurve_status status = Isocurve_status::MAXIMUM_NUMBER; ///< how it ends
+  Isocurve_start<TriangleMesh> start;                      ///< where it starts
+  Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< in which direction
+  std::size_t number_of_crossings = 0; ///< edges crossed and vertices passed
+  double length = 0;                   ///< in the domain; 0 unless the length was bounded
+  std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+returns the exact position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its
+target.
+\pre `point.place()` is `EDGE`, and the curve does not run along the edge
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
+                                  const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
+{
+  const std::size_t c = internal::constant_component(int(point.direction()));
+  const Exact_rational a(internal::get_uv(uv_map, prev(point.halfedge(), tmesh))[c]);
+  const Exact_rational b(internal::get_uv(uv_map, point.halfedge())[c]);
+  return Exact_rational((point.constant_coordinate() - a) / (b - a));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+returns the coordinates of a point in the chart of `face(point.halfedge())`, rounded.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap>
+std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
+                                  const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
+{
+  const int direction = int(point.direction());
+  const std::size_t c = internal::constant_component(direction);
+  const internal::Uv b = internal::get_uv(uv_map, point.halfedge());
+  if(point.place() == Isocurve_place::VERTEX)
+    return b;
+  internal::Uv result;
+  result[c] = point.approximate_constant_coordinate();
+  result[1 - c] = point.running_coordinate();
+  if(point.place() == Isocurve_place::EDGE) {
+    const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh));
+    const double t = (a[c] == b[c]) ? 0.5 : (result[c] - a[c]) / (b[c] - a[c]);
+    result[1 - c] = a[1 - c] + t * (b[1 - c] - a[1 - c]);
+  }
+  return result;
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+returns the place of a point in space, rounded.
+
+\tparam VertexPointMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional
+        point as value type
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
+typename boost::property_traits<VertexPointMap>::value_type
+isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& tmesh,
+                 const HalfedgeUVMap& uv_map, const VertexPointMap& vertex_point_map)
+{
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point_3>::Kernel::FT;
+  const auto h = point.halfedge();
+  const Point_3 q = get(vertex_point_map, target(h, tmesh));
+  if(point.place() == Isocurve_place::VERTEX)
+    return q;
+  const Point_3 p = get(vertex_point_map, source(h, tmesh));
+  const Point_3 r = get(vertex_point_map, target(next(h, tmesh), tmesh));
+  const internal::Uv a = internal::get_uv(uv_map, prev(h, tmesh)), b = internal::get_uv(uv_map, h),
+                     c = internal::get_uv(uv_map, next(h, tmesh)),
+                     x = isocurve_uv(point, tmesh, uv_map);
+  // barycentric coordinates of b and c
+  const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+  double s = ((x[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (x[1] - a[1])) / area;
+  double t = ((b[0] - a[0]) * (x[1] - a[1]) - (x[0] - a[0]) * (b[1] - a[1])) / area;
+  if(point.place() == Isocurve_place::EDGE) {
+    const std::size_t k = internal::constant_component(int(point.direction()));
+    s = (a[k] == b[k]) ? 0.5 : (x[k] - a[k]) / (b[k] - a[k]);
+    t = 0;
+  }
+  return Point_3(p + FT(s) * (q - p) + FT(t) * (r - p));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_ISOCURVE_POINT_H

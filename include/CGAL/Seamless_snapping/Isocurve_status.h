@@ -1,0 +1,98 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_ISOCURVE_STATUS_H
+#define CGAL_SEAMLESS_SNAPPING_ISOCURVE_STATUS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// How a traced isocurve ends.
+
+#include <ostream>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+How a traced isocurve ends. The second half can only occur where a parametrization is traced in
+floating point; these are the failures that Mandad and Campen \cgalCite{cgal:mc-ecstsp-19} list.
+*/
+enum class Isocurve_status
+{
+  /// \cond SKIP_IN_MANUAL
+  CONTINUES,        // not yet; never returned
+  /// \endcond
+  TARGET,           ///< it has met a vertex that was given as a target
+  SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex of 360 degrees or more
+  BORDER,           ///< it has met the border, and does not continue along it
+  CLOSED,           ///< it has closed exactly
+  MAXIMUM_NUMBER,   ///< it has crossed as many edges and vertices as were allowed
+  MAXIMUM_LENGTH,   ///< it has become as long as was allowed
+  CONSTANT_ON_FACE, ///< it has met a degenerate face on which its coordinate is constant
+  STUCK_AT_CUT,     ///< behind a cut edge it points back onto the edge, for ever
+  FELL_INTO_GAP,    ///< the place behind a cut edge lies beside the edge
+  NO_WAY_OUT,       ///< no direction leads on from a regular vertex
+  SEVERAL_WAYS_OUT, ///< several directions lead on from a regular vertex
+  FELL_OFF_BORDER,  ///< it has left the surface over a border edge along which it should run
+  MISSED_TARGET,    ///< it has passed by a vertex that it should meet
+  SPIRALS           ///< it has returned beside its start, instead of closing
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+returns `true` for the ends that can only occur where a parametrization is traced in floating point.
+*/
+inline bool is_failure(const Isocurve_status status)
+{
+  return status >= Isocurve_status::STUCK_AT_CUT;
+}
+
+/// \cond SKIP_IN_MANUAL
+inline const char* to_string(const Isocurve_status status)
+{
+  switch(status) {
+  case Isocurve_status::CONTINUES:        return "continues";
+  case Isocurve_status::TARGET:           return "target";
+  case Isocurve_status::SINGULAR_VERTEX:  return "singular vertex";
+  case Isocurve_status::BORDER:           return "border";
+  case Isocurve_status::CLOSED:           return "closed";
+  case Isocurve_status::MAXIMUM_NUMBER:   return "maximum number";
+  case Isocurve_status::MAXIMUM_LENGTH:   return "maximum length";
+  case Isocurve_status::CONSTANT_ON_FACE: return "constant on a face";
+  case Isocurve_status::STUCK_AT_CUT:     return "stuck at a cut";
+  case Isocurve_status::FELL_INTO_GAP:    return "fell into a gap";
+  case Isocurve_status::NO_WAY_OUT:       return "no way out";
+  case Isocurve_status::SEVERAL_WAYS_OUT: return "several ways out";
+  case Isocurve_status::FELL_OFF_BORDER:  return "fell off the border";
+  case Isocurve_status::MISSED_TARGET:    return "missed its target";
+  case Isocurve_status::SPIRALS:          break;
+  }
+  return "spirals";
+}
+
+constexpr int number_of_isocurve_statuses = static_cast<int>(Isocurve_status::SPIRALS) + 1;
+/// \endcond
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+writes the status in words.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)
+{
+  return os << to_string(status);
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_ISOCURVE_STATUS_H

@@ -1,0 +1,314 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_ISOCURVE_TRACER_H
+#define CGAL_SEAMLESS_SNAPPING_ISOCURVE_TRACER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The tracer: a parametrized mesh prepared for tracing any number of isocurves.
+
+#include <CGAL/Seamless_snapping/Isocurve_point.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+traces isocurves on a parametrized mesh. The constructor reads the mesh and the parametrization
+once, into arrays of its own; it is to be preferred to `trace_isocurve()` wherever many curves are
+traced. Tracing does not modify the object: several threads can use it at a time.
+
+On an exactly seamless parametrization, all decisions are exact comparisons: which edge a curve
+crosses next, whether it meets a vertex, how it leaves it, and whether it closes. Nothing can go
+wrong then, and nothing is recovered from.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+*/
+template <typename TriangleMesh>
+class Isocurve_tracer
+{
+public:
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///<
+  using Start = Isocurve_start<TriangleMesh>; ///< where a curve starts
+  using Curve = Isocurve<TriangleMesh>;       ///< a traced curve
+
+  /*!
+  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`.
+  Check `operator bool()` if the parametrization may not be seamless at all.
+  */
+  template <typename HalfedgeUVMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Isocurve_tracer(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                  const NamedParameters& np = CGAL::parameters::default_values())
+    : m_builder(tmesh)
+  {
+    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const auto seams = seam_transitions(tmesh, uv_map, np);
+    m_is_valid = bool(seams);
+    if(m_is_valid)
+      m_mesh = m_builder.build(uv_map, seams);
+  }
+
+  /// returns `true` if the mesh is triangular and its parametrization seamless up to the tolerance.
+  explicit operator bool() const { return m_is_valid; }
+
+  /// returns `true` if the parametrization is exactly seamless, as is needed for tracing exactly.
+  bool is_exact() const { return m_is_valid && m_mesh.is_exact; }
+
+  /// returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees.
+  bool is_singular(const vertex_descriptor v) const
+  { return m_mesh.is_singular[m_builder.vertex(v)] != 0; }
+
+  /*!
+  returns the starts and directions of all isocurves that leave a vertex, in counterclockwise order:
+  four at a regular vertex, \f$ 4 - i \f$ at a singular vertex of index \f$ i \f$, more where faces
+  around the vertex are flipped, and at the border those that lead into the surface or along the
+  border.
+  */
+  std::vector<std::pair<Start, Isocurve_direction> > outgoing(const vertex_descriptor v) const
+  {
+    std::vector<std::pair<Start, Isocurve_direction> > result;
+    for(const internal::Vertex_ray& ray : internal::rays_from_vertex(m_mesh, m_builder.vertex(v)))
+      result.emplace_back(Start::at_vertex(halfedge(ray.corner)),
+                          Isocurve_direction(ray.direction));
+    return result;
+  }
+
+  /*!
+  traces one isocurve. The named parameters are those of `trace_isocurve()`.
+  \pre `is_exact()`, or floating point tracing is asked for
+  */
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Curve trace(const Start& start, const Isocurve_direction direction,
+              const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    return trace(start, direction, options(internal::strip(np)));
+  }
+
+  /*!
+  traces all isocurves that leave singular vertices, in the order of `vertices(tmesh)` and
+  counterclockwise around each; the order does not depend on the number of threads. The named
+  parameters are those of `trace_isocurve()`.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+         `CGAL::Parallel_if_available_tag`
+  \pre `is_exact()`, or floating point tracing is asked for
+  */
+  template <typename ConcurrencyTag = CGAL::Sequential_tag,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  std::vector<Curve> separatrices(
+    const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    std::vector<Curve> curves;
+    for(const vertex_descriptor v : m_builder.vertices_in_order())
+      if(is_singular(v))
+        for(const auto& [start, direction] : outgoing(v)) {
+          curves.emplace_back();
+          curves.back().start = start;
+          curves.back().direction = direction;
+        }
+    const Options all = options(internal::strip(np));
+    CGAL::for_each<ConcurrencyTag>(curves, [&](Curve& curve) {
+      curve = trace(curve.start, curve.direction, all);
+      return true;
+    });
+    return curves;
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  const internal::Chart_mesh& chart_mesh() const { return m_mesh; }
+  const internal::Chart_mesh_builder<TriangleMesh>& correspondence() const { return m_builder; }
+  /// \endcond
+
+private:
+  struct Options
+  {
+    internal::Walk_limits limits;
+    std::vector<char> is_stop;     // per vertex, or empty
+    std::vector<char> is_expected; // per vertex: where curves should not pass by
+    bool decide_exactly = true;
+    double near = 0;
+  };
+
+  template <typename NamedParameters>
+  Options options(const NamedParameters& np) const
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    namespace np_tags = CGAL::internal_np;
+    Options result;
+    result.limits.maximum_number = choose_parameter(get_parameter(np, np_tags::maximum_number),
+                                                    m_mesh.corners.size());
+    result.limits.maximum_length = choose_parameter(get_parameter(np, np_tags::maximum_length),
+                                                    result.limits.maximum_length);
+    result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
+    result.near = near_distance(np);
+    const auto target = get_parameter(np, np_tags::target_vertex);
+    if constexpr(!std::is_same_v<std::decay_t<decltype(target)>, np_tags::Param_not_found>)
+      result.limits.target = m_builder.vertex(target);
+    const auto is_stop = get_parameter(np, np_tags::vertex_is_constrained);
+    if constexpr(!std::is_same_v<std::decay_t<decltype(is_stop)>, np_tags::Param_not_found>)
+      for(const vertex_descriptor v : m_builder.vertices_in_order())
+        result.is_stop.push_back(get(is_stop, v));
+    result.is_expected = result.is_stop.empty() ? m_mesh.is_singular : result.is_stop;
+    for(std::size_t v = 0; v < m_mesh.is_singular.size(); ++v)
+      if(m_mesh.is_singular[v] || v == result.limits.target)
+        result.is_expected[v] = true;
+    return result;
+  }
+
+  // Errors of many transitions add up along a curve.
+  template <typename NamedParameters>
+  double near_distance(const NamedParameters& np) const
+  {
+    const double relative = m_mesh.extent > 0 ? 100 * m_mesh.violation / m_mesh.extent : 0;
+    return m_mesh.extent *
+           CGAL::parameters::choose_parameter(
+             CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance),
+             (std::max)(relative, 1e-12));
+  }
+
+  Curve trace(const Start& start, const Isocurve_direction direction, const Options& options) const
+  {
+    CGAL_precondition_msg(is_exact() || !options.decide_exactly,
+                          "isocurves can be traced exactly on exactly seamless maps only");
+    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    if(options.decide_exactly) {
+      internal::Exact_decisions decisions(m_mesh);
+      return trace_with(decisions, start, direction, options);
+    }
+    const bool at_vertex = start.place == Isocurve_place::VERTEX;
+    internal::Floating_point_decisions decisions(
+      m_mesh, options.is_expected,
+      at_vertex ? m_mesh.vertex(m_builder.corner(start.halfedge)) : m_mesh.is_border.size(),
+      options.near);
+    return trace_with(decisions, start, direction, options);
+  }
+
+  // Turns what the walk meets into points.
+  struct Collector
+  {
+    template <typename State> void edge(const State& s) { add(Isocurve_place::EDGE, s); }
+    template <typename State> void vertex(const State& s) { add(Isocurve_place::VERTEX, s); }
+
+    template <typename State>
+    void add(const Isocurve_place place, const State& s, const double running = 0)
+    {
+      points.emplace_back(place, tracer.halfedge(s.halfedge), s.direction,
+                          internal::Exact_level(s.level), running);
+    }
+
+    const Isocurve_tracer& tracer;
+    std::vector<Isocurve_point<TriangleMesh> >& points;
+  };
+
+  template <typename Decisions>
+  Curve trace_with(Decisions& decisions, const Start& start, const Isocurve_direction direction,
+                   const Options& options) const
+  {
+    Curve curve;
+    curve.start = start;
+    curve.direction = direction;
+    internal::Walk_limits limits = options.limits;
+    limits.is_stop = options.is_stop.empty() ? nullptr : &options.is_stop;
+    Collector collector{*this, curve.points};
+    internal::Isocurve_walk<Decisions, Collector> walk(m_mesh, decisions, limits, collector);
+    curve.status = start_walk(walk, decisions, collector, start, int(direction));
+    if(curve.status == Isocurve_status::CLOSED && start.place == Isocurve_place::FACE)
+      curve.points.back() = curve.points.front();
+    curve.number_of_crossings = walk.number_of_crossings();
+    curve.length = walk.length();
+    return curve;
+  }
+
+  template <typename Walk, typename Decisions>
+  Isocurve_status start_walk(Walk& walk, Decisions& decisions, Collector& collector,
+                             const Start& start, const int direction) const
+  {
+    using Level = typename Decisions::Level;
+    const std::size_t c = internal::constant_component(direction);
+    typename Decisions::State state;
+    state.halfedge = m_builder.corner(start.halfedge);
+    state.direction = direction;
+    switch(start.place) {
+    case Isocurve_place::VERTEX: {
+      state.level = Level(m_mesh.uv(state.halfedge)[c]);
+      collector.vertex(state);
+      internal::Vertex_ray ray{};
+      return internal::find_ray(m_mesh, state.halfedge, direction, ray) ? walk.run_from_vertex(ray)
+                                                                        : Isocurve_status::BORDER;
+    }
+    case Isocurve_place::EDGE: {
+      state.level = level_on_edge<Level>(state.halfedge, start.parameter, c);
+      const auto point = state;
+      bool enters = false;
+      if(!internal::leave_edge_point(m_mesh, decisions, state, enters))
+        return Isocurve_status::CONSTANT_ON_FACE;
+      if(enters || state.is_at_vertex)
+        collector.edge(point);
+      return enters ? walk.run_into(state) : walk.run_from(state);
+    }
+    case Isocurve_place::FACE:
+      break;
+    }
+    state.level = Level(start.uv[c]);
+    collector.add(Isocurve_place::FACE, state, start.uv[1 - c]);
+    return internal::leave_face_point<Decisions>(m_mesh, state) ? walk.run_from(state)
+                                                                : Isocurve_status::CONSTANT_ON_FACE;
+  }
+
+  template <typename Level>
+  Level level_on_edge(const internal::Corner_index h, const Exact_rational& t,
+                      const std::size_t c) const
+  {
+    const Exact_rational a(m_mesh.uv(internal::Chart_mesh::prev(h))[c]), b(m_mesh.uv(h)[c]);
+    const Exact_rational level(a + t * (b - a));
+    if constexpr(std::is_same_v<Level, double>)
+      return CGAL::to_double(level);
+    else
+      return Level(level);
+  }
+
+  halfedge_descriptor halfedge(const internal::Corner_index h) const
+  { return m_builder.halfedges_of_corners()[std::size_t(h)]; }
+
+  internal::Chart_mesh_builder<TriangleMesh> m_builder;
+  internal::Chart_mesh m_mesh;
+  bool m_is_valid = false;
+};
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_ISOCURVE_TRACER_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_DECISIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_DECISIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What a walk on an exactly seamless map decides, exactly. None of it can fail: what is true in one
+// chart is true in the next.
+
+#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Exact_decisions
+{
+public:
+  using Level = Exact_level;
+  using State = Walk_state<Level>;
+
+  explicit Exact_decisions(const Chart_mesh& mesh) : m_mesh(mesh) { }
+
+  // From the chart of the transition's one face to that of the other.
+  static void cross(const Chart_transition& transition, State& state)
+  {
+    const Turned_component turn =
+      turned_component(transition.rotation, constant_component(state.direction));
+    state.direction = turned(state.direction, transition.rotation);
+    state.level.transform(turn.sign, transition.translation[turn.component]);
+  }
+
+  static double approximation(const Level& level) { return level.approximation(); }
+  static int side_of(const Level& level, const double coordinate)
+  { return level.side_of(coordinate); }
+
+  // Whether the curve leads into the face whose halfedge it has just crossed: its source lies at
+  // the left, its target at the right.
+  bool enters(const State& state) const
+  {
+    const std::size_t c = constant_component(state.direction);
+    CGAL_USE(c);
+    CGAL_assertion_code(const int left = left_sign(state.direction));
+    CGAL_assertion(state.level.side_of(m_mesh.uv(Chart_mesh::prev(state.halfedge))[c]) == left);
+    CGAL_assertion(state.level.side_of(m_mesh.uv(state.halfedge)[c]) == -left);
+    return true;
+  }
+
+  // The ray that continues the curve straight on: the opposite one, as many to its left as to its
+  // right. In a star without folds that is the only one but that of arrival.
+  Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
+                             Vertex_ray& chosen) const
+  {
+    const std::size_t n = around.rays.size();
+    const std::size_t arrival = std::size_t(
+      std::find_if(around.rays.begin(), around.rays.end(),
+                   [&](const Vertex_ray& ray) { return state.arrived_by(m_mesh, ray); }) -
+      around.rays.begin());
+    const bool is_border = m_mesh.is_border[m_mesh.vertex(state.halfedge)];
+    if(arrival == n || (!is_border && n % 2 != 0))
+      return Isocurve_status::CONSTANT_ON_FACE;
+    if(is_border && n == 1)
+      return Isocurve_status::BORDER;
+    if(is_border && n > 2)
+      return Isocurve_status::SINGULAR_VERTEX;
+    chosen = around.rays[(arrival + n / 2) % n];
+    return Isocurve_status::CONTINUES;
+  }
+
+  // Curves may well return beside their start, and spiral.
+  static Isocurve_status return_beside_start(const State&, const State&)
+  { return Isocurve_status::CONTINUES; }
+
+  static Isocurve_status leave_over_border(const State&) { return Isocurve_status::BORDER; }
+
+  // Not called: the walk always enters the next face.
+  static Isocurve_status failure() { return Isocurve_status::CONTINUES; }
+
+private:
+  const Chart_mesh& m_mesh;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_DECISIONS_H

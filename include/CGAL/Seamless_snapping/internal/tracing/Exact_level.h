@@ -1,0 +1,139 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_LEVEL_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_LEVEL_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The constant coordinate of an isocurve, exactly. It starts as a coordinate of a corner, and every
+// cut adds a translation. As long as all these lie on the grid, it stays a single `double`;
+// coordinates that no constraint concerns lie on no grid, so that it may take two of them; a point
+// anywhere on an edge needs a rational number.
+
+#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+#include <memory>
+#include <utility>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The value is m_nearest + m_rest, where m_nearest is the `double` nearest to it; unless it needs
+// more than two of them: then it is *m_rational. Needs rounding to nearest.
+class Exact_level
+{
+public:
+  Exact_level() = default;
+  explicit Exact_level(const double value) : m_nearest(value) { }
+  explicit Exact_level(const Exact_rational& value) { set(value); }
+
+  // The sign of `coordinate` less the level. Where `coordinate` differs from the nearest number,
+  // the rest can't change the order.
+  int side_of(const double coordinate) const
+  {
+    if(m_rational != nullptr)
+      return side_of_rational(coordinate);
+    const int side = compare(coordinate, m_nearest);
+    return side != 0 ? side : compare(0, m_rest);
+  }
+
+  // Becomes sign * level + translation.
+  void transform(const int sign, const Exact_difference& translation)
+  {
+    if(m_rational != nullptr)
+      return set(Exact_rational(Exact_rational(sign) * *m_rational + exact(translation)));
+    if(sign < 0) {
+      m_nearest = -m_nearest;
+      m_rest = -m_rest;
+    }
+    const Exact_difference sum(m_nearest, -translation.rounded);
+    if(m_rest == 0 && translation.error == 0) {
+      m_nearest = sum.rounded;
+      m_rest = sum.error;
+    } else {
+      add_small_parts(sum, translation);
+    }
+  }
+
+  double approximation() const { return m_nearest; }
+
+  Exact_rational exact() const
+  {
+    if(m_rational != nullptr)
+      return *m_rational;
+    return Exact_rational(Exact_rational(m_nearest) + Exact_rational(m_rest));
+  }
+
+  friend bool operator==(const Exact_level& a, const Exact_level& b)
+  {
+    if(a.m_rational == nullptr && b.m_rational == nullptr)
+      return a.m_nearest == b.m_nearest && a.m_rest == b.m_rest;
+    return a.exact() == b.exact();
+  }
+
+private:
+  static Exact_rational exact(const Exact_difference& d)
+  {
+    return Exact_rational(Exact_rational(d.rounded) + Exact_rational(d.error));
+  }
+
+  // What remains of the sum of four numbers after that of the large two.
+  void add_small_parts(const Exact_difference& sum, const Exact_difference& translation)
+  {
+    const Exact_difference rests(m_rest, -translation.error);
+    const Exact_difference small_parts(sum.error, -rests.rounded);
+    if(rests.error == 0 && small_parts.error == 0) {
+      const Exact_difference total(sum.rounded, -small_parts.rounded);
+      m_nearest = total.rounded;
+      m_rest = total.error;
+    } else {
+      set(Exact_rational(exact() + exact(translation)));
+    }
+  }
+
+  void set(const Exact_rational& value)
+  {
+    const double first = CGAL::to_double(value);
+    const Exact_rational remainder(value - Exact_rational(first));
+    const double second = CGAL::to_double(remainder);
+    const bool fits = (remainder == Exact_rational(second));
+    const Exact_difference total(first, -second);
+    m_nearest = total.rounded;
+    m_rest = fits ? total.error : 0;
+    m_rational = fits ? nullptr : std::make_shared<const Exact_rational>(value);
+  }
+
+  int side_of_rational(const double coordinate) const
+  {
+    const std::pair<double, double> interval = CGAL::to_interval(*m_rational);
+    if(coordinate < interval.first)
+      return -1;
+    if(coordinate > interval.second)
+      return 1;
+    return static_cast<int>(CGAL::compare(Exact_rational(coordinate), *m_rational));
+  }
+
+  double m_nearest = 0;
+  double m_rest = 0;
+  std::shared_ptr<const Exact_rational> m_rational;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_EXACT_LEVEL_H

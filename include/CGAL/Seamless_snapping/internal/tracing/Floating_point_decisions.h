@@ -1,0 +1,162 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What naive code decides, in floating point, on a map that is not exactly seamless: the same
+// questions as on an exact one, but the answers of two charts need not agree. What goes wrong is
+// classified as in Sec. 6.2 of the paper.
+
+#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Floating_point_decisions
+{
+public:
+  using Level = double;
+  using State = Walk_state<Level>;
+
+  // `is_expected` marks the vertices that a curve which comes closer than `near` is meant to meet;
+  // `start_vertex` is the one a loop should return to, if any.
+  Floating_point_decisions(const Chart_mesh& mesh, const std::vector<char>& is_expected,
+                           const std::size_t start_vertex, const double near)
+    : m_mesh(mesh), m_is_expected(is_expected), m_start_vertex(start_vertex), m_near(near)
+  { }
+
+  // The translation and the sum are rounded.
+  static void cross(const Chart_transition& transition, State& state)
+  {
+    const Turned_component turn =
+      turned_component(transition.rotation, constant_component(state.direction));
+    state.direction = turned(state.direction, transition.rotation);
+    state.level = turn.sign * state.level + transition.translation[turn.component].rounded;
+  }
+
+  static double approximation(const Level level) { return level; }
+  static int side_of(const Level level, const double coordinate)
+  { return compare(coordinate, level); }
+
+  bool enters(const State& state)
+  {
+    const std::size_t c = constant_component(state.direction);
+    const int left = left_sign(state.direction);
+    const int source = left * side_of(state.level, m_mesh.uv(Chart_mesh::prev(state.halfedge))[c]);
+    const int target = left * side_of(state.level, m_mesh.uv(state.halfedge)[c]);
+    if(source - target <= 0) // this side of the edge runs along or against what the other side says
+      m_failure = (source == target && source != 0) ? Isocurve_status::FELL_INTO_GAP
+                                                    : Isocurve_status::STUCK_AT_CUT;
+    else if(source * target > 0)
+      m_failure = Isocurve_status::FELL_INTO_GAP;
+    else
+      m_failure = near_miss(state);
+    return m_failure == Isocurve_status::CONTINUES;
+  }
+
+  Isocurve_status failure() const { return m_failure; }
+
+  // Every ray in the direction of the curve is a way out.
+  Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
+                             Vertex_ray& chosen) const
+  {
+    std::size_t count = 0;
+    for(std::size_t i = 0; i < around.rays.size(); ++i)
+      if(around.is_forward[i]) {
+        chosen = around.rays[i];
+        ++count;
+      }
+    if(count == 1)
+      return Isocurve_status::CONTINUES;
+    if(count > 1)
+      return Isocurve_status::SEVERAL_WAYS_OUT;
+    if(!m_mesh.is_border[m_mesh.vertex(state.halfedge)])
+      return Isocurve_status::NO_WAY_OUT;
+    return border_continues(state) ? Isocurve_status::FELL_OFF_BORDER : Isocurve_status::BORDER;
+  }
+
+  // After one turn, beside where it began.
+  Isocurve_status return_beside_start(const State& state, const State& start) const
+  {
+    return std::abs(state.level - start.level) <= m_near ? Isocurve_status::SPIRALS
+                                                         : Isocurve_status::CONTINUES;
+  }
+
+  Isocurve_status leave_over_border(const State& state) const
+  {
+    return is_nearly_along(state.halfedge, state.direction) ||
+           is_nearly_along(state.halfedge, reversed(state.direction))
+             ? Isocurve_status::FELL_OFF_BORDER : Isocurve_status::BORDER;
+  }
+
+private:
+  // Whether the edge was meant to run in this direction.
+  bool is_nearly_along(const Corner_index h, const int direction) const
+  {
+    const Uv a = m_mesh.uv(Chart_mesh::prev(h)), b = m_mesh.uv(h);
+    const std::size_t c = constant_component(direction), r = running_component(direction);
+    const double along = running_sign(direction) * (b[r] - a[r]);
+    const double across = std::abs(b[c] - a[c]);
+    return across <= m_near && along > 1000 * across;
+  }
+
+  // Whether one of the border edges at the vertex was meant to continue the curve.
+  bool border_continues(const State& state) const
+  {
+    int direction = state.direction;
+    Corner_index corner = first_corner(m_mesh, state.halfedge, direction);
+    if(is_nearly_along(Chart_mesh::next(corner), direction))
+      return true;
+    while(m_mesh.opposite(corner) != no_index) {
+      direction = turned(direction, m_mesh.rotation(corner));
+      corner = m_mesh.counterclockwise(corner);
+    }
+    return is_nearly_along(corner, reversed(direction));
+  }
+
+  // Whether the curve is about to pass beside a vertex that it should meet.
+  Isocurve_status near_miss(const State& state) const
+  {
+    const Corner_index apex = Chart_mesh::next(state.halfedge);
+    const std::size_t v = m_mesh.vertex(apex);
+    const double distance =
+      std::abs(m_mesh.uv(apex)[constant_component(state.direction)] - state.level);
+    if(distance == 0 || distance > m_near)
+      return Isocurve_status::CONTINUES;
+    if(v == m_start_vertex && !m_mesh.is_singular[v])
+      return Isocurve_status::SPIRALS;
+    return m_is_expected[v] ? Isocurve_status::MISSED_TARGET : Isocurve_status::CONTINUES;
+  }
+
+  const Chart_mesh& m_mesh;
+  const std::vector<char>& m_is_expected;
+  std::size_t m_start_vertex;
+  double m_near;
+  Isocurve_status m_failure = Isocurve_status::CONTINUES;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_ISOCURVE_WALK_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_ISOCURVE_WALK_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The walk along an isocurve, from edge to edge and through vertices. What is decided exactly and
+// what in floating point is up to the template argument, so that both kinds of tracing are this
+// same walk.
+
+#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// `Sink` has functions edge(state) and vertex(state), called for each edge crossed and vertex met.
+template <typename Decisions, typename Sink>
+class Isocurve_walk
+{
+public:
+  using Level = typename Decisions::Level;
+  using State = Walk_state<Level>;
+
+  Isocurve_walk(const Chart_mesh& mesh, Decisions& decisions, const Walk_limits& limits, Sink& sink)
+    : m_mesh(mesh), m_decisions(decisions), m_limits(limits), m_sink(sink)
+  { }
+
+  // Along a ray from a vertex, which is not passed to the sink.
+  Isocurve_status run_from_vertex(const Vertex_ray& ray)
+  {
+    m_start_ray = ray;
+    m_starts_at_vertex = true;
+    take(ray);
+    return run();
+  }
+
+  // Through the edge or vertex `state` that the curve is about to meet.
+  Isocurve_status run_from(const State& state)
+  {
+    m_state = state;
+    return run();
+  }
+
+  // From a border edge into the face that `state` gives.
+  Isocurve_status run_into(const State& state)
+  {
+    m_state = state;
+    const Isocurve_status status = traverse_face();
+    return status == Isocurve_status::CONTINUES ? run() : status;
+  }
+
+  std::size_t number_of_crossings() const { return m_crossings; }
+  double length() const { return m_length; }
+  const State& state() const { return m_state; }
+
+private:
+  Isocurve_status run()
+  {
+    Isocurve_status status;
+    do {
+      status = m_state.is_at_vertex ? pass_vertex() : cross_edges();
+    } while(status == Isocurve_status::CONTINUES);
+    return status;
+  }
+
+  // Until the curve meets a vertex.
+  Isocurve_status cross_edges()
+  {
+    Isocurve_status status;
+    do {
+      m_sink.edge(m_state);
+      status = compare_with_start();
+      if(status != Isocurve_status::CONTINUES)
+        return status;
+      const Chart_corner& exit = m_mesh.corner(m_state.halfedge);
+      if(exit.opposite == no_index)
+        return m_decisions.leave_over_border(m_state);
+      if(++m_crossings >= m_limits.maximum_number)
+        return Isocurve_status::MAXIMUM_NUMBER;
+      if(exit.transition != no_index)
+        m_decisions.cross(m_mesh.transitions[std::size_t(exit.transition)], m_state);
+      m_state.halfedge = exit.opposite;
+      status = traverse_face();
+    } while(status == Isocurve_status::CONTINUES && !m_state.is_at_vertex);
+    return status;
+  }
+
+  // One comparison tells which way the curve leaves a face: the edge it enters by has one end on
+  // each side, so that the third corner decides.
+  Isocurve_status traverse_face()
+  {
+    if(!m_decisions.enters(m_state)) // never, where decisions are exact
+      return m_decisions.failure();
+    const Corner_index entry = m_state.halfedge;
+    const Corner_index apex = Chart_mesh::next(entry);
+    const int side = m_decisions.side_of(m_state.level,
+                                         m_mesh.uv(apex)[constant_component(m_state.direction)]);
+    if(has_length())
+      m_length += length_through(entry, side);
+    if(side == 0)
+      arrive(apex, no_index);
+    else
+      m_state.halfedge = (side == left_sign(m_state.direction)) ? apex : Chart_mesh::next(apex);
+    return m_length >= m_limits.maximum_length ? Isocurve_status::MAXIMUM_LENGTH
+                                               : Isocurve_status::CONTINUES;
+  }
+
+  Isocurve_status pass_vertex()
+  {
+    const std::size_t v = m_mesh.vertex(m_state.halfedge);
+    m_sink.vertex(m_state);
+    if(v == m_limits.target || (m_limits.is_stop != nullptr && (*m_limits.is_stop)[v]))
+      return Isocurve_status::TARGET;
+    if(m_mesh.is_singular[v])
+      return Isocurve_status::SINGULAR_VERTEX;
+    if(++m_crossings >= m_limits.maximum_number)
+      return Isocurve_status::MAXIMUM_NUMBER;
+    m_rays.collect(m_mesh, m_state.halfedge, m_state.direction);
+    Vertex_ray ray;
+    const Isocurve_status status = m_decisions.choose_ray(m_state, m_rays, ray);
+    if(status != Isocurve_status::CONTINUES)
+      return status;
+    if(m_starts_at_vertex && ray == m_start_ray)
+      return Isocurve_status::CLOSED;
+    remember_start_ray(ray);
+    take(ray);
+    return m_length >= m_limits.maximum_length ? Isocurve_status::MAXIMUM_LENGTH
+                                               : Isocurve_status::CONTINUES;
+  }
+
+  void take(const Vertex_ray& ray)
+  {
+    m_state.direction = ray.direction;
+    m_state.level = Level(m_mesh.uv(ray.corner)[constant_component(ray.direction)]);
+    if(ray.kind == Ray_kind::THROUGH_FACE) {
+      m_state.is_at_vertex = false;
+      m_state.halfedge = Chart_mesh::prev(ray.corner);
+      if(has_length())
+        m_length += length_between(running(ray.corner), running_on_edge(m_state.halfedge));
+      return;
+    }
+    const bool is_first = ray.kind == Ray_kind::ALONG_FIRST_EDGE;
+    const Corner_index end = is_first ? Chart_mesh::next(ray.corner) : Chart_mesh::prev(ray.corner);
+    if(has_length())
+      m_length += length_between(running(ray.corner), running(end));
+    arrive(end, m_mesh.edge_key(is_first ? end : ray.corner));
+  }
+
+  void arrive(const Corner_index corner, const Corner_index along_key)
+  {
+    m_state.is_at_vertex = true;
+    m_state.halfedge = corner;
+    m_state.arrival_key = along_key;
+  }
+
+  // A loop closes where it began: the map is reversible, so that no curve runs into the middle of
+  // another.
+  Isocurve_status compare_with_start()
+  {
+    if(m_starts_at_vertex)
+      return Isocurve_status::CONTINUES;
+    if(m_start.halfedge == no_index) {
+      m_start = m_state;
+      return Isocurve_status::CONTINUES;
+    }
+    if(m_state.halfedge != m_start.halfedge || m_state.direction != m_start.direction)
+      return Isocurve_status::CONTINUES;
+    return m_state.level == m_start.level ? Isocurve_status::CLOSED
+                                          : m_decisions.return_beside_start(m_state, m_start);
+  }
+
+  // The first vertex that a curve leaves which did not start at a vertex.
+  void remember_start_ray(const Vertex_ray& ray)
+  {
+    if(!m_starts_at_vertex && m_start.halfedge == no_index) {
+      m_starts_at_vertex = true;
+      m_start_ray = ray;
+    }
+  }
+
+  // Lengths are measured in floating point: they bound a walk, and decide nothing else.
+  bool has_length() const
+  { return m_limits.maximum_length < std::numeric_limits<double>::infinity(); }
+
+  double running(const Corner_index corner) const
+  {
+    return m_mesh.uv(corner)[running_component(m_state.direction)];
+  }
+
+  double running_on_edge(const Corner_index h) const
+  {
+    const std::size_t c = constant_component(m_state.direction);
+    const Corner_index source = Chart_mesh::prev(h);
+    const double a = m_mesh.uv(source)[c], b = m_mesh.uv(h)[c];
+    const double parameter = (Decisions::approximation(m_state.level) - a) / (b - a);
+    return running(source) + parameter * (running(h) - running(source));
+  }
+
+  static double length_between(const double a, const double b) { return std::abs(b - a); }
+
+  double length_through(const Corner_index entry, const int apex_side) const
+  {
+    const Corner_index apex = Chart_mesh::next(entry);
+    const double end = apex_side == 0
+      ? running(apex)
+      : running_on_edge(apex_side == left_sign(m_state.direction) ? apex : Chart_mesh::next(apex));
+    return length_between(running_on_edge(entry), end);
+  }
+
+  const Chart_mesh& m_mesh;
+  Decisions& m_decisions;
+  const Walk_limits& m_limits;
+  Sink& m_sink;
+
+  State m_state;
+  Isocurve_rays m_rays;
+  std::size_t m_crossings = 0;
+  double m_length = 0;
+
+  bool m_starts_at_vertex = false;
+  Vertex_ray m_start_ray{no_index, 0, Ray_kind::THROUGH_FACE};
+  State m_start; // where it left its first face, if it did not start at a vertex
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_ISOCURVE_WALK_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_VERTEX_RAYS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_VERTEX_RAYS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The isocurves that leave a vertex, by signs alone. Whether a point of the star lies left or right
+// of an isocurve through its center is a comparison of two coordinates in one chart; a ray leaves
+// where this changes from right to left, counterclockwise.
+//
+// In a star without folds these are the rays in the directions of the axes. With folds, the
+// isocurves are still the level sets of a piecewise linear function; the direction of a ray then
+// tells its sides, not where it points to: in a flipped triangle, that is the opposite.
+
+#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+enum class Ray_kind : char
+{
+  THROUGH_FACE,     // to the edge opposite to the corner
+  ALONG_FIRST_EDGE, // along next(corner)
+  ALONG_LAST_EDGE   // along corner, backwards: the last edge of a star that ends at the border
+};
+
+struct Vertex_ray
+{
+  Corner_index corner;
+  int direction; // in the chart of the corner's face
+  Ray_kind kind;
+
+  friend bool operator==(const Vertex_ray& a, const Vertex_ray& b)
+  { return a.corner == b.corner && a.direction == b.direction && a.kind == b.kind; }
+};
+
+// 1 if the corner `other` of the same face lies at the left of the isocurve in this direction from
+// `corner`; -1 at the right; 0 on it.
+inline int side_of_ray(const Chart_mesh& mesh, const Corner_index corner, const int direction,
+                       const Corner_index other)
+{
+  const std::size_t c = constant_component(direction);
+  return left_sign(direction) * compare(mesh.uv(other)[c], mesh.uv(corner)[c]);
+}
+
+// The side of the first link vertex of the corner before this one, clockwise; -1 beyond the border.
+inline int side_before(const Chart_mesh& mesh, const Corner_index corner, const int direction)
+{
+  const Corner_index before = mesh.clockwise(corner);
+  if(before == no_index)
+    return -1;
+  return side_of_ray(mesh, before, turned(direction, mesh.rotation(Chart_mesh::next(corner))),
+                     Chart_mesh::next(before));
+}
+
+// Calls f(ray) for the ray of this direction that starts along the first edge of the corner, inside
+// it, or along its last edge if that is on the border, if there is one.
+template <typename Function>
+void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const int direction,
+                       const Function& f)
+{
+  const int first = side_of_ray(mesh, corner, direction, Chart_mesh::next(corner));
+  const int second = side_of_ray(mesh, corner, direction, Chart_mesh::prev(corner));
+  if(first < 0 && second > 0)
+    f(Vertex_ray{corner, direction, Ray_kind::THROUGH_FACE});
+  else if(first == 0 && second > 0 && side_before(mesh, corner, direction) < 0)
+    f(Vertex_ray{corner, direction, Ray_kind::ALONG_FIRST_EDGE});
+  else if(second == 0 && first < 0 && mesh.opposite(corner) == no_index)
+    f(Vertex_ray{corner, direction, Ray_kind::ALONG_LAST_EDGE});
+}
+
+// The first corner of the star counterclockwise, if it starts at the border; else `corner`.
+// `direction` is carried along.
+inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner, int& direction)
+{
+  Corner_index c = corner;
+  for(Corner_index before = mesh.clockwise(c); before != no_index; before = mesh.clockwise(c)) {
+    direction = turned(direction, mesh.rotation(Chart_mesh::next(c)));
+    c = before;
+    if(c == corner)
+      break;
+  }
+  return c;
+}
+
+// All rays from a vertex, counterclockwise, each in the chart of its corner.
+inline std::vector<Vertex_ray> rays_from_vertex(const Chart_mesh& mesh, const std::size_t vertex)
+{
+  std::vector<Vertex_ray> rays;
+  if(mesh.corner_at_vertex[vertex] == no_index)
+    return rays;
+  int unused = 0;
+  const Corner_index start = first_corner(mesh, mesh.corner_at_vertex[vertex], unused);
+  Corner_index corner = start;
+  do {
+    const std::size_t begin = rays.size();
+    for(int direction = 0; direction < number_of_rotations; ++direction)
+      for_ray_at_corner(mesh, corner, direction, [&](const Vertex_ray& r) { rays.push_back(r); });
+    // +u comes after -v
+    if(rays.size() == begin + 2 && turned(rays[begin + 1].direction, 1) == rays[begin].direction)
+      std::swap(rays[begin], rays[begin + 1]);
+    corner = mesh.counterclockwise(corner);
+  } while(corner != no_index && corner != start);
+  return rays;
+}
+
+// The rays along both directions of the isocurve that runs in `direction` in the chart of `corner`:
+// one turn around a regular vertex, or over the star of a border vertex. `is_forward` tells which
+// of the two directions each ray has.
+struct Isocurve_rays
+{
+  std::vector<Vertex_ray> rays;
+  std::vector<char> is_forward;
+
+  void collect(const Chart_mesh& mesh, const Corner_index corner, int direction)
+  {
+    rays.clear();
+    is_forward.clear();
+    const Corner_index start = first_corner(mesh, corner, direction);
+    Corner_index c = start;
+    do {
+      for(const bool forward : {true, false})
+        for_ray_at_corner(mesh, c, forward ? direction : reversed(direction),
+                          [&](const Vertex_ray& ray) {
+                            rays.push_back(ray);
+                            is_forward.push_back(forward);
+                          });
+      direction = turned(direction, mesh.rotation(c));
+      c = mesh.counterclockwise(c);
+    } while(c != no_index && c != start);
+  }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_VERTEX_RAYS_H

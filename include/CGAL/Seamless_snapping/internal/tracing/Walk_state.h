@@ -1,0 +1,62 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_WALK_STATE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_WALK_STATE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Where a walk along an isocurve is.
+
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Level>
+struct Walk_state
+{
+  bool is_at_vertex = false;           // else on an edge
+  Corner_index halfedge = no_index;    // points to the vertex; or lies on the edge being crossed
+  int direction = 0;                   // in the chart of the halfedge's face
+  Level level{};                       // of the constant component, in the same chart
+  Corner_index arrival_key = no_index; // at a vertex: the edge that the curve came along, if it did
+
+  // Whether the ray points back to where the curve came from.
+  bool arrived_by(const Chart_mesh& mesh, const Vertex_ray& ray) const
+  {
+    if(arrival_key == no_index)
+      return ray.kind == Ray_kind::THROUGH_FACE && ray.corner == halfedge &&
+             ray.direction == reversed(direction);
+    return (ray.kind == Ray_kind::ALONG_FIRST_EDGE &&
+            mesh.edge_key(Chart_mesh::next(ray.corner)) == arrival_key) ||
+           (ray.kind == Ray_kind::ALONG_LAST_EDGE && mesh.edge_key(ray.corner) == arrival_key);
+  }
+};
+
+struct Walk_limits
+{
+  std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)(); // of crossings
+  double maximum_length = std::numeric_limits<double>::infinity();        // in the domain
+  std::size_t target = (std::numeric_limits<std::size_t>::max)();         // a vertex
+  const std::vector<char>* is_stop = nullptr;                             // per vertex, if given
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRACING_WALK_STATE_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_TRACE_ISOCURVE_H
+#define CGAL_SEAMLESS_SNAPPING_TRACE_ISOCURVE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Tracing isocurves of exactly seamless parametrizations: what exactness is good for (Sec. 6.2 of
+// the paper).
+
+#include <CGAL/Seamless_snapping/Isocurve_point.h>
+#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/Isocurve_tracer.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/tags.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+traces an isocurve of an exactly seamless parametrization, from a point on the surface in one of the
+directions \f$ +u, -u, +v, -v \f$ of its chart.
+
+The curve crosses cuts by their exact transitions, passes exactly through vertices, and runs along
+edges where these lie on it. It ends at the target, at a singular vertex, at the border, where it
+closes, or when a bound is reached. All decisions are comparisons that are exact, so that on an
+exactly seamless map there is no other end, with one exception: degenerate faces on which a
+coordinate is constant (`Isocurve_status::CONSTANT_ON_FACE`). A curve that is traced backwards from
+its end takes the same way. Flipped faces do no harm: there, an isocurve is traced as the level set
+of a piecewise linear function.
+
+At a regular vertex a curve goes straight on. At the border it goes on where a border edge or a
+reentrant corner allows it to go straight on; at border vertices with an angle of 360 degrees or
+more it ends.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam PointOutputIterator a model of `OutputIterator` for `Isocurve_point<TriangleMesh>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param start where the curve starts; `Isocurve_tracer::outgoing()` lists the curves that leave a
+       vertex
+\param direction the direction in which it starts, in the chart of `face(start.halfedge)`
+\param output receives the points of the curve: the start, the edges crossed and vertices met, the
+       end
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_vertex}
+    \cgalParamDescription{a vertex at which the curve ends}
+    \cgalParamType{`boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{further vertices at which curves end}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no vertex is}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the number of crossed edges and passed vertices after which the curve
+                          ends}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{three times the number of faces}
+    \cgalParamExtra{isocurves that meet nothing can be very long}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_length}
+    \cgalParamDescription{the length in the domain after which the curve ends, at the next edge. It
+                          is measured in floating point.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{unbounded; the length is not measured then}
+  \cgalParamNEnd
+  \cgalParamNBegin{decide_exactly}
+    \cgalParamDescription{`false` has all decisions made in floating point, as code would do that
+                          knows nothing of exact maps; then the parametrization need not be exactly
+                          seamless. Where this goes wrong, the curve ends, and its status says why.
+                          Meant for demonstration.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{tolerance}
+    \cgalParamDescription{in floating point only: the distance, relative to the extent of the
+                          coordinates, below which a curve is taken to have missed what it passes
+                          by}
+    \cgalParamType{`double`}
+    \cgalParamDefault{100 times the largest violation of a transition, and at least 1e-12}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return how the curve ends. Its member `points` is empty: the points are written to `output`.
+
+\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`
+
+\par Complexity
+One pass over the mesh, and constant time for each edge crossed. To trace many curves, use
+`Isocurve_tracer`, which makes the pass once.
+
+\sa `trace_all_separatrices()`
+\sa `snap_to_seamless()`
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap, typename PointOutputIterator,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Isocurve<TriangleMesh> trace_isocurve(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                      const Isocurve_start<TriangleMesh>& start,
+                                      const Isocurve_direction direction,
+                                      PointOutputIterator output,
+                                      const NamedParameters& np =
+                                        CGAL::parameters::default_values())
+{
+  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map);
+  Isocurve<TriangleMesh> curve = tracer.trace(start, direction, np);
+  for(const auto& point : curve.points)
+    *output++ = point;
+  curve.points.clear();
+  return curve;
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+traces all isocurves that leave singular vertices: the separatrices, from which motorcycle graphs
+and base complexes are built. Each ends at a singular vertex, at the border, or at a bound.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
+       `CGAL::Parallel_if_available_tag`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam HalfedgeUVMap as for `trace_isocurve()`
+\tparam CurveOutputIterator a model of `OutputIterator` for `Isocurve<TriangleMesh>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner
+\param output receives the curves in the order of the vertices of the mesh, counterclockwise around
+       each. The order does not depend on the number of threads.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `trace_isocurve()`
+
+\return the past-the-end output iterator
+
+\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`
+
+\sa `trace_isocurve()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename CurveOutputIterator,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+CurveOutputIterator trace_all_separatrices(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                           CurveOutputIterator output,
+                                           const NamedParameters& np =
+                                             CGAL::parameters::default_values())
+{
+  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map);
+  for(auto& curve : tracer.template separatrices<ConcurrencyTag>(np))
+    *output++ = std::move(curve);
+  return output;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_TRACE_ISOCURVE_H
