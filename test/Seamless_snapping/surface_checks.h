@@ -149,10 +149,12 @@ public:
   bool is_closed = true;
 };
 
-// What seam_transitions() says against what is known.
+// What seam_transitions() says against what is known. Around edges of no length the angles, and with
+// them the numbers of full turns, are anyone's guess.
 template <typename Graph, typename UVMap>
 void check_transitions(const Graph& g, const Truth<Graph, UVMap>& truth,
-                       const SS::Seam_transitions<Graph>& transitions, const std::string& context)
+                       const SS::Seam_transitions<Graph>& transitions, const std::string& context,
+                       bool has_angles = true)
 {
   CHECK_IN(context, bool(transitions));
   std::size_t wrong_cuts = 0, wrong_rotations = 0, cuts = 0;
@@ -167,11 +169,12 @@ void check_transitions(const Graph& g, const Truth<Graph, UVMap>& truth,
 
   // vertices where the angles are off by full turns have no holonomy
   std::map<typename boost::graph_traits<Graph>::vertex_descriptor, int> expected, found;
+  const auto modulo = [&](int index) { return has_angles ? index : ((index % 4) + 4) % 4; };
   for(const auto& singular : truth.indices())
     if(singular.second % 4 != 0)
-      expected.insert(singular);
+      expected[singular.first] = modulo(singular.second);
   for(const auto& singular : transitions.singular_vertices())
-    found.insert(singular);
+    found[singular.first] = modulo(singular.second);
   CHECK_IN(context, transitions.singular_vertices().size() == found.size());
   CHECK_IN(context, expected == found);
 }

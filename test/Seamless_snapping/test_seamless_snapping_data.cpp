@@ -1,0 +1,275 @@
+// Tests of the surface function on parametrizations that solvers made, where there are any, and on
+// big synthetic ones: exactness, what the transitions are, flips, distances.
+
+#include "surface_checks.h"
+
+#include "Height_field_surface.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Timer.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#ifndef SEAMLESS_SNAPPING_DATA_DIR
+#define SEAMLESS_SNAPPING_DATA_DIR ""
+#endif
+
+using namespace surface_checks;
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+// The orientations of all faces, by exact predicates that are not those of the package.
+std::vector<CGAL::Orientation> orientations(const Mesh& mesh, const UV_map& uv)
+{
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto point = [&](auto h) { return Exact::Point_2(uv[h].x(), uv[h].y()); };
+  std::vector<CGAL::Orientation> result;
+  for(const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    result.push_back(CGAL::orientation(point(mesh.prev(h)), point(h), point(mesh.next(h))));
+  }
+  return result;
+}
+
+std::size_t number_of_flips(const std::vector<CGAL::Orientation>& orientations)
+{
+  return std::size_t(std::count(orientations.begin(), orientations.end(), CGAL::NEGATIVE));
+}
+
+// Faces that were positive and are no more.
+std::size_t number_of_losses(const std::vector<CGAL::Orientation>& before,
+                             const std::vector<CGAL::Orientation>& after)
+{
+  std::size_t result = 0;
+  for(std::size_t i = 0; i < before.size(); ++i)
+    result += before[i] == CGAL::POSITIVE && after[i] != CGAL::POSITIVE ? 1 : 0;
+  return result;
+}
+
+// --- files ---------------------------------------------------------------------------------------
+
+struct File
+{
+  Mesh mesh;
+  UV_map uv = test_meshes::uv_map(mesh);
+  Feature_map features = test_meshes::feature_map(mesh);
+
+  explicit File(const std::filesystem::path& path)
+  {
+    const auto status = SS::IO::read_OBJ(path.string(), mesh, uv,
+                                         SS::parameters::edge_is_constrained_map(features));
+    CHECK_IN(path.filename().string() + ": " + status.message, bool(status));
+  }
+};
+
+// What the README of the data says about a file.
+struct Row
+{
+  std::size_t faces, cut, nearly_identity, inexact, flips;
+  double violation;
+};
+
+std::map<std::string, Row> read_table(const std::filesystem::path& path)
+{
+  std::map<std::string, Row> result;
+  std::map<std::string, std::size_t> columns;
+  std::ifstream is(path);
+  for(std::string line; std::getline(is, line);) {
+    std::vector<std::string> cells;
+    std::istringstream cell_stream(line);
+    for(std::string cell; std::getline(cell_stream, cell, '|');) {
+      const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+      cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+    }
+    if(cells.size() > 1 && cells[1] == "file")
+      for(std::size_t i = 0; i < cells.size(); ++i)
+        columns[cells[i]] = i;
+    if(columns.empty() || cells.size() < columns.size() || cells[1].find(".obj") == std::string::npos)
+      continue;
+    const auto number = [&](const std::string& name) {
+      return std::size_t(std::stoul(cells[columns.at(name)]));
+    };
+    result[cells[1]] = { number("faces"),   number("cut"),   number("nearly identity"),
+                         number("inexact"), number("flips"),
+                         std::stod(cells[columns.at("largest violation")]) };
+  }
+  return result;
+}
+
+// Without alignment.
+void test_file(const std::filesystem::path& path, const Row& row)
+{
+  const std::string name = path.filename().string();
+  File file(path);
+  const auto before = exact_check::check_edges(file.mesh, file.uv);
+  const auto orientations_before = orientations(file.mesh, file.uv);
+  CHECK_IN(name, file.mesh.number_of_faces() == row.faces);
+  CHECK_IN(name, before.inexact_edges == row.inexact);
+  CHECK_IN(name, number_of_flips(orientations_before) == row.flips);
+
+  CGAL::Timer timer;
+  timer.start();
+  const SS::Snapping_report report = SS::snap_to_seamless(file.mesh, file.uv);
+  timer.stop();
+  CHECK_IN(name + ": " + report.message, bool(report));
+  CHECK_IN(name, exact_check::check_edges(file.mesh, file.uv).is_exact());
+  CHECK_IN(name, SS::is_seamless(file.mesh, file.uv));
+  CHECK_IN(name, (report.status == SS::Snapping_status::ALREADY_EXACT)
+                   == (row.inexact == 0 && row.nearly_identity == 0));
+  CHECK_EQUAL(report.number_of_cut_edges, row.cut);
+  CHECK_EQUAL(report.number_of_merged_edges, row.nearly_identity);
+  CHECK_IN(name, std::abs(report.violation_before - before.largest_violation)
+                   <= 1e-12 * before.largest_violation);
+  const double violation = report.violation_before / report.extent;
+  CHECK_IN(name, std::abs(violation - row.violation) <= 0.05 * row.violation);
+
+  const auto orientations_after = orientations(file.mesh, file.uv);
+  const std::size_t losses = number_of_losses(orientations_before, orientations_after);
+  CHECK_IN(name, losses == 0);
+  const Bits after = all_bits(file.mesh, file.uv);
+  CHECK_IN(name, SS::snap_to_seamless(file.mesh, file.uv).status
+                   == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(name, all_bits(file.mesh, file.uv) == after);
+
+  std::cout << std::left << std::setw(40) << name << std::right << std::setw(10) << violation
+            << std::setw(10) << report.largest_change / report.extent << std::setw(8)
+            << report.number_of_cut_edges << std::setw(6) << report.number_of_merged_edges
+            << std::setw(6) << losses << std::setw(8) << 1000 * timer.time() << std::endl;
+}
+
+// Features and border, where all of them lie on isocurves.
+void test_alignment(const std::filesystem::path& path)
+{
+  const std::string name = path.filename().string() + ", aligned";
+  File file(path);
+  const bool has_border = std::any_of(file.mesh.edges().begin(), file.mesh.edges().end(),
+                                      [&](auto e) { return file.mesh.is_border(e); });
+  const bool has_features = std::any_of(file.mesh.edges().begin(), file.mesh.edges().end(),
+                                        [&](auto e) { return file.features[e]; });
+  if(!has_border && !has_features)
+    return;
+  // only those edges that do so up to noise: the files say of most, but not of all
+  const double tolerance = 1e-6 * extent(file.mesh, file.uv);
+  std::size_t aligned = 0;
+  for(const auto e : file.mesh.edges()) {
+    auto h = file.mesh.halfedge(e);
+    h = file.mesh.is_border(h) ? file.mesh.opposite(h) : h;
+    const auto d = file.uv[h] - file.uv[file.mesh.prev(h)];
+    file.features[e] = (file.features[e] || file.mesh.is_border(e))
+                       && (std::min)(std::abs(d.x()), std::abs(d.y())) <= tolerance;
+    aligned += file.features[e] ? 1 : 0;
+  }
+  const auto orientations_before = orientations(file.mesh, file.uv);
+  const auto np = SS::parameters::edge_is_constrained_map(file.features);
+  const SS::Snapping_report report = SS::snap_to_seamless(file.mesh, file.uv, np);
+  CHECK_IN(name + ": " + report.message, bool(report));
+  const auto result = exact_check::check_edges(file.mesh, file.uv,
+                                               is_aligned(file.mesh, file.features, false));
+  CHECK_IN(name, result.is_exact());
+  CHECK_IN(name, result.aligned_edges == aligned);
+  CHECK_IN(name, number_of_losses(orientations_before, orientations(file.mesh, file.uv)) == 0);
+  CHECK_IN(name, SS::is_seamless(file.mesh, file.uv, np));
+  std::cout << std::left << std::setw(50) << name << std::right << std::setw(6) << aligned
+            << " edges, violation " << report.violation_before / report.extent << ", change "
+            << report.largest_change / report.extent << std::endl;
+}
+
+void test_refused_file(const std::filesystem::path& path)
+{
+  const std::string name = path.filename().string();
+  Mesh mesh;
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const auto status = SS::IO::read_OBJ(path.string(), mesh, uv);
+  if(!status) { // no mesh at all
+    CHECK_IN(name, !status.message.empty());
+    std::cout << name << ": " << status.message << std::endl;
+    return;
+  }
+  const Bits before = all_bits(mesh, uv);
+  const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv);
+  CHECK_IN(name, !report);
+  CHECK_IN(name, report.status == SS::Snapping_status::NOT_SEAMLESS);
+  CHECK_IN(name, !report.message.empty());
+  CHECK_IN(name, all_bits(mesh, uv) == before);
+  std::cout << name << ": " << report << std::endl;
+}
+
+void test_files(const std::filesystem::path& folder)
+{
+  if(!std::filesystem::is_directory(folder / "uv")) {
+    std::cout << "files skipped: no folder with data" << std::endl;
+    return;
+  }
+  const std::map<std::string, Row> table = read_table(folder / "README.md");
+  std::cout << std::left << std::setw(40) << "file" << "  violation   change     cut merged losses"
+            << " ms" << std::endl;
+  std::size_t files = 0;
+  for(const auto& row : table) {
+    CHECK_IN(row.first, std::filesystem::exists(folder / "uv" / row.first));
+    if(!std::filesystem::exists(folder / "uv" / row.first))
+      continue;
+    test_file(folder / "uv" / row.first, row.second);
+    test_alignment(folder / "uv" / row.first);
+    ++files;
+  }
+  CHECK(files > 0);
+  for(const auto& entry : std::filesystem::directory_iterator(folder / "uv"))
+    CHECK_IN(entry.path().string(), entry.path().extension() != ".obj"
+                                      || table.count(entry.path().filename().string()) != 0);
+  std::size_t refused = 0;
+  for(const auto& entry : std::filesystem::directory_iterator(folder / "refused")) {
+    test_refused_file(entry.path());
+    ++refused;
+  }
+  CHECK(refused > 0);
+}
+
+// --- big synthetic surfaces ----------------------------------------------------------------------
+
+void test_height_field(unsigned int seed, double relative)
+{
+  const std::string context = "height field, seed " + std::to_string(seed);
+  height_field_surface::Wish wish;
+  wish.faces = 20000;
+  wish.nodes = 200 + 100 * (seed % 8);
+  wish.seed = seed;
+  test_meshes::Named_mesh<Kernel> named{ context, false, Mesh() };
+  Mesh& mesh = named.mesh;
+  height_field_surface::make_surface(wish, mesh);
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const Truth<Mesh, UV_map> truth(mesh, uv);
+  check_sum_of_indices(mesh, truth, context);
+
+  const double noise = relative * truth.extent;
+  uv_noise::perturb(mesh, uv, noise, seed,
+                    seed % 2 == 0 ? uv_noise::Noise::per_sector : uv_noise::Noise::per_corner);
+  const auto before = orientations(mesh, uv);
+  check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context);
+  const auto snapped = snap_and_check(named, context);
+  const auto rotation = [&](auto h) { return truth.rotation(h); };
+  CHECK_IN(context, exact_check::check_edges(mesh, uv, exact_check::No_edge_aligned(),
+                                             rotation).is_exact());
+  CHECK_IN(context, edges_that_gape(mesh, uv, truth) == 0);
+  CHECK_IN(context, number_of_losses(before, orientations(mesh, uv)) == 0);
+  CHECK_IN(context, snapped.report.largest_change <= 8 * noise);
+  CHECK_IN(context, snapped.report.number_of_non_unit_pivots == 0);
+  std::cout << context << ": " << mesh.number_of_faces() << " faces, "
+            << snapped.report.number_of_nodes << " nodes, change / noise "
+            << snapped.report.largest_change / noise << std::endl;
+}
+
+int main()
+{
+  std::cout.precision(3);
+  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+  for(unsigned int seed = 1; seed <= 16; ++seed)
+    test_height_field(seed, seed % 3 == 0 ? 1e-6 : 1e-10);
+  return report_checks();
+}

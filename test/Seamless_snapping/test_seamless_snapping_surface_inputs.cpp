@@ -1,0 +1,449 @@
+// Tests of the surface function: transitions that the caller gives, edges too short to tell how they
+// turn, inputs that have to be refused untouched, and degenerate ones that have not.
+
+#include "surface_checks.h"
+
+#include <random>
+#include <set>
+
+using namespace surface_checks;
+using SS::Snapping_status;
+using test_meshes::Named_mesh;
+using uv_noise::Noise;
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+using Point_2 = Kernel::Point_2;
+using UV_map = Mesh::Property_map<Halfedge, Point_2>;
+using Known = Truth<Mesh, UV_map>;
+
+Named_mesh<Kernel> named_mesh(const std::string& name, unsigned int seed)
+{
+  for(Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>())
+    if(named.name == name) {
+      test_meshes::warp(named, seed);
+      return named;
+    }
+  CHECK_IN("no mesh " + name, false);
+  return Named_mesh<Kernel>();
+}
+
+// Must be refused for this reason, with a message that has these words, and without a trace.
+template <typename Graph, typename UV, typename NP>
+void expect_refusal(const Graph& mesh, UV uv, const NP& np, Snapping_status status,
+                    const std::vector<std::string>& words, const std::string& context)
+{
+  const Bits before = all_bits(mesh, uv);
+  const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv, np);
+  CHECK_IN(context, !report);
+  CHECK_IN(context + ": " + report.message, report.status == status);
+  CHECK_IN(context, all_bits(mesh, uv) == before);
+  for(const std::string& word : words)
+    CHECK_IN(context + ": no '" + word + "' in: " + report.message,
+             report.message.find(word) != std::string::npos);
+}
+
+// --- given transitions ---------------------------------------------------------------------------
+
+struct Given
+{
+  Mesh::Property_map<Edge, bool> is_cut;
+  Mesh::Property_map<Halfedge, int> rotation;
+
+  Given(Mesh& mesh, const Known& known)
+    : is_cut(mesh.add_property_map<Edge, bool>("e:given", false).first)
+    , rotation(mesh.add_property_map<Halfedge, int>("h:given", 0).first)
+  {
+    for(const auto h : mesh.halfedges()) {
+      is_cut[mesh.edge(h)] = known.is_cut(h);
+      rotation[h] = known.rotation(h) + 4 * (int(h) % 5 - 2); // any representative will do
+    }
+  }
+};
+
+Halfedge some_cut(const Mesh& mesh, const Known& known, int rotation = -1)
+{
+  for(const auto h : mesh.halfedges())
+    if(known.is_cut(h) && (rotation < 0 || known.rotation(h) == rotation))
+      return h;
+  return Mesh::null_halfedge();
+}
+
+Halfedge some_uncut(const Mesh& mesh, const Known& known)
+{
+  for(const auto h : mesh.halfedges())
+    if(is_interior(mesh, h) && !known.is_cut(h))
+      return h;
+  return Mesh::null_halfedge();
+}
+
+std::string vertex_name(const Mesh& mesh, Halfedge h)
+{
+  return std::to_string(std::size_t(mesh.target(h)));
+}
+
+void test_right_transitions(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  Named_mesh<Kernel> named = original;
+  test_meshes::warp(named, seed);
+  Mesh& mesh = named.mesh;
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const Known known(mesh, uv);
+  const double noise = 1e-9 * known.extent;
+  if(!known.is_clear_with(noise))
+    return;
+  uv_noise::perturb(mesh, uv, noise, seed, seed % 2 == 0 ? Noise::per_sector : Noise::per_corner);
+  const Given given(mesh, known);
+
+  const auto try_with = [&](const auto& np, const std::string& context) {
+    Named_mesh<Kernel> copy = named;
+    const UV_map copy_uv = test_meshes::uv_map(copy.mesh);
+    check_transitions(mesh, known, SS::seam_transitions(mesh, uv, np), context);
+    CHECK_IN(context, bool(SS::snap_to_seamless(copy.mesh, copy_uv, np)));
+    CHECK_IN(context, SS::is_seamless(copy.mesh, copy_uv, np));
+    CHECK_IN(context, edges_that_gape(copy.mesh, copy_uv, known) == 0);
+    const auto rotation = [&](auto h) { return known.rotation(h); };
+    CHECK_IN(context, exact_check::check_edges(copy.mesh, copy_uv, exact_check::No_edge_aligned(),
+                                               rotation).is_exact());
+    CHECK_IN(context, SS::snap_to_seamless(copy.mesh, copy_uv, np).status
+                        == Snapping_status::ALREADY_EXACT);
+    return all_bits(copy.mesh, copy_uv);
+  };
+  const Bits read = try_with(SS::parameters::default_values(), named.name + ", read");
+  const Bits cuts = try_with(SS::parameters::edge_is_cut_map(given.is_cut), named.name + ", cuts");
+  const Bits rotations = try_with(SS::parameters::halfedge_rotation_map(given.rotation),
+                                  named.name + ", rotations");
+  const Bits both = try_with(
+    SS::parameters::edge_is_cut_map(given.is_cut).halfedge_rotation_map(given.rotation),
+    named.name + ", cuts and rotations");
+  CHECK_IN(named.name, read == cuts && read == rotations && read == both);
+
+  // every edge may be a cut: then none is merged
+  Named_mesh<Kernel> copy = named;
+  const UV_map copy_uv = test_meshes::uv_map(copy.mesh);
+  const auto all = SS::parameters::edge_is_cut_map(
+    CGAL::Static_boolean_property_map<Edge, true>());
+  const SS::Snapping_report report = SS::snap_to_seamless(copy.mesh, copy_uv, all);
+  CHECK_IN(named.name + ", all cut", bool(report) && report.number_of_merged_edges == 0);
+  CHECK_IN(named.name + ", all cut", exact_check::check_edges(copy.mesh, copy_uv).is_exact());
+}
+
+void test_wrong_transitions()
+{
+  Named_mesh<Kernel> named = named_mesh("divided cube", 3);
+  Mesh& mesh = named.mesh;
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const Known known(mesh, uv);
+  Given given(mesh, known);
+  const Halfedge cut = some_cut(mesh, known, 1), uncut = some_uncut(mesh, known);
+  const auto np =
+    SS::parameters::edge_is_cut_map(given.is_cut).halfedge_rotation_map(given.rotation);
+  const auto rotations_only = SS::parameters::halfedge_rotation_map(given.rotation);
+
+  for(const bool is_exact : { true, false }) {
+    const std::string context = is_exact ? "exact map" : "inexact map";
+    if(!is_exact)
+      uv_noise::perturb(mesh, uv, 1e-9 * known.extent, 1);
+    given.rotation[cut] += 1;
+    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
+                   context + ", rotations of one edge that are not inverse");
+    CHECK_IN(context, !SS::seam_transitions(mesh, uv, np));
+    given.rotation[mesh.opposite(cut)] -= 1;
+    expect_refusal(mesh, uv, np, Snapping_status::NOT_SEAMLESS, { vertex_name(mesh, cut) },
+                   context + ", a wrong rotation");
+    CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
+    given.rotation[cut] -= 1;
+    given.rotation[mesh.opposite(cut)] += 1;
+
+    given.is_cut[mesh.edge(cut)] = false;
+    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
+                   context + ", a rotation without a cut");
+    const auto cuts_only = SS::parameters::edge_is_cut_map(given.is_cut);
+    expect_refusal(mesh, uv, cuts_only, Snapping_status::NOT_SEAMLESS, { vertex_name(mesh, cut) },
+                   context + ", a cut that is said to be none");
+    CHECK_IN(context, !SS::is_seamless(mesh, uv, cuts_only));
+    given.is_cut[mesh.edge(cut)] = true;
+
+    // whichever of both halfedges has the rotation
+    for(const Halfedge h : { uncut, mesh.opposite(uncut) }) {
+      given.rotation[h] += 1;
+      expect_refusal(mesh, uv, rotations_only, Snapping_status::INVALID_ROTATIONS,
+                     { vertex_name(mesh, h) }, context + ", one halfedge of no cut turned");
+      given.rotation[h] -= 1;
+    }
+    given.rotation[uncut] += 1;
+    given.rotation[mesh.opposite(uncut)] -= 1;
+    expect_refusal(mesh, uv, rotations_only, Snapping_status::NOT_SEAMLESS,
+                   { vertex_name(mesh, uncut) }, context + ", no cut turned");
+    given.rotation[uncut] -= 1;
+    given.rotation[mesh.opposite(uncut)] += 1;
+  }
+}
+
+// --- short edges ---------------------------------------------------------------------------------
+
+// Shrinks cut edges to points (or nearly), where one end is a vertex on a branch. Returns how many.
+int shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known, double length)
+{
+  int shrunk = 0;
+  std::set<Mesh::Vertex_index> used;
+  for(const auto h : mesh.halfedges()) {
+    const auto v = mesh.target(h);
+    int cuts = 0;
+    for(const auto k : CGAL::halfedges_around_target(h, mesh))
+      cuts += known.is_cut(k) ? 1 : 0;
+    if(!known.is_cut(h) || cuts != 2 || known.indices().count(v) != 0
+       || mesh.is_border(v) || used.count(v) != 0 || used.count(mesh.source(h)) != 0)
+      continue;
+    // the two sectors of the vertex take the coordinates of the edge's other end
+    const Halfedge sides[2] = { h, mesh.prev(mesh.opposite(h)) };
+    const Point_2 ends[2] = { uv[mesh.prev(h)], uv[mesh.opposite(h)] };
+    if(ends[0] == ends[1]) // the centre of the rotation: the edge would be no cut any more
+      continue;
+    used.insert({ v, mesh.source(h) });
+    for(int side = 0; side < 2; ++side) {
+      const auto d = uv[sides[side]] - ends[side];
+      const Point_2 p(ends[side].x() + length * d.x(), ends[side].y() + length * d.y());
+      Halfedge corner = sides[side];
+      uv[corner] = p;
+      if(side == 0) // away from the edge, up to the next cut
+        while(!known.is_cut(mesh.next(corner)))
+          uv[corner = mesh.opposite(mesh.next(corner))] = p;
+      else
+        while(!known.is_cut(corner))
+          uv[corner = mesh.prev(mesh.opposite(corner))] = p;
+    }
+    ++shrunk;
+  }
+  return shrunk;
+}
+
+void test_short_edges(unsigned int seed)
+{
+  int shrunk = 0;
+  for(const std::string name : { "divided cube", "divided torus", "genus 2 of translations",
+                                 "closed cut around a disc, rotation", "two islands",
+                                 "divided tetrahedron" }) {
+    for(const double length : { 0., 0x1p-40 }) {
+      for(const double relative : { 0., 1e-10, 1e-7 }) {
+        const std::string context = name + ", edges of length " + std::to_string(length)
+                                    + ", noise " + std::to_string(relative * 1e9) + "e-9, seed "
+                                    + std::to_string(seed);
+        Named_mesh<Kernel> named = named_mesh(name, seed);
+        Mesh& mesh = named.mesh;
+        const UV_map uv = test_meshes::uv_map(mesh);
+        const Known known(mesh, uv);
+        Named_mesh<Kernel> whole = named;
+        const UV_map whole_uv = test_meshes::uv_map(whole.mesh);
+        shrunk += shrink_cut_edges(mesh, uv, known, length);
+        CHECK_IN(context, exact_check::check_edges(mesh, uv).is_exact());
+        const auto rotation = [&](auto h) { return known.rotation(h); };
+        CHECK_IN(context, exact_check::check_edges(mesh, uv, exact_check::No_edge_aligned(),
+                                                   rotation).is_exact());
+        const double noise = relative * known.extent;
+        // per sector of the map before it shrank
+        Named_mesh<Kernel> noisy = named_mesh(name, seed);
+        const UV_map noisy_uv = test_meshes::uv_map(noisy.mesh);
+        uv_noise::perturb(noisy.mesh, noisy_uv, noise, seed);
+        for(const auto h : mesh.halfedges())
+          uv[h] = uv[h] + (noisy_uv[h] - whole_uv[h]);
+        if(length == 0 || noise > 1e-11)
+          check_transitions(mesh, known, SS::seam_transitions(mesh, uv), context, false);
+        const auto snapped = snap_and_check(named, context);
+        CHECK_IN(context, snapped.report.largest_change <= 8 * noise);
+
+        // with all transitions known, nothing is left to guess
+        const Given given(mesh, known);
+        const auto np =
+          SS::parameters::edge_is_cut_map(given.is_cut).halfedge_rotation_map(given.rotation);
+        CHECK_IN(context, bool(SS::snap_to_seamless(mesh, uv, np)));
+        CHECK_IN(context, SS::is_seamless(mesh, uv, np));
+        check_transitions(mesh, known, SS::seam_transitions(mesh, uv, np), context + ", given",
+                          false);
+      }
+    }
+  }
+  CHECK(shrunk > 0);
+}
+
+// --- refusals ------------------------------------------------------------------------------------
+
+void test_bad_numbers()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double bad : { std::nan(""), infinity, -infinity, 1.1e300, -1e308 }) {
+    for(const bool second : { false, true }) {
+      Named_mesh<Kernel> named = named_mesh("box with three holes", 1);
+      const UV_map uv = test_meshes::uv_map(named.mesh);
+      const Halfedge h = named.mesh.halfedge(Mesh::Face_index(17));
+      uv[h] = second ? Point_2(uv[h].x(), bad) : Point_2(bad, uv[h].y());
+      expect_refusal(named.mesh, uv, SS::parameters::default_values(), Snapping_status::NOT_FINITE,
+                     { "face 17", "vertex " + vertex_name(named.mesh, h) },
+                     "coordinate " + std::to_string(bad));
+      CHECK(SS::seam_transitions(named.mesh, uv).status() == Snapping_status::NOT_FINITE);
+      if(std::abs(bad) > 1e308 || std::isnan(bad))
+        CHECK(!SS::is_seamless(named.mesh, uv));
+    }
+  }
+  // not read on the border
+  Named_mesh<Kernel> named = named_mesh("box with three holes", 1);
+  const UV_map uv = test_meshes::uv_map(named.mesh);
+  for(const auto h : named.mesh.halfedges())
+    if(named.mesh.is_border(h))
+      uv[h] = Point_2(std::nan(""), infinity);
+  uv_noise::perturb(named.mesh, uv, 1e-9, 1);
+  snap_and_check(named, "NaN on the border");
+}
+
+void test_quads()
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i < 6; ++i)
+    v.push_back(mesh.add_vertex(Kernel::Point_3(i / 2, i % 2, 0)));
+  mesh.add_face(v[0], v[2], v[1]);
+  mesh.add_face(v[1], v[2], v[3]);
+  mesh.add_face(v[2], v[4], v[5], v[3]);
+  expect_refusal(mesh, test_meshes::uv_map(mesh), SS::parameters::align_border(true),
+                 Snapping_status::NOT_TRIANGULAR, { "face 2", "4" }, "a quad");
+
+  // as many corners as triangles would have, if removed ones counted
+  Mesh quads;
+  for(int i = 0; i < 3; ++i) {
+    v.clear();
+    for(int corner = 0; corner < 4; ++corner)
+      v.push_back(quads.add_vertex());
+    quads.add_face(v);
+  }
+  const auto removed = quads.add_face(quads.add_vertex(), quads.add_vertex(), quads.add_vertex());
+  CGAL::Euler::remove_face(quads.halfedge(removed), quads);
+  expect_refusal(quads, test_meshes::uv_map(quads), SS::parameters::default_values(),
+                 Snapping_status::NOT_TRIANGULAR, { "face 0", "4" }, "quads beside garbage");
+}
+
+void test_not_seamless()
+{
+  for(const double error : { 1., 1e-2, 2e-4 }) {
+    for(const std::string name : { "divided cube", "disc", "cylinder", "pair of pants" }) {
+      Named_mesh<Kernel> named = named_mesh(name, 1);
+      const UV_map uv = test_meshes::uv_map(named.mesh);
+      const Known known(named.mesh, uv);
+      const Halfedge h = some_uncut(named.mesh, known);
+      uv[h] = Point_2(uv[h].x() + 1.01 * error * known.extent, uv[h].y());
+      const std::string context = name + ", off by " + std::to_string(error);
+      expect_refusal(named.mesh, uv, SS::parameters::default_values(),
+                     Snapping_status::NOT_SEAMLESS, { vertex_name(named.mesh, h), "tolerance" },
+                     context);
+      CHECK_IN(context, !SS::is_seamless(named.mesh, uv));
+      expect_refusal(named.mesh, uv, SS::parameters::tolerance(error / 2).verbose(false),
+                     Snapping_status::NOT_SEAMLESS, {}, context + ", tolerance / 2");
+      if(error < 1e-3) {
+        CHECK_IN(context, bool(SS::snap_to_seamless(named.mesh, uv,
+                                                    SS::parameters::tolerance(4 * error))));
+        CHECK_IN(context, exact_check::check_edges(named.mesh, uv).is_exact());
+      }
+    }
+  }
+}
+
+void test_not_aligned()
+{
+  Named_mesh<Kernel> named = named_mesh("divided torus", 1);
+  const UV_map uv = test_meshes::uv_map(named.mesh);
+  const auto features = test_meshes::feature_map(named.mesh);
+  const Known known(named.mesh, uv);
+  Halfedge worst;
+  double most = 0;
+  for(const auto h : named.mesh.halfedges()) {
+    const auto d = uv[h] - uv[named.mesh.prev(h)];
+    const double off = (std::min)(std::abs(d.x()), std::abs(d.y()));
+    if(off > most) {
+      most = off;
+      worst = h;
+    }
+  }
+  features[named.mesh.edge(worst)] = true;
+  const auto np = SS::parameters::edge_is_constrained_map(features);
+  CHECK(!SS::is_seamless(named.mesh, uv, np));
+  for(const double noise : { 0., 1e-9 }) {
+    uv_noise::perturb(named.mesh, uv, noise, 1);
+    expect_refusal(named.mesh, uv, np, Snapping_status::NOT_ALIGNED,
+                   { vertex_name(named.mesh, worst),
+                     vertex_name(named.mesh, named.mesh.opposite(worst)) }, "slanted feature");
+    CHECK(bool(SS::snap_to_seamless(named.mesh, uv))); // not asked, not refused
+  }
+}
+
+// --- what is accepted ----------------------------------------------------------------------------
+
+void test_nearly_nothing()
+{
+  Mesh empty;
+  CHECK(bool(SS::snap_to_seamless(empty, test_meshes::uv_map(empty))));
+  CHECK(SS::is_seamless(empty, test_meshes::uv_map(empty)));
+  CHECK(bool(SS::seam_transitions(empty, test_meshes::uv_map(empty))));
+  empty.add_vertex();
+  CHECK(bool(SS::snap_to_seamless(empty, test_meshes::uv_map(empty),
+                                  SS::parameters::align_border(true))));
+
+  Named_mesh<Kernel> named = named_mesh("cube with creases", 1);
+  uv_noise::perturb(named.mesh, test_meshes::uv_map(named.mesh), 1e-9, 1);
+  for(int i = 0; i < 3; ++i)
+    named.mesh.add_vertex();
+  snap_and_check(named, "vertices without faces");
+
+  Named_mesh<Kernel> single{ "a triangle", true, Mesh() };
+  single.mesh.add_face(single.mesh.add_vertex(), single.mesh.add_vertex(),
+                       single.mesh.add_vertex());
+  // three aligned sides of one triangle: it must collapse, and does
+  const UV_map uv = test_meshes::uv_map(single.mesh);
+  const Halfedge h = single.mesh.halfedge(*single.mesh.faces().begin());
+  uv[h] = Point_2(1, 1e-7);
+  uv[single.mesh.next(h)] = Point_2(1 + 1e-7, 1);
+  uv[single.mesh.prev(h)] = Point_2(1 + 2e-7, 2);
+  snap_and_check(single, "a thin triangle with three aligned sides");
+}
+
+// Everything in one point, or nearly, where any rotation fits any edge.
+void test_degenerate_faces(unsigned int seed)
+{
+  for(Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
+    for(const bool is_noisy : { false, true }) {
+      const UV_map uv = test_meshes::uv_map(named.mesh);
+      std::mt19937_64 random(seed);
+      const double noise = is_noisy ? 0x1p-40 : 0.;
+      for(const auto h : named.mesh.halfedges())
+        uv[h] = Point_2(0.1 + noise * uv_noise::symmetric_random(random),
+                        0.7 + noise * uv_noise::symmetric_random(random));
+      const std::string context = named.name + " in one point, seed " + std::to_string(seed);
+      const Bits before = all_bits(named.mesh, uv);
+      const SS::Snapping_report report =
+        SS::snap_to_seamless(named.mesh, uv, SS::parameters::tolerance(10.));
+      CHECK_IN(context + ": " + report.message, bool(report));
+      CHECK_IN(context, exact_check::check_edges(named.mesh, uv).is_exact());
+      CHECK_IN(context, is_noisy || all_bits(named.mesh, uv) == before);
+      CHECK_IN(context, report.largest_change <= 8 * noise);
+    }
+  }
+}
+
+int main()
+{
+  unsigned int seed = 0;
+  for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>())
+    for(int round = 0; round < 10; ++round)
+      test_right_transitions(named, ++seed);
+  test_wrong_transitions();
+  for(int round = 0; round < 10; ++round)
+    test_short_edges(++seed);
+  test_bad_numbers();
+  test_quads();
+  test_not_seamless();
+  test_not_aligned();
+  test_nearly_nothing();
+  for(int round = 0; round < 10; ++round)
+    test_degenerate_faces(++seed);
+  std::cout << "seeds 1 to " << seed << std::endl;
+  return report_checks();
+}
