@@ -26,6 +26,8 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -98,27 +100,25 @@ class Uv_box
 public:
   void add(const Uv& u)
   {
-    for(std::size_t c = 0; c < 2; ++c) {
-      m_low[c] = u[c] < m_low[c] ? u[c] : m_low[c];
-      m_high[c] = u[c] > m_high[c] ? u[c] : m_high[c];
-    }
+    const Eigen::Array2d point(u[0], u[1]); // so that both components are compared at once
+    m_low = point.min(m_low);
+    m_high = point.max(m_high);
   }
 
   bool is_empty() const { return m_low[0] > m_high[0]; }
 
   bool is_in_range() const
   {
-    return is_empty() || (internal::is_in_range(m_low) && internal::is_in_range(m_high));
+    return is_empty() || (m_low.abs().maxCoeff() <= largest_coordinate &&
+                          m_high.abs().maxCoeff() <= largest_coordinate);
   }
 
-  double extent() const
-  {
-    return is_empty() ? 0 : (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]);
-  }
+  double extent() const { return is_empty() ? 0 : (m_high - m_low).maxCoeff(); }
 
 private:
-  Uv m_low{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
-  Uv m_high{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Eigen::Array2d m_low{infinity, infinity};
+  Eigen::Array2d m_high{-infinity, -infinity};
 };
 
 // On failure only: names the place.

@@ -14,9 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Writes the sectors' coordinates to the uv map, checks there that all constraints hold exactly, and takes
-// everything back if not. The check uses the transitions and the mesh alone, nothing of how the values
-// were found.
+// Checks that the sectors' new coordinates satisfy all constraints exactly, and only then writes them to
+// the uv map.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
@@ -31,29 +30,25 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Eq. (4) across cut edges; the same coordinates on both sides of edges that were merged, and all over
-// each sector; Eq. (5) along aligned edges. No other edge was open, nor has changed.
-template <typename TriangleMesh, typename HalfedgeUVMap>
-bool all_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                          const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
+// Eq. (4) across cut edges, Eq. (5) along aligned ones. Across all other edges, corners belong to one
+// sector. The check knows the values as they will be written, and nothing of how they were found.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Snapped>
+bool all_constraints_hold(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
                           const Transition_data<TriangleMesh>& transitions,
-                          const Align_edges<TriangleMesh>& align_edges)
+                          const Align_edges<TriangleMesh>& align_edges, const Snapped& snapped)
 {
-  for(const auto& edge : transitions.edges) {
-    const Edge_sides sides = edge_sides(tmesh, uv_map, edge.halfedge);
-    if(edge.is_cut ? !satisfies_transition(sides, edge.rotation) : !sides.are_identical())
+  for(std::size_t i = 0; i < transitions.number_of_cuts; ++i) {
+    const Directed_cut d = 2 * Directed_cut(i);
+    const Edge_sides sides{snapped.uv(sectors.source_sector(d)), snapped.uv(sectors.target_sector(d)),
+                           snapped.uv(sectors.target_sector(opposite_cut(d))),
+                           snapped.uv(sectors.source_sector(opposite_cut(d)))};
+    if(!satisfies_transition(sides, transitions.edges[i].rotation))
       return false;
-  }
-  for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
-    const auto first = sectors.corners_begin(Sector_index(s));
-    for(auto h = first; h != sectors.corners_end(Sector_index(s)); ++h)
-      if(get_uv(uv_map, *h) != get_uv(uv_map, *first))
-        return false;
   }
   for(std::size_t a = 0; a < align_edges.size(); ++a) {
     const std::size_t c = std::size_t(align_edges.component(Edge_index(a)));
-    const auto h = align_edges.halfedge(Edge_index(a));
-    if(get_uv(uv_map, h)[c] != get_uv(uv_map, prev(h, tmesh))[c])
+    if(snapped.uv(sectors.align_source_sector(Edge_index(a)))[c] !=
+       snapped.uv(sectors.align_target_sector(Edge_index(a)))[c])
       return false;
   }
   return true;
@@ -93,17 +88,12 @@ private:
   std::size_t m_count = 0;
 };
 
-// Returns false, and leaves the map as it was, if the new values violate a constraint.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Snapped>
-bool write_and_verify(const TriangleMesh& tmesh, HalfedgeUVMap& uv_map,
-                      const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
-                      const Transition_data<TriangleMesh>& transitions,
-                      const Align_edges<TriangleMesh>& align_edges, const Snapped& snapped,
-                      Change_statistics& statistics)
+void write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Snapped& snapped,
+                       HalfedgeUVMap& uv_map, Change_statistics& statistics)
 {
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = typename Uv_number<HalfedgeUVMap>::type;
-  std::vector<Point> before; // of sectors whose corners differed
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
@@ -112,24 +102,11 @@ bool write_and_verify(const TriangleMesh& tmesh, HalfedgeUVMap& uv_map,
     if(sectors.sector(s).is_uniform)
       statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
     for(auto h = first; h != last; ++h) {
-      if(!sectors.sector(s).is_uniform) {
+      if(!sectors.sector(s).is_uniform)
         statistics.add(get_uv(uv_map, *h), uv, 1);
-        before.push_back(get(uv_map, *h));
-      }
       put(uv_map, *h, point);
     }
   }
-  if(all_constraints_hold(tmesh, uv_map, sectors, transitions, align_edges))
-    return true;
-
-  auto old = before.begin();
-  for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
-    const Sector& sector = sectors.sector(Sector_index(i));
-    const Point uniform(static_cast<Number>(sector.uv[0]), static_cast<Number>(sector.uv[1]));
-    for(auto h = sectors.corners_begin(Sector_index(i)); h != sectors.corners_end(Sector_index(i)); ++h)
-      put(uv_map, *h, sector.is_uniform ? uniform : *old++);
-  }
-  return false;
 }
 
 } // namespace internal
