@@ -14,12 +14,14 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// STUB, being replaced: only empty cores.
+// What unit pivots can't reach: hands the rows that the elimination left over, with their columns
+// renumbered, to the complete integer solver. Most systems have none.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Unit_pivot_elimination.h>
 
-#include <stdexcept>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -28,30 +30,100 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// Invariant: without core rows, all is empty, consistent, and solved.
 template <typename Integer>
 class Core_solver
 {
 public:
   explicit Core_solver(const Unit_pivot_elimination<Integer>& elimination)
+    : m_lattice(core_system(elimination))
   {
-    if(!elimination.core_rows().empty())
-      throw std::runtime_error("core not yet supported");
+    const std::vector<Row_index>& rows = elimination.core_rows();
+    for(const Row_index row : rows) {
+      m_right_hand_side.push_back(Exact_integer(elimination.right_hand_side(row)));
+      for(const Entry<Integer>& e : elimination.row(row))
+        m_largest_coefficient = (std::max)(m_largest_coefficient,
+                                           Exact_integer(CGAL::abs(Exact_integer(e.coefficient))));
+    }
+    for(const Row_index i : m_lattice.independent_rows())
+      m_independent_rows.push_back(rows[std::size_t(i)]);
+    const Lattice_solution solution = m_lattice.some_solution(m_right_hand_side);
+    m_is_consistent = solution.solvability != Solvability::INCONSISTENT;
+    if(solution.solvability == Solvability::SOLVABLE)
+      m_right_hand_shift = 0;
+    else if(m_is_consistent && solution.is_dyadic)
+      m_right_hand_shift = solution.power_of_two;
   }
 
-  bool is_consistent() const { return true; }
-  std::size_t number_of_redundant_rows() const { return 0; }
-  const std::vector<Row_index>& independent_rows() const { return m_independent_rows; }
-  Exact_integer largest_coefficient() const { return Exact_integer(0); }
-  Exact_integer largest_pivot() const { return Exact_integer(0); }
+  // Whether there are solutions over the rationals.
+  bool is_consistent() const { return m_is_consistent; }
+
+  // How often the right-hand sides must be doubled at least for an integer solution; none if no number
+  // of times is enough.
+  std::optional<std::size_t> right_hand_shift() const { return m_right_hand_shift; }
+
   const std::vector<Column_index>& columns() const { return m_columns; }
-  std::optional<std::size_t> right_hand_shift() const { return 0; }
-  bool nearest(std::size_t, const std::vector<Grid_value>&, const std::vector<double>&,
-               std::vector<std::int64_t>&) const
-  { return true; }
+  const std::vector<Row_index>& independent_rows() const { return m_independent_rows; }
+  std::size_t number_of_redundant_rows() const
+  { return m_lattice.number_of_rows() - m_independent_rows.size(); }
+  const Exact_integer& largest_coefficient() const { return m_largest_coefficient; }
+  Exact_integer largest_pivot() const { return m_lattice.largest_pivot(); }
+
+  // Sets the core's columns of `x` to a solution near the target, for right-hand sides that are doubled
+  // `shift` times. Returns false if a value exceeds 2^62.
+  // \pre shift >= *right_hand_shift()
+  bool nearest(const std::size_t shift, const std::vector<Grid_value>& target,
+               const std::vector<double>& weights, std::vector<std::int64_t>& x) const
+  {
+    if(m_columns.empty())
+      return true;
+    std::vector<Grid_value> core_target;
+    std::vector<double> core_weights;
+    for(const Column_index column : m_columns) {
+      core_target.push_back(target[std::size_t(column)]);
+      core_weights.push_back(weights[std::size_t(column)]);
+    }
+    std::vector<Exact_integer> b(m_right_hand_side);
+    const Exact_integer factor = power_of_two(shift);
+    for(Exact_integer& value : b)
+      value = Exact_integer(value * factor);
+    const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, core_weights);
+    CGAL_assertion(solution.solvability == Solvability::SOLVABLE);
+    for(std::size_t j = 0; j < m_columns.size(); ++j) {
+      if(!fits_64_bits(solution.values[j]))
+        return false;
+      x[std::size_t(m_columns[j])] = to_64_bits(solution.values[j]);
+    }
+    return true;
+  }
 
 private:
+  // Also collects the columns.
+  Integer_system<Integer> core_system(const Unit_pivot_elimination<Integer>& elimination)
+  {
+    for(const Row_index row : elimination.core_rows())
+      for(const Entry<Integer>& e : elimination.row(row))
+        m_columns.push_back(e.column);
+    std::sort(m_columns.begin(), m_columns.end());
+    m_columns.erase(std::unique(m_columns.begin(), m_columns.end()), m_columns.end());
+    Integer_system<Integer> system(m_columns.size());
+    for(const Row_index row : elimination.core_rows()) {
+      std::vector<Entry<Integer> > entries = elimination.row(row);
+      for(Entry<Integer>& e : entries)
+        e.column = Column_index(std::lower_bound(m_columns.begin(), m_columns.end(), e.column) -
+                                m_columns.begin());
+      system.add_row(entries, Integer(0));
+    }
+    return system;
+  }
+
+  std::vector<Column_index> m_columns; // before the lattice, which is made from them
+  Integer_lattice m_lattice;
   std::vector<Row_index> m_independent_rows;
-  std::vector<Column_index> m_columns;
+  std::vector<Exact_integer> m_right_hand_side;
+  Exact_integer m_largest_coefficient = Exact_integer(0);
+  bool m_is_consistent = true;
+  std::optional<std::size_t> m_right_hand_shift;
 };
 
 } // namespace internal

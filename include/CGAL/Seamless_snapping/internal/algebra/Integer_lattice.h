@@ -78,6 +78,26 @@ public:
   std::size_t number_of_rows() const { return m_system.number_of_rows(); }
   std::size_t rank() const { return number_of_columns() - m_basis.size(); }
 
+  // Rows that all others depend on over the rational numbers.
+  std::vector<Row_index> independent_rows() const
+  {
+    std::vector<Row_index> rows;
+    for(const Echelon_step<Exact_integer>& step : m_steps)
+      if(step.gcd != 0)
+        rows.push_back(step.row);
+    return rows;
+  }
+
+  // The diagonal of the Hermite form: what right-hand sides have to be divisible by.
+  Exact_integer largest_pivot() const
+  {
+    Exact_integer largest(0);
+    for(const Echelon_step<Exact_integer>& step : m_steps)
+      if(CGAL::abs(step.gcd) > largest)
+        largest = CGAL::abs(step.gcd);
+    return largest;
+  }
+
   // A basis of all Y in Z^n with A Y = 0, of short vectors.
   const std::vector<Vector>& kernel_basis() const { return m_basis; }
 
