@@ -124,8 +124,9 @@ private:
     m_cut_ends.resize(transitions.number_of_cuts);
     m_cuts = Vertex_incidences(numbers.size(), m_cut_ends);
     m_aligned = Vertex_incidences(numbers.size(), m_align_ends);
-    collect_corners(starts);
-    form_sectors();
+    std::vector<std::size_t> first_visit;
+    const std::vector<Visit> visits = walk_around_vertices(starts, first_visit);
+    form_sectors(visits, first_visit);
   }
 
   // For each vertex a halfedge towards it where a sector begins: a cut edge or, where there is none, one
@@ -168,58 +169,75 @@ private:
     return best;
   }
 
-  // All halfedges towards each vertex, clockwise; nothing else, so that the memory accesses of many
-  // vertices overlap.
-  void collect_corners(const std::vector<Halfedge>& starts)
+  // A halfedge met on the walk around a vertex: a corner, or on the border.
+  struct Visit
   {
-    m_corners.reserve(7 * starts.size());
-    m_first_corner.reserve(starts.size() + 1);
+    Halfedge halfedge;
+    bool is_corner;
+    Uv uv;
+  };
+
+  // All halfedges towards each vertex, clockwise, with their coordinates. The loop does nothing else, so that
+  // the memory accesses of many vertices overlap.
+  std::vector<Visit> walk_around_vertices(const std::vector<Halfedge>& starts,
+                                          std::vector<std::size_t>& first_visit) const
+  {
+    std::vector<Visit> visits;
+    visits.reserve(7 * starts.size());
+    first_visit.reserve(starts.size() + 1);
     for(const Halfedge start : starts) {
-      m_first_corner.push_back(m_corners.size());
+      first_visit.push_back(visits.size());
       Halfedge h = start;
       do {
-        m_corners.push_back(h);
+        const bool is_corner = !is_border(h, m_tmesh);
+        visits.push_back({h, is_corner, is_corner ? get_uv(m_uv_map, h) : Uv()});
         h = opposite(next(h, m_tmesh), m_tmesh);
       } while(h != start);
     }
-    m_first_corner.push_back(m_corners.size());
+    first_visit.push_back(visits.size());
+    return visits;
   }
 
-  // Divides the corners into sectors, and drops border halfedges from them.
-  void form_sectors()
+  // Divides the corners around each vertex into sectors.
+  void form_sectors(const std::vector<Visit>& visits, const std::vector<std::size_t>& first_visit)
   {
+    m_corners.reserve(visits.size());
     m_sectors.reserve(2 * m_is_node.size());
     m_first_sector.reserve(m_is_node.size() + 1);
-    std::size_t kept = 0;
     for(std::size_t v = 0; v < m_is_node.size(); ++v) {
       m_first_sector.push_back(Sector_index(m_sectors.size()));
-      collect_cuts_towards(Vertex_index(v));
-      bool on_border = false;
-      bool begins = true;
-      const std::size_t first = m_first_corner[v], last = m_first_corner[v + 1];
-      const Directed_cut first_cut = cut_towards(m_corners[first]);
-      Directed_cut cut = first_cut;
-      for(std::size_t i = first; i < last; ++i) {
-        const Halfedge h = m_corners[i];
-        const Directed_cut following_cut = i + 1 < last ? cut_towards(m_corners[i + 1]) : first_cut;
-        if(is_border(h, m_tmesh)) {
-          on_border = begins = true;
-        } else {
-          if(begins || cut >= 0)
-            m_sectors.push_back({get_uv(m_uv_map, h), kept, true, 1.});
-          begins = false;
-          add_corner(h, kept++, cut, following_cut);
-          if(m_aligned.degree(Vertex_index(v)) > 0)
-            add_to_aligned(Vertex_index(v), h, next(h, m_tmesh));
-        }
-        cut = following_cut;
-      }
+      const bool on_border = form_sectors_at(Vertex_index(v), visits.data() + first_visit[v],
+                                             visits.data() + first_visit[v + 1]);
       const bool is_singular = !on_border && holonomy(m_cuts, m_transitions.edges, Vertex_index(v)) != 0;
       m_number_of_singular_vertices += is_singular ? 1 : 0;
       m_is_node[v] = needs_node(Vertex_index(v), on_border, is_singular);
     }
     m_first_sector.push_back(Sector_index(m_sectors.size()));
-    m_corners.resize(kept);
+  }
+
+  // Returns whether the vertex lies on the border.
+  bool form_sectors_at(const Vertex_index v, const Visit* first, const Visit* last)
+  {
+    collect_cuts_towards(v);
+    bool on_border = false;
+    bool begins = true;
+    const Directed_cut first_cut = cut_towards(first->halfedge);
+    Directed_cut cut = first_cut;
+    for(const Visit* visit = first; visit != last; ++visit) {
+      const Directed_cut following_cut = visit + 1 != last ? cut_towards(visit[1].halfedge) : first_cut;
+      if(visit->is_corner) {
+        if(begins || cut >= 0)
+          m_sectors.push_back({visit->uv, m_corners.size(), true, 1.});
+        add_corner(*visit, cut, following_cut);
+        if(m_aligned.degree(v) > 0)
+          add_to_aligned(v, visit->halfedge);
+        begins = false;
+      } else {
+        on_border = begins = true;
+      }
+      cut = following_cut;
+    }
+    return on_border;
   }
 
   // The cut edges at a vertex, each by its halfedge towards it.
@@ -242,23 +260,23 @@ private:
     return -1;
   }
 
-  void add_corner(const Halfedge h, const std::size_t place, const Directed_cut cut,
-                  const Directed_cut following_cut)
+  void add_corner(const Visit& visit, const Directed_cut cut, const Directed_cut following_cut)
   {
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
     Sector& sector = m_sectors.back();
-    const Uv uv = get_uv(m_uv_map, h);
-    sector.is_uniform = sector.is_uniform && uv == sector.uv;
-    m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
-    m_corners[place] = h;
+    sector.is_uniform = sector.is_uniform && visit.uv == sector.uv;
+    m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(visit.uv[0]),
+                                       std::abs(visit.uv[1])});
+    m_corners.push_back(visit.halfedge);
     if(cut >= 0)
       m_target_sector[std::size_t(cut)] = s;
     if(following_cut >= 0)
       m_source_sector[std::size_t(opposite_cut(following_cut))] = s;
   }
 
-  void add_to_aligned(const Vertex_index v, const Halfedge h, const Halfedge out)
+  void add_to_aligned(const Vertex_index v, const Halfedge h)
   {
+    const Halfedge out = next(h, m_tmesh);
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
     for(const Incidence* i = m_aligned.begin(v); i != m_aligned.end(v); ++i) {
       const std::size_t a = std::size_t(i->edge);
@@ -290,7 +308,6 @@ private:
   const Align_edges<TriangleMesh>& m_align_edges;
   struct Cut_here { Halfedge halfedge; Directed_cut directed; };
   std::vector<Cut_here> m_cuts_here; // of the vertex under way
-  std::vector<std::size_t> m_first_corner; // per vertex, border halfedges included
   std::vector<Edge_ends> m_cut_ends, m_align_ends;
   Vertex_incidences m_cuts, m_aligned;
   std::vector<Sector_index> m_target_sector, m_source_sector;
