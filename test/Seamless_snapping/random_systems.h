@@ -74,7 +74,16 @@ inline void add_redundant_rows(Random& random, System& system, int count)
   }
 }
 
-enum class Right_hand_side { zero, of_grid_point, of_double, integer, thirds, number_of_kinds };
+enum class Right_hand_side { zero, of_grid_point, of_double, integer, thirds };
+
+// Zero or solvable on a grid two times out of three.
+inline Right_hand_side random_right_hand_side(Random& random)
+{
+  const int draw = random_integer(random, 0, 8);
+  if(draw < 3)
+    return Right_hand_side::zero;
+  return draw < 6 ? Right_hand_side::of_grid_point : Right_hand_side(draw - 4);
+}
 
 inline void set_right_hand_side(Random& random, Right_hand_side kind, System& system)
 {

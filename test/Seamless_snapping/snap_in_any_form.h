@@ -33,7 +33,7 @@ using exact_reference::System;
 inline bool are_integers(const System& system, double bound)
 {
   for(const auto& row : system.rows)
-    for(const auto& entry : exact_reference::merged(row))
+    for(const auto& entry : row)
       if(exact_reference::denominator(entry.coefficient) != 1
          || CGAL::abs(entry.coefficient) > Rational(bound))
         return false;
