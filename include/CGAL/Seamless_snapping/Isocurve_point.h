@@ -143,7 +143,8 @@ public:
   Isocurve_place place() const { return m_place; }
 
   /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge that
-  /// points to it, of a face that the curve has come through or along; for a face one of its halfedges.
+  /// points to it, of a face that the curve has come through or along; for a face one of its
+  /// halfedges.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 
   /// returns the direction in which the curve arrives, in the chart of `face(halfedge())`.
@@ -186,7 +187,7 @@ struct Isocurve
 
 returns the exact position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its
 target.
-\pre `point.place()` is `EDGE`, and the curve does not run along the edge
+\pre `point.place()` is `EDGE`, and the curve does not run along the edge, as it may at its start
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
 Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,

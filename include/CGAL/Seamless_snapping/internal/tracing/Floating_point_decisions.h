@@ -62,12 +62,11 @@ public:
   {
     const std::size_t c = constant_component(state.direction);
     const int left = left_sign(state.direction);
-    const int source = left * side_of(state.level, m_mesh.uv(Chart_mesh::prev(state.halfedge))[c]);
-    const int target = left * side_of(state.level, m_mesh.uv(state.halfedge)[c]);
-    if(source - target <= 0) // this side of the edge runs along or against what the other side says
-      m_failure = (source == target && source != 0) ? Isocurve_status::FELL_INTO_GAP
-                                                    : Isocurve_status::STUCK_AT_CUT;
-    else if(source * target > 0)
+    const double source = m_mesh.uv(Chart_mesh::prev(state.halfedge))[c];
+    const double target = m_mesh.uv(state.halfedge)[c];
+    if(left * compare(source, target) <= 0)
+      m_failure = Isocurve_status::STUCK_AT_CUT; // this face lies on the other side of the edge, here
+    else if(left * side_of(state.level, source) < 0 || left * side_of(state.level, target) > 0)
       m_failure = Isocurve_status::FELL_INTO_GAP;
     else
       m_failure = near_miss(state);

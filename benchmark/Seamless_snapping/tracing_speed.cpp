@@ -1,0 +1,138 @@
+// How fast isocurves are traced: crossings per second of all separatrices of a parametrization, exactly
+// and in floating point, with and without keeping the points of the curves.
+
+#include "benchmark_tools.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace po = boost::program_options;
+namespace SS = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using Tracer = SS::Isocurve_tracer<Mesh>;
+
+// Walks without keeping anything.
+struct Nothing
+{
+  template <typename State> void edge(const State&) { }
+  template <typename State> void vertex(const State&) { }
+};
+
+template <typename MakeDecisions>
+std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
+                     const MakeDecisions& make_decisions)
+{
+  const auto& mesh = tracer.chart_mesh();
+  SS::internal::Walk_limits limits;
+  limits.maximum_number = maximum_number;
+  std::size_t crossings = 0;
+  for(std::size_t v = 0; v < mesh.is_singular.size(); ++v)
+    if(mesh.is_singular[v])
+      for(const auto& ray : SS::internal::rays_from_vertex(mesh, v)) {
+        auto decisions = make_decisions(v);
+        Nothing nothing;
+        SS::internal::Isocurve_walk<decltype(decisions), Nothing> walk(mesh, decisions, limits,
+                                                                       nothing);
+        walk.run_from_vertex(ray);
+        crossings += walk.number_of_crossings();
+      }
+  return crossings;
+}
+
+// Million crossings per second, of the fastest of several runs.
+template <typename Run>
+double speed(const int runs, std::size_t& crossings, const Run& run)
+{
+  double best = 0;
+  for(int i = 0; i < runs; ++i) {
+    const double start = benchmark::seconds_now();
+    crossings = run();
+    best = (std::max)(best, double(crossings) / (benchmark::seconds_now() - start) / 1e6);
+  }
+  return best;
+}
+
+void measure(const std::string& file, const int runs, const std::size_t maximum_number)
+{
+  Mesh mesh;
+  UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  if(!SS::IO::read_OBJ(file, mesh, uv) || !SS::snap_to_seamless(mesh, uv)) {
+    std::cerr << file << ": can't be read or snapped" << std::endl;
+    return;
+  }
+  const double start = benchmark::seconds_now();
+  const Tracer tracer(mesh, uv);
+  const double preparation = benchmark::seconds_now() - start;
+
+  std::size_t crossings = 0, naive_crossings = 0, kept_crossings = 0;
+  const double exact = speed(runs, crossings, [&] {
+    return walk_all(tracer, maximum_number, [&](std::size_t) {
+      return SS::internal::Exact_decisions(tracer.chart_mesh());
+    });
+  });
+  const std::vector<char> nowhere(mesh.number_of_vertices(), false);
+  const double naive = speed(runs, naive_crossings, [&] {
+    return walk_all(tracer, maximum_number, [&](const std::size_t v) {
+      return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere, v, 0);
+    });
+  });
+  const double kept = speed(runs, kept_crossings, [&] {
+    std::size_t n = 0;
+    for(const auto& curve : tracer.separatrices(SS::parameters::maximum_number(maximum_number)))
+      n += curve.number_of_crossings;
+    return n;
+  });
+  std::cout << std::setw(10) << mesh.number_of_faces() << std::setw(12) << crossings
+            << std::setw(12) << 1000 * preparation << std::setw(12) << exact << std::setw(12)
+            << kept << std::setw(12) << naive << "  " << file.substr(file.find_last_of('/') + 1)
+            << std::endl;
+}
+
+int main(int argc, char* argv[])
+{
+  int runs = 5;
+  std::size_t maximum_number = 10000;
+  std::vector<std::string> files;
+  po::options_description options("Options");
+  options.add_options()("help", "print this")(
+    "runs", po::value(&runs), "the fastest of so many runs counts (default 5)")(
+    "maximum-number", po::value(&maximum_number), "crossings per curve (default 10000)")(
+    "files", po::value(&files), "parametrized meshes (OBJ)");
+  po::positional_options_description positional;
+  positional.add("files", -1);
+  po::variables_map given;
+  try {
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(),
+              given);
+    po::notify(given);
+  } catch(const po::error& e) {
+    std::cerr << e.what() << "\n" << options;
+    return EXIT_FAILURE;
+  }
+  if(given.count("help") != 0 || files.empty()) {
+    std::cout << "usage: tracing_speed [options] FILE.obj...\n" << options;
+    return files.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+  }
+  std::cout << std::fixed << std::setprecision(1)
+            << "     faces   crossings     prep/ms     exact/s      kept/s     naive/s"
+               "  (million crossings per second)" << std::endl;
+  for(const std::string& file : files)
+    measure(file, runs, maximum_number);
+  return EXIT_SUCCESS;
+}

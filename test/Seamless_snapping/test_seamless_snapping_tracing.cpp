@@ -1,0 +1,336 @@
+// Tests of isocurve tracing: curves on exactly seamless maps end properly and are the same
+// backwards, to the last bit; on inexact maps, each failure of Sec. 6.2 of the paper is
+// demonstrated.
+
+#include "Polyhedron_copy.h"
+#include "test_meshes.h"
+#include "tracing_checks.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <random>
+
+#ifndef SEAMLESS_SNAPPING_DATA_DIR
+#define SEAMLESS_SNAPPING_DATA_DIR ""
+#endif
+#ifndef SEAMLESS_SNAPPING_PACKAGE_DATA_DIR
+#define SEAMLESS_SNAPPING_PACKAGE_DATA_DIR ""
+#endif
+
+using namespace tracing_checks;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using Start = SS::Isocurve_start<Mesh>;
+using Tracer = SS::Isocurve_tracer<Mesh>;
+using CGAL::Exact_rational;
+
+// --- levels --------------------------------------------------------------------------------------
+
+// Against rational numbers. Coordinates of very different magnitude make levels outgrow two
+// doubles.
+void test_levels()
+{
+  using SS::internal::Exact_level;
+  std::mt19937_64 random(7);
+  const auto any_number = [&](const int spread) {
+    return std::ldexp(uv_noise::symmetric_random(random), int(random() % unsigned(spread)));
+  };
+  bool all_agree = true;
+  for(int spread : {1, 60, 300})
+    for(int run = 0; run < 200; ++run) {
+      Exact_rational expected(any_number(spread));
+      if(run % 4 == 0)
+        expected /= 3;
+      Exact_level level(expected);
+      for(int step = 0; step < 10; ++step) {
+        const double a = any_number(spread), b = any_number(spread);
+        const int sign = random() % 2 == 0 ? 1 : -1;
+        level.transform(sign, SS::internal::Exact_difference(a, b));
+        expected = Exact_rational(sign) * expected + Exact_rational(a) - Exact_rational(b);
+        const double near = CGAL::to_double(expected);
+        for(const double u : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300), a})
+          all_agree = all_agree && level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
+        all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
+      }
+    }
+  CHECK(all_agree);
+}
+
+// --- curves on exact maps ------------------------------------------------------------------------
+
+bool is_unfolded(const Mesh& mesh, const UV_map& uv, const Mesh::Vertex_index v)
+{
+  for(const auto h : CGAL::halfedges_around_target(v, mesh))
+    if(CGAL::orientation(uv[mesh.prev(h)], uv[h], uv[mesh.next(h)]) != CGAL::LEFT_TURN)
+      return false;
+  return true;
+}
+
+// 4 - index curves leave a singular vertex, four a regular one.
+void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
+{
+  std::map<Mesh::Vertex_index, int> index;
+  const auto seams = SS::seam_transitions(mesh, uv);
+  for(const auto& [v, i] : seams.singular_vertices())
+    index[v] = i;
+  std::size_t wrong = 0;
+  for(const auto v : mesh.vertices())
+    if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) && is_unfolded(mesh, uv, v)) {
+      const int n = int(tracer.outgoing(v).size());
+      wrong += n % 4 != (4 - index[v]) % 4 ? 1 : 0; // whole turns are no singularity of the rotations
+      wrong += tracer.is_singular(v) != (n != 4) ? 1 : 0;
+      wrong += index[v] != 0 && n != 4 - index[v] ? 1 : 0;
+    }
+  CHECK_EQUAL(wrong, std::size_t(0));
+}
+
+// Ends properly, and is the same backwards.
+bool is_good(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, const Mesh& mesh,
+             const UV_map& uv)
+{
+  return is_proper_end(curve.status) && is_symmetric(tracer, curve, mesh, uv);
+}
+
+// Curves that start at random points of edges and faces.
+void test_other_starts(const Mesh& mesh, const UV_map& uv, const Tracer& tracer, const int number)
+{
+  std::mt19937_64 random(11);
+  std::size_t bad = 0;
+  for(int i = 0; i < number; ++i) {
+    auto h = Mesh::Halfedge_index(Mesh::size_type(random() % mesh.number_of_halfedges()));
+    h = mesh.is_border(h) ? mesh.opposite(h) : h;
+    const Direction direction = Direction(random() % 4);
+    const auto limit = parameters::maximum_number(100);
+    const Exact_rational t(Exact_rational(int(random() % 6) + 1) / 7);
+    const auto curve = tracer.trace(Start::on_edge(h, t), direction, limit);
+    bad += is_good(tracer, curve, mesh, uv) || curve.status == Status::CONSTANT_ON_FACE ? 0 : 1;
+
+    const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
+    const auto inner = tracer.trace(
+      Start::in_face(h, a.x() / 4 + b.x() / 4 + c.x() / 2, a.y() / 4 + b.y() / 4 + c.y() / 2),
+      direction, limit);
+    bad += is_good(tracer, inner, mesh, uv) || inner.status == Status::CONSTANT_ON_FACE ? 0 : 1;
+    bad += inner.points.front().place() == Place::FACE ? 0 : 1;
+  }
+  CHECK_EQUAL(bad, std::size_t(0));
+}
+
+// Every vertex of a curve is hit when it is the target, from either end.
+bool hits_its_vertices(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, const Mesh& mesh)
+{
+  for(std::size_t i = 1; i < curve.points.size(); ++i) {
+    const auto& point = curve.points[i];
+    if(point.place() != Place::VERTEX)
+      continue;
+    const auto v = mesh.target(point.halfedge());
+    const auto again = tracer.trace(curve.start, curve.direction, parameters::target_vertex(v));
+    const auto back = tracer.trace(Start::at_vertex(point.halfedge()),
+                                   SS::reversed(point.direction()),
+                                   parameters::target_vertex(mesh.target(curve.start.halfedge)));
+    if(again.status != Status::TARGET || back.status != Status::TARGET)
+      return false;
+  }
+  return true;
+}
+
+void test_synthetic_meshes()
+{
+  for(const bool warped : {false, true})
+    for(auto& named : test_meshes::all_meshes<Kernel>()) {
+      if(warped)
+        test_meshes::warp(named, 3);
+      const Mesh& mesh = named.mesh;
+      const UV_map uv = test_meshes::uv_map(named.mesh);
+      const Tracer tracer(mesh, uv);
+      CHECK(tracer.is_exact());
+      Counts ends;
+      std::size_t bad = 0, missed = 0;
+      for(const auto v : mesh.vertices())
+        for(const auto& [start, direction] : tracer.outgoing(v)) {
+          const auto curve = tracer.trace(start, direction);
+          ++ends[curve.status];
+          bad += is_good(tracer, curve, mesh, uv) ? 0 : 1;
+          missed += hits_its_vertices(tracer, curve, mesh) ? 0 : 1;
+        }
+      if(!CHECK_EQUAL(bad + missed, std::size_t(0)))
+        std::cerr << "  in " << named.name << (warped ? ", warped: " : ": ") << ends << std::endl;
+      // unwarped, all curves follow the squares: they close where nothing is in the way
+      CHECK(warped || ends[Status::MAXIMUM_NUMBER] == 0);
+      test_numbers_of_directions(mesh, uv, tracer);
+      test_other_starts(mesh, uv, tracer, 100);
+    }
+}
+
+// --- limits, data structures, threads ------------------------------------------------------------
+
+void test_limits()
+{
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(5, 1), 1, 1);
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const Tracer tracer(mesh, uv);
+  for(const auto v : mesh.vertices())
+    for(const auto& [start, direction] : tracer.outgoing(v)) {
+      const auto full = tracer.trace(start, direction);
+      CHECK_EQUAL(full.status, Status::BORDER);
+      for(std::size_t n = 1; n < full.number_of_crossings; ++n) {
+        const auto part = tracer.trace(start, direction, parameters::maximum_number(n));
+        CHECK_EQUAL(part.status, Status::MAXIMUM_NUMBER);
+        CHECK_EQUAL(part.points.size(), n + 1);
+      }
+      const auto measured = tracer.trace(start, direction, parameters::maximum_length(1e9));
+      CHECK(measured.length > 0.99 && measured.length < 5.01);
+      CHECK_EQUAL(measured.length, std::round(measured.length));
+      const auto cut_off = tracer.trace(start, direction, parameters::maximum_length(0.25));
+      CHECK(cut_off.points.size() == 2 || cut_off.status == Status::MAXIMUM_LENGTH);
+      // the function for one curve gives the same
+      std::vector<SS::Isocurve_point<Mesh> > points;
+      const auto end = SS::trace_isocurve(mesh, uv, start, direction, std::back_inserter(points));
+      CHECK_EQUAL(end.status, full.status);
+      CHECK_EQUAL(points.size(), full.points.size());
+    }
+}
+
+// Another data structure, whose halfedges come in another order, gives the same curves.
+void test_polyhedron(const test_meshes::Named_mesh<Kernel>& named)
+{
+  Mesh mesh = named.mesh;
+  test_meshes::Polyhedron_copy<Kernel> copy(mesh);
+  const auto summary = [](const auto& curves) {
+    std::multimap<std::size_t, Status> result;
+    for(const auto& curve : curves)
+      result.emplace(curve.points.size(), curve.status);
+    return std::vector<std::pair<std::size_t, Status> >(result.begin(), result.end());
+  };
+  const Tracer tracer(mesh, test_meshes::uv_map(mesh));
+  const SS::Isocurve_tracer<decltype(copy.polyhedron)> other(copy.polyhedron, copy.uv);
+  CHECK_EQUAL(tracer.separatrices().size(), other.separatrices().size());
+  auto a = summary(tracer.separatrices()), b = summary(other.separatrices());
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  CHECK(a == b);
+}
+
+// As many threads as there are give the order of one.
+void test_threads(const Mesh& mesh, const UV_map& uv)
+{
+  std::vector<SS::Isocurve<Mesh> > one, many;
+  SS::trace_all_separatrices(mesh, uv, std::back_inserter(one));
+  SS::trace_all_separatrices<CGAL::Parallel_if_available_tag>(mesh, uv, std::back_inserter(many));
+  CHECK_EQUAL(one.size(), many.size());
+  bool same = true;
+  for(std::size_t i = 0; i < one.size(); ++i) {
+    same = same && one[i].status == many[i].status && one[i].points.size() == many[i].points.size();
+    for(std::size_t j = 0; same && j < one[i].points.size(); ++j)
+      same = one[i].points[j].halfedge() == many[i].points[j].halfedge() &&
+             one[i].points[j].level() == many[i].points[j].level();
+  }
+  CHECK(same);
+}
+
+// --- failures on inexact maps --------------------------------------------------------------------
+
+// One fixed case of each: a mesh, which noise, and what a naive tracer reports there; no failure
+// is left once the noise has been snapped away.
+void test_failures()
+{
+  const std::vector<std::pair<std::string, std::vector<Status> > > cases = {
+    {"divided cube", {Status::STUCK_AT_CUT, Status::FELL_INTO_GAP, Status::MISSED_TARGET}},
+    {"closed cut around a disc, rotation", {Status::NO_WAY_OUT, Status::SEVERAL_WAYS_OUT}},
+    {"disc with aligned border", {Status::FELL_OFF_BORDER}},
+    {"torus", {Status::SPIRALS}}};
+  std::map<std::string, std::size_t> index;
+  auto all = test_meshes::all_meshes<Kernel>();
+  for(std::size_t i = 0; i < all.size(); ++i)
+    index[all[i].name] = i;
+  for(const auto& [name, expected] : cases) {
+    auto& named = all[index.at(name)];
+    Mesh& mesh = named.mesh;
+    const UV_map uv = test_meshes::uv_map(mesh);
+    CHECK(naive_ends(mesh, uv, 1e-6).rbegin()->first < Status::STUCK_AT_CUT);
+    if(expected.front() == Status::NO_WAY_OUT)
+      perturb_other_charts(mesh, uv, 1e-9, 1);
+    else
+      uv_noise::perturb(mesh, uv, 1e-9, 1);
+    Counts ends = naive_ends(mesh, uv, 1e-6);
+    std::cout << name << " with noise, in floating point: " << ends << std::endl;
+    for(const Status status : expected)
+      CHECK(ends[status] > 0);
+
+    CHECK(SS::snap_to_seamless(mesh, uv, parameters::align_border(named.align_border)));
+    const Tracer tracer(mesh, uv);
+    std::size_t bad = 0;
+    for(const auto v : mesh.vertices())
+      for(const auto& [start, direction] : tracer.outgoing(v))
+        bad += is_good(tracer, tracer.trace(start, direction), mesh, uv) ? 0 : 1;
+    CHECK_EQUAL(bad, std::size_t(0));
+  }
+}
+
+// --- parametrizations that solvers made ----------------------------------------------------------
+
+void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact)
+{
+  Mesh mesh;
+  UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  if(!CHECK(SS::IO::read_OBJ(path.string(), mesh, uv)))
+    return;
+  const auto limit = parameters::maximum_number(2000);
+  for(const auto& curve : Tracer(mesh, uv).separatrices(limit.decide_exactly(false)))
+    ++naive[curve.status];
+  CHECK(SS::snap_to_seamless(mesh, uv));
+  const Tracer tracer(mesh, uv);
+  const auto curves = tracer.separatrices(limit);
+  std::size_t bad = 0, number = 0;
+  for(const auto& curve : curves) {
+    ++exact[curve.status];
+    bad += curve.status == Status::SINGULAR_VERTEX || curve.status == Status::BORDER ||
+           curve.status == Status::MAXIMUM_NUMBER ? 0 : 1;
+    if(curve.points.size() <= 2000 && ++number <= 20)
+      bad += is_symmetric(tracer, curve, mesh, uv) ? 0 : 1;
+    else if(number++ <= 20)
+      bad += is_good(tracer, tracer.trace(curve.start, curve.direction,
+                                          parameters::maximum_number(300)), mesh, uv) ? 0 : 1;
+  }
+  if(!CHECK_EQUAL(bad, std::size_t(0)))
+    std::cerr << "  in " << path << std::endl;
+  test_numbers_of_directions(mesh, uv, tracer);
+  test_other_starts(mesh, uv, tracer, 20);
+}
+
+void test_files(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  if(!folder.empty() && std::filesystem::is_directory(folder))
+    for(const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if(entry.path().extension() == ".obj" && entry.path().parent_path().filename() != "refused")
+        files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Counts naive, exact;
+  for(const auto& file : files)
+    test_file(file, naive, exact);
+  std::cout << files.size() << " files\n  in floating point: " << naive
+            << "\n  snapped, exactly:  " << exact << std::endl;
+}
+
+int main()
+{
+  test_levels();
+  test_synthetic_meshes();
+  test_limits();
+  for(auto& named : test_meshes::all_meshes<Kernel>()) {
+    test_polyhedron(named);
+    test_threads(named.mesh, test_meshes::uv_map(named.mesh));
+  }
+  test_failures();
+  test_files(SEAMLESS_SNAPPING_PACKAGE_DATA_DIR);
+  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+  return report_checks();
+}

@@ -1,0 +1,157 @@
+// What the tests of isocurve tracing share: exact comparison of curves, and charts to disturb.
+
+#ifndef SEAMLESS_SNAPPING_TEST_TRACING_CHECKS_H
+#define SEAMLESS_SNAPPING_TEST_TRACING_CHECKS_H
+
+#include "checking.h"
+#include "uv_noise.h"
+
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tracing_checks {
+
+namespace SS = CGAL::Seamless_snapping;
+namespace parameters = CGAL::Seamless_snapping::parameters;
+
+using Status = SS::Isocurve_status;
+using Place = SS::Isocurve_place;
+using Direction = SS::Isocurve_direction;
+
+template <typename Mesh>
+using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+
+// Where to start to take the way back.
+template <typename Mesh, typename UVMap>
+SS::Isocurve_start<Mesh> start_at(const SS::Isocurve_point<Mesh>& point, const Mesh& mesh,
+                                  const UVMap& uv)
+{
+  using Start = SS::Isocurve_start<Mesh>;
+  if(point.place() == Place::VERTEX)
+    return Start::at_vertex(point.halfedge());
+  if(point.place() == Place::FACE) {
+    const auto u = SS::isocurve_uv(point, mesh, uv);
+    return Start::in_face(point.halfedge(), u[0], u[1]);
+  }
+  return Start::on_edge(point.halfedge(), SS::isocurve_parameter(point, mesh, uv));
+}
+
+// Whether two points, passed in opposite directions, are the same: by exact parameters on the edge,
+// which are computed in the charts of its two faces.
+template <typename Mesh, typename UVMap>
+bool are_same(const SS::Isocurve_point<Mesh>& a, const SS::Isocurve_point<Mesh>& b, const Mesh& mesh,
+              const UVMap& uv)
+{
+  if(a.place() != b.place())
+    return false;
+  if(a.place() == Place::FACE)
+    return a.halfedge() == b.halfedge() && a.constant_coordinate() == b.constant_coordinate();
+  if(a.place() == Place::VERTEX)
+    return target(a.halfedge(), mesh) == target(b.halfedge(), mesh);
+  const auto s = SS::isocurve_parameter(a, mesh, uv);
+  const auto t = SS::isocurve_parameter(b, mesh, uv);
+  return (a.halfedge() == b.halfedge() && s == t) ||
+         (a.halfedge() == opposite(b.halfedge(), mesh) && s == 1 - t);
+}
+
+// A curve that starts inside of an edge and runs along it.
+template <typename Mesh, typename UVMap>
+bool starts_along_edge(const SS::Isocurve<Mesh>& curve, const Mesh& mesh, const UVMap& uv)
+{
+  if(curve.start.place != Place::EDGE)
+    return false;
+  const auto h = curve.start.halfedge;
+  const auto a = get(uv, prev(h, mesh)), b = get(uv, h);
+  return int(curve.direction) % 2 == 0 ? a.y() == b.y() : a.x() == b.x();
+}
+
+// Traces a curve back from its end, and compares it point by point with the first one.
+template <typename Mesh, typename UVMap>
+bool is_symmetric(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Mesh>& curve,
+                  const Mesh& mesh, const UVMap& uv)
+{
+  const std::size_t n = curve.points.size();
+  if(n < 2)
+    return true;
+  const auto& end = curve.points.back();
+  const auto back = tracer.trace(start_at(end, mesh, uv), SS::reversed(end.direction()),
+                                 parameters::maximum_number(n + 1));
+  const bool is_first_seen =
+    (curve.start.place != Place::FACE || curve.status == Status::CLOSED) && !starts_along_edge(curve, mesh, uv);
+  const std::size_t first = is_first_seen ? 0 : 1;
+  if(back.points.size() + first < n)
+    return false;
+  for(std::size_t i = first; i < n; ++i)
+    if(!are_same(curve.points[i], back.points[n - 1 - i], mesh, uv))
+      return false;
+  return true;
+}
+
+// An end of exact tracing, but for the one that only degenerate faces bring about.
+inline bool is_proper_end(const Status status)
+{
+  return !SS::is_failure(status) && status != Status::CONTINUES &&
+         status != Status::CONSTANT_ON_FACE;
+}
+
+// How many curves ended in which way.
+using Counts = std::map<Status, std::size_t>;
+
+inline std::ostream& operator<<(std::ostream& os, const Counts& counts)
+{
+  const char* separator = "";
+  for(const auto& entry : counts) {
+    os << separator << entry.second << " " << entry.first;
+    separator = ", ";
+  }
+  return os;
+}
+
+// Traces all curves from all vertices in floating point.
+template <typename Mesh, typename UVMap>
+Counts naive_ends(const Mesh& mesh, const UVMap& uv, const double tolerance)
+{
+  const SS::Isocurve_tracer<Mesh> tracer(mesh, uv);
+  Counts result;
+  for(const auto v : vertices(mesh))
+    for(const auto& [start, direction] : tracer.outgoing(v))
+      ++result[tracer.trace(start, direction,
+                            parameters::decide_exactly(false).tolerance(tolerance)).status];
+  return result;
+}
+
+// Noise in all charts but that of the first face: the seams open, while its isocurves stay aligned.
+template <typename Mesh, typename UVMap>
+void perturb_other_charts(Mesh& mesh, UVMap uv, const double size, const unsigned int seed)
+{
+  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+  const uv_noise::Cuts<Mesh, UVMap> cuts(mesh, uv);
+  std::map<Halfedge<Mesh>, typename boost::property_traits<UVMap>::value_type> kept;
+  std::vector<Face> chart(1, *faces(mesh).begin());
+  while(!chart.empty()) {
+    const Face f = chart.back();
+    chart.pop_back();
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+      kept.emplace(h, get(uv, h));
+      if(cuts.is_passable(h) && kept.count(opposite(h, mesh)) == 0)
+        chart.push_back(face(opposite(h, mesh), mesh));
+    }
+  }
+  uv_noise::perturb(mesh, uv, size, seed);
+  for(const auto& entry : kept)
+    put(uv, entry.first, entry.second);
+}
+
+} // namespace tracing_checks
+
+#endif // SEAMLESS_SNAPPING_TEST_TRACING_CHECKS_H
