@@ -257,10 +257,23 @@ private:
   {
     std::sort(selection.begin(), selection.end(), [this](const std::size_t a, const std::size_t b)
               { return m_lengths[a] != m_lengths[b] ? m_lengths[a] < m_lengths[b] : a < b; });
-    for(std::size_t begin = 0; begin < selection.size(); begin += largest_local_reduction) {
-      const std::size_t end = (std::min)(begin + largest_local_reduction, selection.size());
-      reduce_now({selection.begin() + std::ptrdiff_t(begin), selection.begin() + std::ptrdiff_t(end)});
+    if(selection.size() <= largest_local_reduction) {
+      reduce_now(selection);
+      return;
     }
+    // Many vectors at once cost more: only when it pays.
+    if(longest(selection) > 1000 * m_length_after_reduction) {
+      reduce_now(selection);
+      m_length_after_reduction = longest(selection);
+    }
+  }
+
+  double longest(const std::vector<std::size_t>& selection) const
+  {
+    double length = 0;
+    for(const std::size_t v : selection)
+      length = (std::max)(length, m_lengths[v]);
+    return length;
   }
 
   // In the coordinates that the selected vectors use.
@@ -280,7 +293,7 @@ private:
       for(const Entry<Integer>& e : m_vectors[selection[k]])
         dense[k][m_marks[std::size_t(e.column)]] = e.coefficient;
     const std::vector<double> scale(columns.size(), 1.);
-    Lattice_reduction<Integer> reduction(dense, scale);
+    reduce_basis(dense, scale);
     for(std::size_t k = 0; k < selection.size(); ++k) {
       Vector vector;
       for(std::size_t i = 0; i < columns.size(); ++i)
@@ -309,6 +322,7 @@ private:
   std::vector<std::vector<std::size_t> > m_users; // for each column a superset of the vectors with it
   std::vector<double> m_lengths;                  // squared norms
   std::vector<std::size_t> m_marks;
+  double m_length_after_reduction = 64;            // squared, of the longest vector
   std::vector<Step> m_steps;
 };
 

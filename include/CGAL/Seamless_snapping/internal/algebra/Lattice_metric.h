@@ -121,8 +121,7 @@ private:
   template <typename Integer>
   void reduce(std::vector<std::vector<Integer> > vectors)
   {
-    Lattice_reduction<Integer> reduction(vectors, m_scale);
-    m_frame = std::move(reduction.frame());
+    m_frame = reduce_basis(vectors, m_scale);
     m_basis.clear();
     for(const std::vector<Integer>& v : vectors) {
       Vector sparse;
@@ -160,7 +159,7 @@ private:
   }
 
   std::vector<double> m_scale; // square roots of the weights
-  Orthogonal_frame m_frame;
+  Orthogonal_frame<double> m_frame;
   std::vector<Vector> m_basis;
 };
 

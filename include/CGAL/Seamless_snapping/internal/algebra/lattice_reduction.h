@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,8 @@ inline void subtract_multiple(std::vector<Exact_integer>& a, const Exact_integer
       a[i] = difference_with_product(a[i], factor, b[i]);
 }
 
+inline double largest_absolute_value(const std::vector<Exact_integer>&) { return 0; } // not needed
+
 inline double largest_absolute_value(const std::vector<std::int64_t>& v)
 {
   std::int64_t largest = 0;
@@ -81,30 +84,72 @@ inline double largest_absolute_value(const std::vector<std::int64_t>& v)
   return static_cast<double>(largest);
 }
 
-// One check for the whole vector lets the loop run without.
+// The caller makes sure that nothing overflows: the loop must be fast.
 inline void subtract_multiple(std::vector<std::int64_t>& a, const std::int64_t factor,
                               const std::vector<std::int64_t>& b)
 {
-  const double bound = largest_absolute_value(a) +
-                       std::abs(static_cast<double>(factor)) * largest_absolute_value(b);
-  if(!(bound < 4611686018427387904.)) // 2^62
-    throw Integer_overflow();
   for(std::size_t i = 0; i < a.size(); ++i)
     a[i] -= factor * b[i];
 }
 
+// Upper bounds of the entries of each vector, so that one check for a vector replaces one for each
+// entry. Throws `Integer_overflow` where a result might not fit; multiprecision integers always do.
+template <typename Integer>
+class Entry_bounds
+{
+public:
+  explicit Entry_bounds(const std::vector<std::vector<Integer> >&) { }
+  void exchange(const std::size_t) { }
+  void subtract(const std::size_t, const Integer&, const std::size_t) { }
+};
+
+template <>
+class Entry_bounds<std::int64_t>
+{
+public:
+  explicit Entry_bounds(const std::vector<std::vector<std::int64_t> >& vectors)
+    : m_vectors(vectors), m_bounds(vectors.size())
+  {
+    for(std::size_t k = 0; k < vectors.size(); ++k)
+      m_bounds[k] = largest_absolute_value(vectors[k]);
+  }
+
+  void exchange(const std::size_t k) { std::swap(m_bounds[k - 1], m_bounds[k]); }
+
+  // To be called before vector k loses a multiple of vector j.
+  void subtract(const std::size_t k, const std::int64_t factor, const std::size_t j)
+  {
+    const double largest = 4611686018427387904.; // 2^62
+    const double f = std::abs(static_cast<double>(factor));
+    if(!(m_bounds[k] + f * m_bounds[j] < largest)) {
+      m_bounds[k] = largest_absolute_value(m_vectors[k]);
+      m_bounds[j] = largest_absolute_value(m_vectors[j]);
+      if(!(m_bounds[k] + f * m_bounds[j] < largest))
+        throw Integer_overflow();
+    }
+    m_bounds[k] += f * m_bounds[j];
+  }
+
+private:
+  const std::vector<std::vector<std::int64_t> >& m_vectors;
+  std::vector<double> m_bounds;
+};
+
 // Reduces `basis` in place with respect to the norm |scale_i v_i|. The vectors must be linearly
 // independent. The work is bounded: in the unlikely case that rounding errors keep the algorithm from
 // coming to an end, the basis is left less reduced, but still a basis.
-template <typename Integer>
+template <typename Integer, typename Real = double>
 class Lattice_reduction
 {
 public:
   using Vector = std::vector<Integer>;
 
-  Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale)
-    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size()),
-      m_errors(basis.size(), 0.)
+  // With an `exchange_limit` of 0, vectors are made shorter by multiples of earlier ones only.
+  Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale,
+                    const std::size_t exchange_limit = 1000000, const bool is_deep = false)
+    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size()), m_bounds(basis),
+      m_errors(basis.size(), Real(0)),
+      m_exchange_limit(exchange_limit), m_is_deep(is_deep)
   {
     // Errors add up from exchange to exchange: what seems reduced is looked at afresh.
     std::size_t exchanges_before = 0;
@@ -116,7 +161,7 @@ public:
   }
 
   // That of the reduced basis.
-  Orthogonal_frame& frame() { return m_frame; }
+  Orthogonal_frame<Real>& frame() { return m_frame; }
   std::size_t number_of_exchanges() const { return m_number_of_exchanges; }
 
 private:
@@ -124,16 +169,43 @@ private:
   {
     const std::size_t size = m_basis.size();
     for(std::size_t k = 0; k < size;) {
-      if(k >= m_number_set)
+      if(k >= m_number_set) {
         set_rows(k, k);
-      size_reduce(k);
-      if(k == 0 || is_well_ordered(k) || m_number_of_exchanges > 1000000) {
-        ++k;
-      } else {
-        exchange(k);
-        k = (std::max)(k - 1, std::size_t(1));
+        size_reduce(k);
+      } else if(k > 0) {
+        subtract_earlier_vector(k, k - 1); // is all that the order depends on
       }
+      std::size_t position = k;
+      if(is_well_ordered(k)) {
+        size_reduce(k);
+        position = insertion_position(k);
+      } else {
+        position = k - 1;
+      }
+      if(position + 1 == k)
+        exchange(k);
+      else if(position < k)
+        insert(k, position);
+      k = position == k ? k + 1 : (std::max)(position, std::size_t(1));
     }
+  }
+
+  // Where vector k belongs: with deep insertions at the first place where it is shorter than the vector
+  // there, with both projected to the complement of all vectors before.
+  std::size_t insertion_position(const std::size_t k) const
+  {
+    if(!m_is_deep)
+      return is_well_ordered(k) ? k : k - 1;
+    if(m_number_of_exchanges >= m_exchange_limit)
+      return k;
+    Real rest = inner_product(m_frame.r(k), m_frame.r(k), k + 1);
+    for(std::size_t i = 0; i < k; ++i) {
+      const Real length = m_frame.r(i)[i];
+      if(rest < Real(0.99) * length * length)
+        return i;
+      rest -= m_frame.r(k)[i] * m_frame.r(k)[i];
+    }
+    return k;
   }
 
   // Rows of the frame behind `last` are outdated thereafter.
@@ -147,20 +219,33 @@ private:
     m_number_set = last + 1;
   }
 
-  double error_when_set(const std::size_t k) const
+  Real error_when_set(const std::size_t k) const
   {
-    return 1e-15 * std::sqrt(inner_product(m_frame.r(k), m_frame.r(k), k + 1));
+    return 8 * std::numeric_limits<Real>::epsilon() *
+           std::sqrt(inner_product(m_frame.r(k), m_frame.r(k), k + 1));
   }
 
   void exchange(const std::size_t k)
   {
     ++m_number_of_exchanges;
     std::swap(m_basis[k - 1], m_basis[k]);
+    m_bounds.exchange(k);
     // The rotation is as uncertain as the short row that defines it.
-    const double amplification = m_frame.r(k - 1)[k - 1] / length_in_plane(k);
+    const Real amplification = m_frame.r(k - 1)[k - 1] / length_in_plane(k);
     m_frame.exchange(k, m_number_set);
     m_errors[k - 1] += m_errors[k] * amplification;
     std::swap(m_errors[k - 1], m_errors[k]);
+  }
+
+  // What changes that much is better set again than rotated.
+  void insert(const std::size_t k, const std::size_t position)
+  {
+    for(std::size_t i = k; i > position; --i) {
+      ++m_number_of_exchanges;
+      std::swap(m_basis[i - 1], m_basis[i]);
+      m_bounds.exchange(i);
+    }
+    set_rows(position, position);
   }
 
   // Subtracts multiples of earlier vectors. Where much cancels, few correct digits are left: then rows
@@ -181,50 +266,211 @@ private:
   // And would be much better if set again.
   bool is_inaccurate(const std::size_t k) const
   {
-    const double error = m_errors[k];
-    return error > 1e-6 * length_in_plane(k) && error > 1e3 * error_when_set(k);
+    const Real error = m_errors[k];
+    return error > Real(1e-6) * length_in_plane(k) && error > 1e3 * error_when_set(k);
   }
 
   // The length of the vector's part that is orthogonal to all earlier ones but the last.
-  double length_in_plane(const std::size_t k) const
+  Real length_in_plane(const std::size_t k) const
   {
     return k == 0 ? m_frame.r(0)[0] : std::hypot(m_frame.r(k)[k - 1], m_frame.r(k)[k]);
   }
 
   void subtract_earlier_vectors(const std::size_t k)
   {
-    double* const row = m_frame.r(k);
-    for(std::size_t j = k; j-- > 0;) {
-      const double* const other = m_frame.r(j);
-      const long exponent = m_frame.exponent(k) - m_frame.exponent(j);
-      if(!(std::abs(scaled_by_power(row[j], exponent)) > 0.501 * other[j]) || other[j] == 0)
-        continue;
-      const Scaled_double factor = nearest_integer(row[j] / other[j], exponent);
-      subtract_multiple(m_basis[k], scaled_integer<Integer>(factor.mantissa, factor.exponent),
-                        m_basis[j]);
-      subtract_multiple(row, scaled_by_power(factor.mantissa, factor.exponent - exponent), other,
-                        j + 1);
-    }
+    for(std::size_t j = k; j-- > 0;)
+      subtract_earlier_vector(k, j);
+  }
+
+  void subtract_earlier_vector(const std::size_t k, const std::size_t j)
+  {
+    Real* const row = m_frame.r(k);
+    const Real* const other = m_frame.r(j);
+    const long exponent = m_frame.exponent(k) - m_frame.exponent(j);
+    if(!(std::abs(scaled_by_power(row[j], exponent)) > Real(0.501) * other[j]) || other[j] == 0)
+      return;
+    const Scaled_double factor = nearest_integer(static_cast<double>(row[j] / other[j]), exponent);
+    const Integer multiple = scaled_integer<Integer>(factor.mantissa, factor.exponent);
+    m_bounds.subtract(k, multiple, j);
+    subtract_multiple(m_basis[k], multiple, m_basis[j]);
+    subtract_multiple(row, scaled_by_power<Real>(factor.mantissa, factor.exponent - exponent), other,
+                      j + 1);
   }
 
   bool is_well_ordered(const std::size_t k) const
   {
-    const double length = length_in_plane(k);
-    if(length == 0)
+    const Real length = length_in_plane(k);
+    if(k == 0 || length == 0 || m_number_of_exchanges >= m_exchange_limit)
       return true; // nothing is left after rounding: an exchange could go on forever
-    const double ratio = scaled_by_power(length / m_frame.r(k - 1)[k - 1],
+    const Real ratio = scaled_by_power(length / m_frame.r(k - 1)[k - 1],
                                          m_frame.exponent(k) - m_frame.exponent(k - 1));
-    return ratio * ratio >= 0.99;
+    return ratio * ratio >= Real(0.99);
   }
 
   std::vector<Vector>& m_basis;
   const std::vector<double>& m_scale;
-  Orthogonal_frame m_frame;
-  std::vector<double> m_errors; // estimates of the rows' absolute errors, without their exponents
-  std::vector<double> m_row;
+  Orthogonal_frame<Real> m_frame;
+  Entry_bounds<Integer> m_bounds;
+  std::vector<Real> m_errors; // estimates of the rows' absolute errors, without their exponents
+  std::vector<Real> m_row;
+  std::size_t m_exchange_limit;
+  bool m_is_deep;
   std::size_t m_number_set = 0; // rows of the frame that are up to date
   std::size_t m_number_of_exchanges = 0;
 };
+
+// The same for many vectors, much faster: exchanges happen within blocks of consecutive vectors, whose
+// projections to the complement of all earlier ones are short tuples of numbers. Only the sum of many
+// operations is applied to the vectors themselves.
+template <typename Integer>
+class Block_reduction
+{
+public:
+  using Vector = std::vector<Integer>;
+  static constexpr std::size_t block_size = 64;
+
+  Block_reduction(std::vector<Vector>& basis, const std::vector<double>& scale)
+    : m_basis(basis), m_scale(scale), m_frame(0, 0)
+  {
+    const std::size_t shift = block_size / 2;
+    std::size_t previous = (std::numeric_limits<std::size_t>::max)();
+    const std::size_t number_of_sweeps = affordable_sweeps();
+    for(std::size_t sweep = 0; sweep < number_of_sweeps; ++sweep) {
+      set_frame();
+      const std::size_t exchanges = reduce_blocks(sweep % 2 == 0 ? 0 : shift);
+      m_number_of_exchanges += exchanges;
+      // Each boundary between blocks lies within a block of the next sweep.
+      if(exchanges == 0 && previous == 0)
+        return;
+      if(exchanges <= basis.size() / 8 && previous <= basis.size() / 8)
+        break;
+      previous = exchanges;
+    }
+    set_frame();
+  }
+
+  Orthogonal_frame<double>& frame() { return m_frame; }
+  std::size_t number_of_exchanges() const { return m_number_of_exchanges; }
+
+private:
+  // A sweep costs one orthogonalization at least. Bases of a thousand vectors have to be reduced well
+  // beforehand.
+  std::size_t affordable_sweeps() const
+  {
+    const double size = static_cast<double>(m_basis.size());
+    const double cost = 4 * size * size * static_cast<double>(m_scale.size());
+    return static_cast<std::size_t>((std::min)(8., 4e9 / cost));
+  }
+
+  void set_frame()
+  {
+    Lattice_reduction<Integer> reduction(m_basis, m_scale, 0);
+    m_frame = std::move(reduction.frame());
+  }
+
+  std::size_t reduce_blocks(const std::size_t first)
+  {
+    std::size_t exchanges = 0;
+    for(std::size_t begin = 0; begin < m_basis.size();) {
+      const std::size_t end = (std::min)(begin == 0 && first > 0 ? first : begin + block_size,
+                                         m_basis.size());
+      exchanges += reduce_block(begin, end);
+      begin = end;
+    }
+    return exchanges;
+  }
+
+  // The tuples are rounded to integers, with the combinations that they stand for in columns of weight
+  // 0 behind: so the reduction keeps track of what it does.
+  std::size_t reduce_block(const std::size_t begin, const std::size_t end)
+  {
+    const std::size_t size = end - begin;
+    long exponent = m_frame.exponent(begin);
+    for(std::size_t k = begin; k < end; ++k)
+      exponent = (std::max)(exponent, m_frame.exponent(k));
+    double largest = 0;
+    for(std::size_t k = begin; k < end; ++k)
+      for(std::size_t j = begin; j <= k; ++j)
+        largest = (std::max)(largest, std::abs(entry(k, j, exponent)));
+    int bits = 0;
+    std::frexp(largest, &bits);
+    std::vector<std::vector<std::int64_t> > tuples(size, std::vector<std::int64_t>(2 * size, 0));
+    for(std::size_t k = begin; k < end; ++k) {
+      for(std::size_t j = begin; j <= k; ++j)
+        tuples[k - begin][j - begin] =
+          static_cast<std::int64_t>(std::ldexp(entry(k, j, exponent), 45 - bits));
+      tuples[k - begin][size + k - begin] = 1;
+    }
+    std::vector<double> scale(2 * size, 0.);
+    std::fill(scale.begin(), scale.begin() + std::ptrdiff_t(size), 1.);
+    // Deep insertions give shorter vectors, but may take very long to come to an end.
+    const std::size_t exchanges = reduce_tuples(tuples, scale, 1000000, false) +
+                                  reduce_tuples(tuples, scale, 30000, true);
+    if(exchanges > 0)
+      apply(begin, tuples);
+    return exchanges;
+  }
+
+  // Where rounding errors make the numbers explode, the tuples stay as they are.
+  static std::size_t reduce_tuples(std::vector<std::vector<std::int64_t> >& tuples,
+                                   const std::vector<double>& scale, const std::size_t limit,
+                                   const bool is_deep)
+  {
+    std::vector<std::vector<std::int64_t> > candidate = tuples;
+    try {
+      const Lattice_reduction<std::int64_t> reduction(candidate, scale, limit, is_deep);
+      tuples.swap(candidate);
+      return reduction.number_of_exchanges();
+    } catch(const Integer_overflow&) {
+      return 0;
+    }
+  }
+
+  double entry(const std::size_t k, const std::size_t j, const long exponent) const
+  {
+    return scaled_by_power(m_frame.r(k)[j], m_frame.exponent(k) - exponent);
+  }
+
+  void apply(const std::size_t begin, const std::vector<std::vector<std::int64_t> >& tuples)
+  {
+    const std::size_t size = tuples.size();
+    std::vector<Vector> combined(size, Vector(m_scale.size(), Integer(0)));
+    std::vector<Vector> old(m_basis.begin() + std::ptrdiff_t(begin),
+                            m_basis.begin() + std::ptrdiff_t(begin + size));
+    for(std::size_t k = 0; k < size; ++k) {
+      double bound = 0;
+      for(std::size_t j = 0; j < size; ++j)
+        if(tuples[k][size + j] != 0) {
+          bound += std::abs(static_cast<double>(tuples[k][size + j])) * largest_absolute_value(old[j]);
+          check_bound(bound, combined[k]);
+          subtract_multiple(combined[k], Integer(-tuples[k][size + j]), old[j]);
+        }
+    }
+    std::move(combined.begin(), combined.end(), m_basis.begin() + std::ptrdiff_t(begin));
+  }
+
+  static void check_bound(const double bound, const std::vector<std::int64_t>&)
+  {
+    if(!(bound < 4611686018427387904.)) // 2^62
+      throw Integer_overflow();
+  }
+  static void check_bound(const double, const std::vector<Exact_integer>&) { }
+
+  std::vector<Vector>& m_basis;
+  const std::vector<double>& m_scale;
+  Orthogonal_frame<double> m_frame;
+  std::size_t m_number_of_exchanges = 0;
+};
+
+// Returns the frame of the reduced basis.
+template <typename Integer>
+Orthogonal_frame<double> reduce_basis(std::vector<std::vector<Integer> >& basis,
+                                      const std::vector<double>& scale)
+{
+  if(basis.size() <= Block_reduction<Integer>::block_size)
+    return std::move(Lattice_reduction<Integer>(basis, scale).frame());
+  return std::move(Block_reduction<Integer>(basis, scale).frame());
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
