@@ -1,5 +1,6 @@
-// Closed and open surfaces of any genus to try a parametrization on: a flat box with a row of holes,
-// as it is (with sharp edges) or rounded, meshed by CGAL. The result depends on the arguments alone.
+// Closed and open surfaces of any genus to try a parametrization on: a flat box with a row of
+// holes, as it is (with sharp edges) or rounded, meshed by CGAL. The result depends on the arguments
+// alone.
 
 #ifndef SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H
 #define SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H

@@ -119,7 +119,8 @@ void run(const Options& options)
 {
   Mesh mesh = read_mesh(options.input);
   Uv_map uv_map = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  Edge_bool_map is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  Edge_bool_map is_feature =
+    mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   if(options.feature_angle > 0)
     mark_features(mesh, options.feature_angle, is_feature);
 

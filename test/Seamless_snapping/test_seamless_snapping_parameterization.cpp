@@ -114,11 +114,12 @@ void check_result(Mesh& mesh, Uv_map uv, const Report& report, const IsAligned& 
   CHECK(SS::is_seamless(mesh, uv, alignment));
 }
 
-void check_parameterization(const std::string& name, Mesh mesh)
+void check_parameterization(const std::string& name, Mesh mesh, const bool may_flip = false)
 {
   std::cout << name << std::endl;
   const Uv_map uv = new_uv_map(mesh);
   const Report report = SS::approximate_seamless_parameterization(mesh, uv);
+  CHECK(may_flip || report.number_of_flipped_faces == 0);
   check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
 }
 
@@ -151,7 +152,8 @@ Mesh icosphere(const unsigned int subdivisions)
 Mesh tetrahedron()
 {
   Mesh mesh;
-  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
+                         mesh);
   return mesh;
 }
 
@@ -197,10 +199,28 @@ void test_generated_meshes()
   check_parameterization("three components", mesh);
 }
 
+// Aligned to its creases, a cube comes out as its six squares.
+void test_cube_with_creases()
+{
+  square_complex::Square_complex complex = test_meshes::box(1, 1, 1);
+  test_meshes::mark_creases(complex);
+  Mesh mesh = test_meshes::make_mesh<Kernel>(complex, 4);
+  check_alignment("cube with creases", mesh, test_meshes::feature_map(mesh), false);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report = SS::approximate_seamless_parameterization(
+    mesh, uv, parameters::edge_is_constrained_map(test_meshes::feature_map(mesh)));
+  CHECK_EQUAL(report.cones.size(), std::size_t(8));
+  CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+  for(const auto& cone : report.cones) {
+    CHECK_EQUAL(cone.second, 1);
+
+  }
+}
+
 void test_meshes_of_all_kinds()
 {
   for(const auto& named : test_meshes::all_meshes<Kernel>()) {
-    check_parameterization(named.name, named.mesh);
+    check_parameterization(named.name, named.mesh, true);
     check_alignment(named.name, named.mesh,
                     CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), true);
     Mesh mesh = named.mesh;
@@ -211,6 +231,7 @@ void test_meshes_of_all_kinds()
 int main()
 {
   test_generated_meshes();
+  test_cube_with_creases();
   test_meshes_of_all_kinds();
   return report_checks();
 }

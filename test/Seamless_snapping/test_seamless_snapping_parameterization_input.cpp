@@ -1,5 +1,5 @@
-// The producer of approximately seamless parametrizations: its parameters, what it accepts of meshes
-// and property maps, what it refuses, and that it touches nothing then.
+// The producer of approximately seamless parametrizations: its parameters, the meshes and property
+// maps that it accepts, what it refuses, and that it touches nothing then.
 
 #include "checking.h"
 #include "test_meshes.h"
@@ -290,7 +290,8 @@ void test_poor_meshes()
   // Collinear, and then also coincident vertices.
   Mesh degenerate = icosphere(2);
   const Halfedge h = degenerate.halfedge(Mesh::Face_index(7));
-  const Point_3 a = degenerate.point(degenerate.source(h)), b = degenerate.point(degenerate.target(h));
+  const Point_3 a = degenerate.point(degenerate.source(h));
+  const Point_3 b = degenerate.point(degenerate.target(h));
   degenerate.point(degenerate.target(degenerate.next(h))) = CGAL::midpoint(a, b);
   uv = new_uv_map(degenerate);
   check_snappable("collinear", SS::approximate_seamless_parameterization(degenerate, uv),

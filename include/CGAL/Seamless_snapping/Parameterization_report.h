@@ -109,20 +109,20 @@ struct Parameterization_report
 
   /// \name Parametrization
   /// @{
-  std::size_t number_of_cut_edges = 0;        ///< edges whose transition is not the identity by construction
+  std::size_t number_of_cut_edges = 0;        ///< interior edges along which the surface was cut open
   std::size_t number_of_cut_branches = 0;     ///< chains of cut edges that share one transition
   std::size_t number_of_aligned_edges = 0;    ///< edges that were constrained to isocurves
   std::size_t number_of_flipped_faces = 0;    ///< triangles whose area in the plane is not positive
   std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
-  double violation = 0; ///< the largest difference of the two sides of a cut edge after rotation, absolute
+  double violation = 0; ///< the largest difference of the sides of a cut edge after rotation, absolute
   /// @}
 
   /// \name Time
   /// @{
   /// the steps in the order in which they were made, with their wall-clock times in seconds
   std::vector<std::pair<std::string, double> > step_times;
-  double seconds_in_solvers = 0; ///< the part of it that was spent in sparse factorizations and solves
+  double seconds_in_solvers = 0; ///< the part of it that sparse factorizations and solves took
   /// @}
 
   /// returns `true` if and only if the coordinates were written.

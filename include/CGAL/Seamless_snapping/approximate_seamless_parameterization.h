@@ -176,14 +176,14 @@ small amount, as much as it takes. Vertices without a face are ignored.
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the field follows the principal directions of curvature: 0 is
-                          the smoothest field; with 1, they weigh as much as the smoothness where the
-                          principal radii are as short as an edge}
+                          the smoothest field; with 1, they weigh as much as the smoothness where
+                          the principal radii are as short as an edge}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
-    \cgalParamDescription{a property map that associates to each vertex the index that it is to have,
-                          in quarter turns: 0 for regular vertices, 1 for the corner of a cube, -1
+    \cgalParamDescription{a property map that associates to each vertex the index that it is to
+                          have, in quarter turns: 0 for regular vertices, 1 for the corner of a cube, -1
                           for a vertex of valence 5 in a quadrangulation. The indices of border
                           vertices are ignored.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -215,19 +215,20 @@ small amount, as much as it takes. Vertices without a face are ignored.
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{a multifrontal Cholesky factorization that comes with the package and needs
                       \ref thirdpartyEigen "Eigen"}
-    \cgalParamExtra{With \ref thirdpartySuiteSparse "SuiteSparse",
-                    `CGAL::Eigen_solver_traits<Eigen::CholmodSupernodalLLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >`
-                    is an alternative.}
+    \cgalParamExtra{Any direct solver for such systems that \ref thirdpartyEigen "Eigen" offers can be
+                    used through `CGAL::Eigen_solver_traits`, for example
+                    `Eigen::CholmodSupernodalLLT` where SuiteSparse is installed.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the status and figures of the result. If the status is not
-        `Parameterization_status::PARAMETERIZED`, `uv_map` was not touched, and the message tells the
-        reason: a face that is no triangle, a vertex whose faces form more than one fan, coordinates
-        that are not finite, cones whose indices do not add up, a face with three features.
+        `Parameterization_status::PARAMETERIZED`, `uv_map` was not touched, and the message tells
+        the reason: a face that is no triangle, a vertex whose faces form more than one fan,
+        coordinates that are not finite, cones whose indices do not add up, a face with three
+        features.
 
-For each component of the mesh, the indices of the cones and the quarter turns of the borders against
-the field have been verified to add up to \f$ 4 \chi \f$, in integers.
+For each component of the mesh, the indices of the cones and the quarter turns of the borders
+against the field have been verified to add up to \f$ 4 \chi \f$, in integers.
 
 The cost is that of about ten factorizations of sparse matrices with as many rows as `tmesh` has
 vertices or faces.

@@ -77,7 +77,11 @@ public:
   }
 
   bool is_eliminated(const std::size_t unknown) const { return m_is_eliminated[unknown]; }
-  const Sparse_row& substitution(const std::size_t unknown) const { return m_substitution[unknown]; }
+
+  const Sparse_row& substitution(const std::size_t unknown) const
+  {
+    return m_substitution[unknown];
+  }
 
 private:
   Sparse_row reduced(Sparse_row row) const

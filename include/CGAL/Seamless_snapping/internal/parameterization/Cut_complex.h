@@ -71,7 +71,11 @@ public:
       add_sectors(v);
   }
 
-  std::size_t number_of_vectors() const { return m_surface.number_of_vertices + m_number_of_branches; }
+  std::size_t number_of_vectors() const
+  {
+    return m_surface.number_of_vertices + m_number_of_branches;
+  }
+
   std::size_t number_of_branches() const { return m_number_of_branches; }
   std::size_t number_of_sectors() const { return m_position.size(); }
 

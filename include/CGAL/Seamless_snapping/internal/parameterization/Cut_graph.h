@@ -136,7 +136,10 @@ public:
         paths.add_source(v);
       }
 
-    const auto is_unreached_cone = [&](const std::size_t v) { return is_cone[v] && !m_is_reached[v]; };
+    const auto is_unreached_cone = [&](const std::size_t v)
+    {
+      return is_cone[v] && !m_is_reached[v];
+    };
     for(std::size_t v = paths.run(is_unreached_cone); v != no_index;
         v = paths.run(is_unreached_cone)) {
       while(!m_is_reached[v]) {
@@ -227,7 +230,8 @@ private:
     std::vector<std::size_t> remaining;
     for(const auto& candidate : candidates) {
       const std::size_t h = candidate.second;
-      const std::size_t f = root(m_surface.face(h)), g = root(m_surface.face(m_surface.opposite[h]));
+      const std::size_t f = root(m_surface.face(h));
+      const std::size_t g = root(m_surface.face(m_surface.opposite[h]));
       if(f == g)
         remaining.push_back(h);
       parent[f] = g;
@@ -242,7 +246,10 @@ private:
     for(std::size_t h = 0; h < m_surface.number_of_halfedges(); ++h)
       if(m_is_cut[h])
         ++degree[m_surface.target[h]];
-    const auto is_dead_end = [&](std::size_t v) { return degree[v] == 1 && !m_surface.is_border[v]; };
+    const auto is_dead_end = [&](const std::size_t v)
+    {
+      return degree[v] == 1 && !m_surface.is_border[v];
+    };
     for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v)
       if(is_dead_end(v))
         stack.push_back(v);

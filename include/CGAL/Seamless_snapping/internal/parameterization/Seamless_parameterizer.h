@@ -201,7 +201,8 @@ Parameterization_result parameterize(const Triangle_surface& surface,
   const Singularities singular = singularities(surface, topo, matching);
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)
-    throw Failure{Parameterization_status::INTERNAL_ERROR, "the field does not have the given cones"};
+    throw Failure{Parameterization_status::INTERNAL_ERROR,
+                  "the field does not have the given cones"};
   result.cone_index = singular.index;
   for(const std::ptrdiff_t t : singular.loop_turning)
     report.border_turning += t;

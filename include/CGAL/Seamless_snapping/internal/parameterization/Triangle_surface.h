@@ -46,7 +46,7 @@ struct Triangle_surface
   std::vector<double> length;
   std::vector<double> angle;         // of the corner
   std::vector<double> direction;     // of the halfedge, in the plane layout of its face
-  std::vector<double> bending;       // signed dihedral angle, convex is positive; 0 along the border
+  std::vector<double> bending;       // signed dihedral angle, positive if convex; 0 on the border
   std::vector<char> is_aligned;      // the edge is to lie on an isocurve (equal for both halfedges)
 
   // per face

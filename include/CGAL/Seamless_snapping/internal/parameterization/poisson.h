@@ -106,7 +106,8 @@ Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<dou
 }
 
 // Twice the area of face `f` in the plane.
-inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv, const std::size_t f)
+inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv,
+                              const std::size_t f)
 {
   const auto& p = uv[complex.sector(3 * f)];
   const auto& q = uv[complex.sector(3 * f + 1)];
@@ -146,8 +147,8 @@ inline std::vector<double> distortion(const Triangle_surface& surface, const Cut
   return result;
 }
 
-// Raises the weights where the distortion differs from that of the neighbors, and multiplies them at
-// flipped faces and around, where raising alone takes many rounds.
+// Raises the weights where the distortion differs from that of the neighbors, and multiplies them
+// at flipped faces and around, where raising alone takes many rounds.
 inline void stiffen(const Triangle_surface& surface, const Cut_complex& complex,
                     const Coordinates& uv, std::vector<double>& weights)
 {

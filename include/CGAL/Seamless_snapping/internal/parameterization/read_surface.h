@@ -182,7 +182,8 @@ void read_geometry(const Mesh_indexing<TriangleMesh>& indexing,
     points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     for(const double x : points.back())
       if(!std::isfinite(x))
-        throw Failure{Parameterization_status::NOT_FINITE, "a point has a NaN or infinite coordinate"};
+        throw Failure{Parameterization_status::NOT_FINITE,
+                      "a point has a NaN or infinite coordinate"};
   }
   surface.length.resize(surface.number_of_halfedges());
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
