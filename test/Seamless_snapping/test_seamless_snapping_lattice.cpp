@@ -1,6 +1,6 @@
-// Tests of the complete integer solver: random small systems against a reference that shares no code
-// with it (Heger's theorem on the gcds of minors, and enumeration of boxes), the examples of the
-// paper's addendum, and large coefficients.
+// Tests of the complete integer solver: random small systems against a reference that shares no
+// code with it (Heger's theorem on the gcds of minors, and enumeration of boxes), the examples of
+// the paper's addendum, and large coefficients.
 
 #include "checking.h"
 
@@ -133,8 +133,8 @@ struct Reference
   std::size_t power_of_two = 0;
 };
 
-// Heger: A Y = B is solvable over Z iff the gcd of the largest nonzero minors doesn't change when B is
-// appended.
+// Heger: A Y = B is solvable over Z iff the gcd of the largest nonzero minors doesn't change when B
+// is appended.
 Reference reference_of(const Matrix& a, const Vector& b)
 {
   const std::size_t rank = rank_of(a);
@@ -227,7 +227,8 @@ double squared_distance(const Vector& a, const std::vector<double>& y, const std
   return sum;
 }
 
-Matrix random_matrix(std::mt19937& random, const std::size_t m, const std::size_t n, const int largest)
+Matrix random_matrix(std::mt19937& random, const std::size_t m, const std::size_t n,
+                     const int largest)
 {
   std::uniform_int_distribution<int> coefficient(-largest, largest), percent(0, 99);
   const int zeros = percent(random) / 2;
@@ -495,5 +496,6 @@ int main()
   test_growth(1, 30, 50);
   test_growth(2, 60, 80);
   test_growth(3, 100, 110);
+  test_growth(4, 60, 170);
   return report_checks();
 }

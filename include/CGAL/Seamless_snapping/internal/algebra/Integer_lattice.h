@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// All integer solutions of A Y = B, for a fixed A and several B: whether there are any, with proof, and
-// one that is near to given real numbers. Complete, other than the divisibility rule of Algorithm 4
-// (see part B of the paper's addendum).
+// All integer solutions of A Y = B, for a fixed A and several B: whether there are any, with proof,
+// and one that is near to given real numbers. Complete, other than the divisibility rule of
+// Algorithm 4 (see part B of the paper's addendum).
 
 #include <CGAL/Seamless_snapping/internal/algebra/Lattice_metric.h>
 
@@ -48,15 +48,15 @@ struct Lattice_solution
 {
   Solvability solvability = Solvability::SOLVABLE;
   std::vector<Exact_integer> values;
-  // If NOT_INTEGER: whether 2^k B has a solution for some k, and the smallest such k. If it has none,
-  // the modulus of the certificate is odd, and so proves it for all k.
+  // If NOT_INTEGER: whether 2^k B has a solution for some k, and the smallest such k. If it has
+  // none, the modulus of the certificate is odd, and so proves it for all k.
   bool is_dyadic = false;
   std::size_t power_of_two = 0;
   Insolvability_certificate certificate;
 };
 
-// Invariant: the basis spans the kernel of A in Z^n, and together with the vectors of the echelon steps
-// it spans Z^n. The cost is in the constructor; queries are cheap.
+// Invariant: the basis spans the kernel of A in Z^n, and together with the vectors of the echelon
+// steps it spans Z^n. The cost is in the constructor; queries are cheap.
 class Integer_lattice
 {
 public:
@@ -186,7 +186,8 @@ private:
     return result;
   }
 
-  static Integer_system<std::int64_t> to_machine_integers(const Integer_system<Exact_integer>& system)
+  static Integer_system<std::int64_t>
+  to_machine_integers(const Integer_system<Exact_integer>& system)
   {
     Integer_system<std::int64_t> result(system.number_of_columns());
     std::vector<Entry<std::int64_t> > row;
@@ -248,8 +249,8 @@ private:
   }
 
   // The combination of the row of a step with earlier rows that maps its vector to 1 and all other
-  // echelon and basis vectors to 0 (all, for a redundant row), times a common denominator: the modulus.
-  // Since those vectors span Z^n, it is an integer vector before multiplication.
+  // echelon and basis vectors to 0 (all, for a redundant row), times a common denominator: the
+  // modulus. Since those vectors span Z^n, it is an integer vector before multiplication.
   Insolvability_certificate certificate(const std::size_t step) const
   {
     Insolvability_certificate result;

@@ -14,13 +14,13 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The Hermite normal form of a sparse integer matrix by unimodular column operations, of which only the
-// operations are kept. Starting with the unit vectors as a basis of Z^n, the lattice is intersected with
-// the kernel of one row after the other. As the basis is reduced all along, its entries stay small,
-// other than those of an eliminated matrix.
+// The Hermite normal form of a sparse integer matrix by unimodular column operations, of which only
+// the operations are kept. Starting with the unit vectors as a basis of Z^n, the lattice is
+// intersected with the kernel of one row after the other. As the basis is reduced all along, its
+// entries stay small, other than those of an eliminated matrix.
 
+#include <CGAL/Seamless_snapping/internal/algebra/Block_reduction.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
-#include <CGAL/Seamless_snapping/internal/algebra/lattice_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,8 @@ using Sparse_vector = std::vector<Entry<Integer> >; // sorted by column, no zero
 
 // a - factor b
 template <typename Integer>
-Sparse_vector<Integer> difference_with_multiple(const Sparse_vector<Integer>& a, const Integer& factor,
+Sparse_vector<Integer> difference_with_multiple(const Sparse_vector<Integer>& a,
+                                                const Integer& factor,
                                                 const Sparse_vector<Integer>& b)
 {
   const Integer zero(0);
@@ -60,8 +61,8 @@ Sparse_vector<Integer> difference_with_multiple(const Sparse_vector<Integer>& a,
   return result;
 }
 
-// What one row leaves behind: the vector that all earlier rows map to 0 and this row to `gcd`. The row
-// is a combination of earlier ones if gcd is 0.
+// What one row leaves behind: the vector that all earlier rows map to 0 and this row to `gcd`. The
+// row is a combination of earlier ones if gcd is 0.
 template <typename Integer>
 struct Echelon_step
 {
@@ -70,9 +71,9 @@ struct Echelon_step
   Sparse_vector<Integer> vector;
 };
 
-// Invariant: the echelon vectors and the basis vectors together are a basis of Z^n, and the rows treated
-// so far map all basis vectors to 0: so the basis spans all integer vectors of the kernel. With 64-bit
-// integers the constructor throws `Integer_overflow` where an exact value does not fit.
+// Invariant: the echelon vectors and the basis vectors together are a basis of Z^n, and the rows
+// treated so far map all basis vectors to 0: so the basis spans all integer vectors of the kernel.
+// With 64-bit integers the constructor throws `Integer_overflow` where an exact value does not fit.
 template <typename Integer>
 class Kernel_lattice
 {
@@ -175,7 +176,9 @@ private:
     const auto position = std::lower_bound(vector.begin(), vector.end(), column,
                                            [](const Entry<Integer>& e, const Column_index c)
                                            { return e.column < c; });
-    return position != vector.end() && position->column == column ? &position->coefficient : nullptr;
+    if(position == vector.end() || position->column != column)
+      return nullptr;
+    return &position->coefficient;
   }
 
   static double logarithm(const Integer& a)
@@ -184,8 +187,8 @@ private:
     return std::log2(std::abs(s.mantissa)) + static_cast<double>(s.exponent);
   }
 
-  // One division step, of the vector with the largest image by the one that pays most: many bits less
-  // in the image for little growth of the vector.
+  // One division step, of the vector with the largest image by the one that pays most: many bits
+  // less in the image for little growth of the vector.
   void combine(std::vector<Image>& images)
   {
     const std::size_t largest = largest_image(images);
@@ -319,7 +322,7 @@ private:
 
   const Integer_system<Integer>& m_system;
   std::vector<Vector> m_vectors; // those that became echelon vectors are empty
-  std::vector<std::vector<std::size_t> > m_users; // for each column a superset of the vectors with it
+  std::vector<std::vector<std::size_t> > m_users; // a superset of the vectors with each column
   std::vector<double> m_lengths;                  // squared norms
   std::vector<std::size_t> m_marks;
   double m_length_after_reduction = 64;            // squared, of the longest vector

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A lattice together with a weighted Euclidean norm, in which near lattice points are looked for. The
-// point found is a lattice point exactly; that it is near rests on floating point arithmetic.
+// A lattice together with a weighted Euclidean norm, in which near lattice points are looked for.
+// The point found is a lattice point exactly; that it is near rests on floating point arithmetic.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Kernel_lattice.h>

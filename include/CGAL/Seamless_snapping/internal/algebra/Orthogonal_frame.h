@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Gram-Schmidt orthogonalization in floating point, for the two algorithms that choose among lattice
-// vectors: basis reduction and rounding to a near lattice point. Inexact throughout: nothing here
-// decides whether something holds, only which of several exact choices is a good one.
+// Gram-Schmidt orthogonalization in floating point, for the two algorithms that choose among
+// lattice vectors: basis reduction and rounding to a near lattice point. Inexact throughout:
+// nothing here decides whether something holds, only which of several exact choices is a good one.
 //
 // Numbers of hundreds of bits come as rows of doubles that share one binary exponent.
 
@@ -148,8 +148,8 @@ public:
         residual[i] /= length;
   }
 
-  // Splits v into sum_{j < k} c_j q_j, where c is added to `coefficients`, and an orthogonal rest that
-  // replaces v.
+  // Splits v into sum_{j < k} c_j q_j, where c is added to `coefficients`, and an orthogonal rest
+  // that replaces v.
   void project(const std::size_t k, Real* v, Real* coefficients) const
   {
     // Where most of a vector cancels, so do its correct digits: once more restores orthogonality.
