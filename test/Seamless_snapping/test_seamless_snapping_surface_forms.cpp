@@ -190,7 +190,8 @@ void add_garbage(Mesh& mesh)
 void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
 {
   const std::string context = original.name + ", seed " + std::to_string(seed);
-  const Named_mesh<Kernel> input = disturbed(original, seed);
+  // noise of the size of the last bits makes for means halfway between two grid points
+  const Named_mesh<Kernel> input = disturbed(original, seed, seed % 4 < 2 ? 1e-9 : 3e-16);
   const Named_mesh<Kernel> expected = snapped(input, context);
   {
     CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> polyhedron;
@@ -278,12 +279,17 @@ Named_mesh<Kernel> transformed(Named_mesh<Kernel> named, const F& f)
 
 void test_scales(const Named_mesh<Kernel>& original, unsigned int seed)
 {
-  const Named_mesh<Kernel> input = disturbed(original, seed);
+  Named_mesh<Kernel> input = disturbed(original, seed);
   const Named_mesh<Kernel> expected = snapped(input, original.name);
+  const auto transitions = SS::seam_transitions(input.mesh, test_meshes::uv_map(input.mesh));
   for(const int exponent : { -900, -498, -60, -1, 1, 60, 498, 900 }) {
     const std::string context = original.name + " times 2^" + std::to_string(exponent);
     const auto scale = [&](double x) { return std::ldexp(x, exponent); };
-    Named_mesh<Kernel> here = snapped(transformed(input, scale), context);
+    Named_mesh<Kernel> here = transformed(input, scale);
+    const auto scaled = SS::seam_transitions(here.mesh, test_meshes::uv_map(here.mesh));
+    CHECK_IN(context, scaled.cut_halfedges() == transitions.cut_halfedges());
+    CHECK_IN(context, scaled.singular_vertices() == transitions.singular_vertices());
+    here = snapped(here, context);
     Named_mesh<Kernel> there = transformed(expected, scale);
     CHECK_IN(context, all_bits(here.mesh, test_meshes::uv_map(here.mesh))
                         == all_bits(there.mesh, test_meshes::uv_map(there.mesh)));

@@ -375,6 +375,39 @@ void test_not_aligned()
   }
 }
 
+// Two triangles whose edge vectors differ by less than a rounded difference shows.
+void test_last_bits()
+{
+  for(int rotation = 0; rotation < 4; ++rotation) {
+    for(const double tiny : { 0x1p-60, -0x1p-1000, 0x1p-1074 }) {
+      Named_mesh<Kernel> named{ "two triangles, rotation " + std::to_string(rotation), false, Mesh() };
+      Mesh& mesh = named.mesh;
+      Mesh::Vertex_index v[4];
+      for(auto& vertex : v)
+        vertex = mesh.add_vertex();
+      mesh.add_face(v[0], v[1], v[2]);
+      mesh.add_face(v[1], v[0], v[3]);
+      const Halfedge h = mesh.halfedge(v[0], v[1]), g = mesh.opposite(h);
+      const UV_map uv = test_meshes::uv_map(mesh);
+      const auto set = [&](Halfedge corner, double x, double y, int k) {
+        const auto p = square_complex::rotated({ { x, y } }, k);
+        uv[corner] = Point_2(p[0], p[1]);
+      };
+      set(mesh.prev(h), tiny, 0, 0);
+      set(h, 1, 0, 0);
+      set(mesh.next(h), 0, 1, 0);
+      set(g, 8, 3, rotation);
+      set(mesh.prev(g), 9, 3, rotation);
+      set(mesh.next(g), 8, 2, rotation);
+      CHECK_IN(named.name, !SS::is_seamless(mesh, uv));
+      CHECK_IN(named.name, SS::measure_seamlessness(mesh, uv).number_of_inexact_edges == 1);
+      if(std::isnormal(tiny)) // else it is lost where lengths are scaled
+        CHECK_IN(named.name, SS::measure_seamlessness(mesh, uv).violation == std::abs(tiny));
+      snap_and_check(named, named.name);
+    }
+  }
+}
+
 // --- what is accepted ----------------------------------------------------------------------------
 
 void test_nearly_nothing()
@@ -441,6 +474,7 @@ int main()
   test_quads();
   test_not_seamless();
   test_not_aligned();
+  test_last_bits();
   test_nearly_nothing();
   for(int round = 0; round < 10; ++round)
     test_degenerate_faces(++seed);
