@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -83,6 +84,20 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
     return satisfies_some_transition(sides);
 }
 
+// The rotation across an edge that `is_exact_edge` holds for.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Given, typename Halfedge>
+int exact_rotation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Given& given,
+                   const Halfedge h)
+{
+  if(Given::has_rotations)
+    return given.rotation(h);
+  const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+  int k = 0;
+  while(!satisfies_transition(sides, k))
+    ++k;
+  return k;
+}
+
 // Eq. (5) for one edge: whether a coordinate is constant along it, exactly.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
@@ -124,9 +139,14 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
     if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge(tmesh, uv_map, given, h))
       return false;
   }
-  return for_each_aligned_edge(tmesh, np, [&](const auto e) {
+  const bool aligned = for_each_aligned_edge(tmesh, np, [&](const auto e) {
     return misalignment(tmesh, uv_map, halfedge(e, tmesh)) == 0;
   });
+  const Constraint_list<TriangleMesh> constraints(tmesh, np);
+  return aligned && constraints.status() == Snapping_status::ALREADY_EXACT &&
+         constraints_hold(tmesh, uv_map, constraints, [&](const auto h) {
+           return exact_rotation(tmesh, uv_map, given, h);
+         });
 }
 
 // The sign of the area of a face in the domain, exactly.
@@ -192,7 +212,8 @@ decides whether a parametrization is exactly seamless: whether for each interior
 \f$ R \f$ by a multiple of 90 degrees such that
 \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$, where \f$ \mathbf{u} \f$ and
 \f$ \mathbf{u}' \f$ are the coordinates of its ends \f$ a, b \f$ in the charts of its two faces; and whether
-a coordinate is constant along each edge that is to be aligned. The answer is that of exact arithmetic.
+a coordinate is constant along each edge that is to be aligned, and whether further constraints hold if any are
+given. The answer is that of exact arithmetic.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -229,6 +250,21 @@ a coordinate is constant along each edge that is to be aligned. The answer is th
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
                    type as value type}
     \cgalParamDefault{any rotation will do}
+  \cgalParamNEnd
+  \cgalParamNBegin{connection_constraints}
+    \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
+    \cgalParamType{a range of `Connection_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cycle_constraints}
+    \cgalParamDescription{isocurves that are to close}
+    \cgalParamType{a range of `Cycle_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{corner_constraints}
+    \cgalParamDescription{linear equations on the coordinates of corners}
+    \cgalParamType{a range of `Corner_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -31,7 +31,10 @@
 #define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
   F(align_border_t, align_border, align_border)                                                    \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
+  F(connection_constraints_t, connection_constraints, connection_constraints)                      \
+  F(corner_constraints_t, corner_constraints, corner_constraints)                                  \
   F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
+  F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
@@ -163,6 +166,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * Names of this package:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
+ * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
+ *   parametrization
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known

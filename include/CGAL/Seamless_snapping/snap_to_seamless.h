@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/Surface_snapper.h>
 #include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/surface_constraints.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
@@ -92,6 +93,21 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                    type as value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
+  \cgalParamNBegin{connection_constraints}
+    \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
+    \cgalParamType{a range of `Connection_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cycle_constraints}
+    \cgalParamDescription{isocurves that are to close}
+    \cgalParamType{a range of `Cycle_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{corner_constraints}
+    \cgalParamDescription{linear equations on the coordinates of corners}
+    \cgalParamType{a range of `Corner_constraint<TriangleMesh>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{tolerance}
     \cgalParamDescription{the largest violation of a transition or alignment that is taken for inaccuracy,
                           relative to the extent of the coordinates. A larger one is an error.}
@@ -120,7 +136,11 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each other, or an
-          edge that is given as no cut has a rotation.
+          edge that is given as no cut has a rotation;
+        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, or a corner has no face;
+        - `INCONSISTENT`: the constraints contradict each other; the message names which;
+        - `NOT_REPRESENTABLE`: the number type holds no solution of the corner constraints near by. This can't
+          happen if their right-hand sides are zero.
         .
         The message names the place and the remedy.
 

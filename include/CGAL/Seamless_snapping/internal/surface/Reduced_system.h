@@ -20,14 +20,17 @@
 // mesh is not needed until values are written back.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid_solver.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
+#include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/surface/Branches.h>
+#include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 #include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -95,9 +98,10 @@ class Reduced_system
 public:
   Reduced_system(const Sectors& sectors, const Branches& branches,
                  const Transition_data<TriangleMesh>& transitions,
-                 const Align_edges<TriangleMesh>& align_edges, const std::vector<Grid_uv>& coordinates,
-                 const Grid& grid)
-    : m_sectors(sectors), m_transitions(transitions), m_align_edges(align_edges),
+                 const Align_edges<TriangleMesh>& align_edges,
+                 const Constraint_list<TriangleMesh>& constraints,
+                 const std::vector<Grid_uv>& coordinates, const Grid& grid)
+    : m_sectors(sectors), m_branches(branches), m_transitions(transitions), m_align_edges(align_edges),
       m_coordinates(coordinates), m_point{grid, {}, {}, 0},
       m_unknown_of_sector(sectors.number_of_sectors(), -1),
       m_is_constrained(sectors.number_of_sectors(), {{false, false}})
@@ -108,13 +112,33 @@ public:
       add_cut_branch(branches.cut.begin(b), branches.cut.end(b));
     for(std::size_t b = 0; b < branches.aligned.size(); ++b)
       add_align_branch(branches.aligned.begin(b), branches.aligned.end(b));
-    m_system = Integer_system<std::int64_t>(m_point.values.size());
-    for(const Row& row : m_rows)
-      m_system.add_row(row, 0);
+    System_builder builder(m_point.values.size());
+    for(Row& row : m_rows)
+      builder.add_row(row, Exact_rational(0));
+    if(!constraints.empty())
+      add_constraints(constraints, builder);
+    m_system = builder.take();
   }
 
-  const Integer_system<std::int64_t>& system() const { return m_system; }
+  const Any_system& system() const { return m_system; }
   const Grid_point& point() const { return m_point; }
+
+  // What a row stands for, in the words of the caller.
+  template <typename TriangleMesh_, typename VertexIndexMap>
+  std::string name_of_row(const std::size_t row, const Constraint_list<TriangleMesh>& constraints,
+                          const TriangleMesh_& tmesh, const VertexIndexMap& vertex_indices) const
+  {
+    if(row < m_rows.size())
+      return m_origins[row].is_cut
+        ? "the transition across " + edge_name(tmesh, vertex_indices,
+                                               m_transitions.edges[m_origins[row].edge].halfedge)
+        : "the alignment of " + edge_name(tmesh, vertex_indices,
+                                          m_align_edges.halfedge(Edge_index(m_origins[row].edge)));
+    const std::size_t i = row - m_rows.size();
+    return i < constraints.paths().size()
+      ? constraints.paths()[i].name
+      : constraints.corner_constraint_name(i - constraints.paths().size());
+  }
 
   // The unknown that is component 0 of a node sector, or -1; component 1 is the next.
   Column_index unknown(const Sector_index s) const { return m_unknown_of_sector[std::size_t(s)]; }
@@ -189,9 +213,9 @@ private:
         if(t >= 0)
           row.push_back({t + Column_index(c), -1});
       }
-      add_row(rows[0]);
+      add_row(rows[0], true, std::size_t(*first / 2));
       if(t >= 0)
-        add_row(rows[1]);
+        add_row(rows[1], true, std::size_t(back / 2));
     }
   }
 
@@ -238,9 +262,9 @@ private:
       rows[0].push_back({a, -1});
       append(rows[1], end, c, 1);
       rows[1].push_back({a, -1});
-      add_row(rows[1]);
+      add_row(rows[1], false, std::size_t(*(last - 1) / 2));
     }
-    add_row(rows[0]);
+    add_row(rows[0], false, std::size_t(*first / 2));
   }
 
   Column_index add_coordinate(const std::int32_t* first, const std::int32_t* last, const std::size_t c)
@@ -263,19 +287,151 @@ private:
     row.push_back({m_unknown_of_sector[std::size_t(s)] + Column_index(c), coefficient});
   }
 
-  void add_row(Row& row)
+  void add_row(Row& row, const bool is_cut, const std::size_t edge)
   {
-    sort_and_sum(row);
     m_rows.push_back(row);
+    m_origins.push_back({is_cut, edge});
   }
 
+  void add_constraints(const Constraint_list<TriangleMesh>& constraints, System_builder& builder)
+  {
+    const Branch_finder finder(m_branches.cut, m_transitions);
+    auto sector = m_sectors.node_corner_sectors().begin();
+    for(const Path_constraint<TriangleMesh>& p : constraints.paths()) {
+      const Sector_index a = *sector++, b = *sector++;
+      Row row = path_row(p.connection, a, b, finder);
+      builder.add_row(row, Exact_rational(0));
+    }
+    for(const Corner_constraint<TriangleMesh>& c : constraints.corner_constraints()) {
+      std::vector<Entry<Exact_rational> > row;
+      for(const auto& term : c.terms) {
+        const Sector_index s = *sector++;
+        m_is_constrained[std::size_t(s)][std::size_t(term.component)] = true;
+        row.push_back({m_unknown_of_sector[std::size_t(s)] + Column_index(term.component),
+                       term.coefficient});
+      }
+      builder.add_row(row, c.right_hand_side);
+    }
+  }
+
+  // Which branch crosses which edge, and in which direction.
+  class Branch_finder
+  {
+  public:
+    Branch_finder(const Branch_list& branches, const Transition_data<TriangleMesh>& transitions)
+    {
+      for(std::size_t b = 0; b < branches.size(); ++b)
+        for(const Directed_cut* d = branches.begin(b); d != branches.end(b); ++d) {
+          const auto h = transitions.edges[std::size_t(*d / 2)].halfedge;
+          m_branch_of_halfedge[h] = {b, *d % 2 == 0};
+        }
+    }
+
+    struct Crossing { std::size_t branch; bool along; };
+
+    // A null pointer for edges that are no cut. `along`: from the plus side of the branch to the minus side.
+    template <typename Halfedge>
+    const Crossing* find(const Halfedge h) const
+    {
+      const auto found = m_branch_of_halfedge.find(h);
+      return found == m_branch_of_halfedge.end() ? nullptr : &found->second;
+    }
+
+  private:
+    std::unordered_map<typename Transition_data<TriangleMesh>::Halfedge, Crossing> m_branch_of_halfedge;
+  };
+
+  // Eq. (6), the transitions composed: (R u(a) + t - u(b)) in one component, with t the sum of the branches'
+  // translations as later transitions rotate them. Eqs. (7) and (9) are not needed.
+  Row path_row(const Connection_constraint<TriangleMesh>& c, const Sector_index a, const Sector_index b,
+               const Branch_finder& finder)
+  {
+    std::array<Row, 2> t;
+    int rotation = 0, component = c.component;
+    for(const auto h : c.path) {
+      const typename Branch_finder::Crossing* crossing = finder.find(h);
+      bool turned = false;
+      if(crossing == nullptr) {
+        crossing = finder.find(opposite(h, m_sectors.mesh()));
+        turned = true;
+      }
+      if(crossing == nullptr)
+        continue;
+      const bool along = crossing->along != turned;
+      const int k = directed_rotation(*m_branches.cut.begin(crossing->branch));
+      const std::array<Row, 2> step = translation_terms(crossing->branch);
+      if(along) { // t <- R t + step
+        t = rotated_rows(k, t);
+        append_rows(t, step, 1);
+      } else {    // t <- R^-1 (t - step)
+        append_rows(t, step, -1);
+        t = rotated_rows(inverse_rotation(k), t);
+      }
+      const int turn = along ? k : inverse_rotation(k);
+      rotation = (rotation + turn) % number_of_rotations;
+      component = rotated_component(turn, component);
+    }
+    const std::size_t l = std::size_t(component);
+    Row row = t[l];
+    const Rotation& r = rotation_matrix(rotation);
+    for(std::size_t d = 0; d < 2; ++d)
+      if(r.m[l][d] != 0)
+        append(row, a, d, r.m[l][d]);
+    append(row, b, l, -1);
+    return row;
+  }
+
+  // The translation of a branch: an unknown or, for a branch of one edge, u- - R u+ at its start.
+  std::array<Row, 2> translation_terms(const std::size_t b)
+  {
+    std::array<Row, 2> terms;
+    const Directed_cut first = *m_branches.cut.begin(b);
+    const Rotation& r = rotation_matrix(directed_rotation(first));
+    for(std::size_t c = 0; c < 2; ++c) {
+      if(translation(b) >= 0) {
+        terms[c].push_back({translation(b) + Column_index(c), 1});
+        continue;
+      }
+      append(terms[c], m_sectors.target_sector(opposite_cut(first)), c, 1);
+      for(std::size_t d = 0; d < 2; ++d)
+        if(r.m[c][d] != 0)
+          append(terms[c], m_sectors.source_sector(first), d, -r.m[c][d]);
+    }
+    return terms;
+  }
+
+  static std::array<Row, 2> rotated_rows(const int k, const std::array<Row, 2>& rows)
+  {
+    const Rotation& r = rotation_matrix(k);
+    std::array<Row, 2> result;
+    for(std::size_t c = 0; c < 2; ++c)
+      for(std::size_t d = 0; d < 2; ++d)
+        for(const Entry<std::int64_t>& e : rows[d])
+          if(r.m[c][d] != 0)
+            result[c].push_back({e.column, r.m[c][d] * e.coefficient});
+    return result;
+  }
+
+  static void append_rows(std::array<Row, 2>& rows, const std::array<Row, 2>& more,
+                          const std::int64_t factor)
+  {
+    for(std::size_t c = 0; c < 2; ++c)
+      for(const Entry<std::int64_t>& e : more[c])
+        rows[c].push_back({e.column, factor * e.coefficient});
+  }
+
+  // The edge that a row comes from: an index into the transitions or the aligned edges.
+  struct Origin { bool is_cut; std::size_t edge; };
+
   const Sectors& m_sectors;
+  const Branches& m_branches;
   const Transition_data<TriangleMesh>& m_transitions;
   const Align_edges<TriangleMesh>& m_align_edges;
   const std::vector<Grid_uv>& m_coordinates;
   Grid_point m_point;
   std::vector<Row> m_rows;
-  Integer_system<std::int64_t> m_system;
+  std::vector<Origin> m_origins; // of these rows; the rows of further constraints follow
+  Any_system m_system;
   std::vector<Column_index> m_unknown_of_sector, m_translation_of_branch, m_coordinate_of_branch;
   std::vector<std::array<bool, 2> > m_is_constrained;
 };

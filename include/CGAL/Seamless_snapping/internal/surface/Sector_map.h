@@ -54,14 +54,20 @@ class Sector_map
 public:
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
+  // The vertices of `node_corners` become nodes.
   template <typename VertexIndexMap>
   Sector_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
              const Transition_data<TriangleMesh>& transitions,
-             const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices)
-    : Sector_map(tmesh, uv_map, transitions, align_edges, vertex_indices,
-                 vertex_numbers(tmesh, transitions, align_edges))
+             const Align_edges<TriangleMesh>& align_edges, const std::vector<Halfedge>& node_corners,
+             const VertexIndexMap& vertex_indices)
+    : Sector_map(tmesh, uv_map, transitions, align_edges,
+                 indexed_ends(tmesh, node_corners, vertex_indices), vertex_indices)
   { }
 
+  // The sectors of the corners that the constructor was given.
+  const std::vector<Sector_index>& node_corner_sectors() const { return m_node_corner_sectors; }
+
+  const TriangleMesh& mesh() const { return m_tmesh; }
   std::size_t number_of_vertices() const { return m_is_node.size(); }
   const std::vector<Edge_ends>& cut_ends() const { return m_cut_ends; }
   const std::vector<Edge_ends>& align_ends() const { return m_align_ends; }
@@ -97,13 +103,30 @@ public:
   double largest_coordinate() const { return m_largest_coordinate; }
 
 private:
+  using Ends = std::vector<Indexed_edge<Halfedge> >;
+
+  // A corner's vertex, as both ends of an edge.
+  template <typename VertexIndexMap>
+  static Ends indexed_ends(const TriangleMesh& tmesh, const std::vector<Halfedge>& corners,
+                           const VertexIndexMap& vertex_indices)
+  {
+    Ends result;
+    for(const Halfedge h : corners) {
+      const std::size_t v = std::size_t(get(vertex_indices, target(h, tmesh)));
+      result.push_back({h, v, v});
+    }
+    return result;
+  }
+
   static Vertex_numbers vertex_numbers(const TriangleMesh& tmesh,
                                        const Transition_data<TriangleMesh>& transitions,
-                                       const Align_edges<TriangleMesh>& align_edges)
+                                       const Align_edges<TriangleMesh>& align_edges,
+                                       const Ends& node_corners)
   {
     Vertex_numbers numbers(num_vertices(tmesh));
     numbers.mark_ends(transitions.edges);
     numbers.mark_ends(align_edges.edges());
+    numbers.mark_ends(node_corners);
     numbers.assign_numbers();
     return numbers;
   }
@@ -111,28 +134,42 @@ private:
   template <typename VertexIndexMap>
   Sector_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
              const Transition_data<TriangleMesh>& transitions,
-             const Align_edges<TriangleMesh>& align_edges, const VertexIndexMap& vertex_indices,
-             const Vertex_numbers& numbers)
+             const Align_edges<TriangleMesh>& align_edges, const Ends& node_corners,
+             const VertexIndexMap& vertex_indices)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_transitions(transitions), m_align_edges(align_edges),
-      m_cut_ends(numbers.ends(transitions.edges)), m_align_ends(numbers.ends(align_edges.edges())),
       m_target_sector(2 * transitions.number_of_cuts, -1),
       m_source_sector(2 * transitions.number_of_cuts, -1),
-      m_align_target_sector(align_edges.size(), -1), m_align_source_sector(align_edges.size(), -1),
-      m_is_node(numbers.size(), false)
+      m_align_target_sector(align_edges.size(), -1), m_align_source_sector(align_edges.size(), -1)
   {
-    const std::vector<Halfedge> starts = start_halfedges(vertex_indices);
-    m_cut_ends.resize(transitions.number_of_cuts);
+    const Vertex_numbers numbers = vertex_numbers(tmesh, transitions, align_edges, node_corners);
+    m_is_node.resize(numbers.size(), false);
+    m_cut_ends = numbers.ends(transitions.edges);
+    m_align_ends = numbers.ends(align_edges.edges());
+    const std::vector<Edge_ends> node_ends = numbers.ends(node_corners);
+    const std::vector<Halfedge> starts = start_halfedges(node_corners, node_ends, vertex_indices);
+    m_cut_ends.resize(transitions.number_of_cuts); // from here on without the merged edges
     m_cuts = Vertex_incidences(numbers.size(), m_cut_ends);
     m_aligned = Vertex_incidences(numbers.size(), m_align_ends);
     std::vector<std::size_t> first_visit;
     const std::vector<Visit> visits = walk_around_vertices(starts, first_visit);
     form_sectors(visits, first_visit);
+    for(std::size_t i = 0; i < node_corners.size(); ++i)
+      make_node(node_corners[i].halfedge, node_ends[i].target);
+  }
+
+  void make_node(const Halfedge corner, const Vertex_index v)
+  {
+    m_is_node[std::size_t(v)] = true;
+    for(Sector_index s = first_sector(v); s != first_sector(v + 1); ++s)
+      if(std::find(corners_begin(s), corners_end(s), corner) != corners_end(s))
+        m_node_corner_sectors.push_back(s);
   }
 
   // For each vertex a halfedge towards it where a sector begins: a cut edge or, where there is none, one
   // behind the border or, at an inner vertex, that from the neighbor of least index.
   template <typename VertexIndexMap>
-  std::vector<Halfedge> start_halfedges(const VertexIndexMap& vertex_indices) const
+  std::vector<Halfedge> start_halfedges(const Ends& node_corners, const std::vector<Edge_ends>& node_ends,
+                                        const VertexIndexMap& vertex_indices) const
   {
     std::vector<Halfedge> starts(m_is_node.size());
     std::vector<char> has_start(m_is_node.size(), false);
@@ -151,6 +188,8 @@ private:
       set(m_align_ends[a].target, h, false);
       set(m_align_ends[a].source, opposite(h, m_tmesh), false);
     }
+    for(std::size_t i = 0; i < node_corners.size(); ++i)
+      set(node_ends[i].target, node_corners[i].halfedge, false);
     return starts;
   }
 
@@ -314,6 +353,7 @@ private:
   std::vector<Sector_index> m_align_target_sector, m_align_source_sector;
   std::vector<Sector> m_sectors;
   std::vector<Sector_index> m_first_sector;
+  std::vector<Sector_index> m_node_corner_sectors;
   std::vector<Halfedge> m_corners;
   std::vector<bool> m_is_node;
   std::size_t m_number_of_singular_vertices = 0;

@@ -22,15 +22,23 @@
 #include <CGAL/Seamless_snapping/internal/algebra/solve_on_grid.h>
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
 #include <CGAL/Seamless_snapping/internal/surface/Branches.h>
+#include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/surface/Path_rotations.h>
 #include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
+#include <CGAL/Seamless_snapping/internal/surface/Snapped_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/surface/snapped_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/surface/write_coordinates.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +55,7 @@ class Surface_snapper
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_np(np),
+      m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np)),
       m_timer(m_report, CGAL::parameters::choose_parameter(
                           CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
   { }
@@ -61,12 +70,16 @@ public:
 
     const Align_edges<TriangleMesh> align_edges =
       read_align_edges(m_tmesh, m_uv_map, transitions.extent, m_np);
+    const Constraint_list<TriangleMesh> constraints(m_tmesh, m_np);
     m_report.violation_before = (std::max)(transitions.violation, align_edges.violation());
-    if(failed(align_edges) || (transitions.is_exact && align_edges.is_exact()))
+    if(failed(align_edges) || failed(constraints))
+      return m_report;
+    if(transitions.is_exact && align_edges.is_exact() &&
+       constraints_hold(m_tmesh, m_uv_map, constraints, Rotation_lookup(m_tmesh, transitions, constraints)))
       return m_report;
 
-    const Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges,
-                          CGAL::get_initialized_vertex_index_map(m_tmesh, m_np));
+    const Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges, constraints.corners(),
+                          m_vertex_indices);
     m_timer.finish("sectors");
 
     const Branches branches(sectors);
@@ -76,7 +89,7 @@ public:
 
     Grid grid = Grid::finest(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
                              sectors.largest_coordinate());
-    while(!snap_on(grid, transitions, align_edges, sectors, branches))
+    while(!snap_on(grid, transitions, align_edges, constraints, sectors, branches))
       grid = Grid(grid.format(), grid.exponent() + 1);
     return m_report;
   }
@@ -116,46 +129,87 @@ private:
 
   // Returns false if a coarser grid is needed: rare, for coordinates that grow past a power of two.
   bool snap_on(const Grid& grid, const Transition_data<TriangleMesh>& transitions,
-               const Align_edges<TriangleMesh>& align_edges, const Sectors& sectors,
+               const Align_edges<TriangleMesh>& align_edges,
+               const Constraint_list<TriangleMesh>& constraints, const Sectors& sectors,
                const Branches& branches)
   {
-    const std::vector<Grid_uv> coordinates = sector_coordinates(sectors, m_uv_map, grid);
-    const System system(sectors, branches, transitions, align_edges, coordinates, grid);
+    std::vector<Grid_uv> coordinates = sector_coordinates(sectors, m_uv_map, grid);
+    const System system(sectors, branches, transitions, align_edges, constraints, coordinates, grid);
     m_report.number_of_unknowns = system.point().values.size();
-    m_report.number_of_constraints = system.system().number_of_rows();
     m_timer.finish("reduced system");
 
     Grid_solution solution{grid, {}, {}};
-    if(!solve_on_grid(system.system(), system.point(), solution, m_report, m_timer)) {
-      m_report.message = "the constraints contradict each other";
+    const bool solved = std::visit([&](const auto& s) {
+      m_report.number_of_constraints = s.number_of_rows();
+      return solve_on_grid(s, system.point(), solution, m_report, m_timer);
+    }, system.system());
+    if(!solved) {
+      explain(system, constraints);
       return true;
     }
     if(solution.grid.exponent() != grid.exponent())
-      return false;
+      coordinates = sector_coordinates(sectors, m_uv_map, solution.grid);
     const Snapped snapped(sectors, branches, system, coordinates, solution);
-    if(!snapped.fits())
-      return false;
+    if(!snapped.fits()) {
+      if(solution.grid.exponent() >= grid.exponent())
+        return false;
+      m_report.status = Snapping_status::NOT_REPRESENTABLE; // right-hand sides forbid a coarser grid
+      explain(system, constraints);
+      return true;
+    }
     m_timer.finish("coordinates");
 
-    if(!all_constraints_hold(sectors, transitions, align_edges, snapped)) {
+    const Snapped_uv_map<TriangleMesh, HalfedgeUVMap, Snapped> snapped_uv(m_uv_map, sectors,
+                                                                          snapped, !constraints.empty());
+    if(!all_constraints_hold(sectors, transitions, align_edges, snapped) ||
+       !constraints_hold(m_tmesh, snapped_uv, constraints,
+                         Rotation_lookup(m_tmesh, transitions, constraints))) {
       m_report.status = Snapping_status::INTERNAL_ERROR;
       m_report.message = "the result failed its exact verification and was discarded; please report this";
       return true;
     }
     m_timer.finish("verification");
 
-    Change_statistics statistics(grid.step());
+    Change_statistics statistics(solution.grid.step());
     write_coordinates(sectors, snapped, m_uv_map, statistics);
     m_timer.finish("writing");
     statistics.fill_in(m_report);
-    m_report.grid_step = grid.step();
+    m_report.grid_step = solution.grid.step();
     m_report.status = Snapping_status::SNAPPED;
     return true;
   }
 
+  // Translates a failure of the system into the constraints that the caller gave.
+  void explain(const System& system, const Constraint_list<TriangleMesh>& constraints)
+  {
+    if(m_report.status == Snapping_status::NOT_REPRESENTABLE) {
+      m_report.message = "the corner constraints have solutions, but none whose coordinates are multiples of "
+                         "one power of two that the number type can hold at the size of the coordinates; "
+                         "round their right-hand sides to fewer bits";
+      return;
+    }
+    m_report.message = "constraints contradict each other:";
+    std::set<std::string> names;
+    for(const auto& multiple : m_report.certificate)
+      names.insert(system.name_of_row(multiple.first, constraints, m_tmesh, m_vertex_indices));
+    std::size_t count = 0;
+    for(const std::string& name : names)
+      if(++count <= 8)
+        m_report.message += (count == 1 ? " " : ", ") + name;
+    if(count > 8)
+      m_report.message += ", and " + std::to_string(count - 8) + " more";
+    m_report.message += "; remove or correct one of them";
+  }
+
+  using Vertex_index_map = std::decay_t<decltype(
+    CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
+                                           std::declval<const NamedParameters&>()))>;
+  using Rotation_lookup = Path_rotations<TriangleMesh>;
+
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
   const NamedParameters& m_np;
+  Vertex_index_map m_vertex_indices;
   Snapping_report m_report;
   Step_timer m_timer;
 };
