@@ -73,7 +73,7 @@ private:
   {
     const double size = static_cast<double>(m_basis.size());
     const double cost = 4 * size * size * static_cast<double>(m_scale.size());
-    return static_cast<std::size_t>((std::min)(8., 4e9 / cost));
+    return static_cast<std::size_t>((std::min)(20., 4e9 / cost));
   }
 
   void set_frame()
