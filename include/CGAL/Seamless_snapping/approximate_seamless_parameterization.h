@@ -230,8 +230,9 @@ small amount, as much as it takes. Vertices without a face are ignored.
 For each component of the mesh, the indices of the cones and the quarter turns of the borders
 against the field have been verified to add up to \f$ 4 \chi \f$, in integers.
 
-The cost is that of about ten factorizations of sparse matrices with as many rows as `tmesh` has
-vertices or faces.
+The cost is that of sparse Cholesky factorizations with twice as many rows as `tmesh` has faces
+(three, for the field) and vertices (one, and one for each stiffening round): on surface meshes
+somewhat more than linear, about 10 seconds per 100,000 faces.
 
 \sa `snap_to_seamless()`
 */

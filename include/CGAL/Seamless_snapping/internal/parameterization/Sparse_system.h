@@ -37,7 +37,6 @@ class Sparse_system
 {
   using Matrix = typename Solver::Matrix;
   using Vector = typename Solver::Vector;
-  using Index = typename Solver::Index;
 
 public:
   Sparse_system(const std::size_t dimension, double& seconds)
@@ -70,7 +69,7 @@ public:
       return {};
     CGAL::Real_timer timer;
     timer.start();
-    Vector b(static_cast<Index>(m_dimension)), x(static_cast<Index>(m_dimension));
+    Vector b(m_dimension), x(m_dimension);
     for(std::size_t i = 0; i < m_dimension; ++i)
       b.set(i, right_hand_side[i]);
     const bool success = m_solver.linear_solver(b, x);
