@@ -2,8 +2,9 @@
 // command line, or else those in the folder systems/ of the data folder.
 //
 // Input: values of magnitude 1 drawn at random and snapped once, so that they solve the system,
-// then moved by noise of 1e-8, which is what numerical solvers leave. Times are in milliseconds, of
-// the fastest of several runs. "exact" is this program's own check in rational arithmetic.
+// then moved by noise of 1e-8, which is what numerical solvers leave. Times are in milliseconds,
+// the shortest of several runs: of the clock for the steps, of the processor for the total. "exact"
+// is this program's own check in rational arithmetic.
 
 #include "benchmark_tools.h"
 
@@ -72,7 +73,7 @@ struct Measurement
 {
   std::string name;
   std::size_t rows, columns, entries;
-  benchmark::Fastest_run run;
+  benchmark::Shortest_times run;
   CGAL::Seamless_snapping::Snapping_report report;
   bool exact;
   double largest_change;
@@ -168,7 +169,7 @@ bool read_command_line(int argc, char** argv, Settings& settings)
   options::options_description description("Options");
   description.add_options()("help,h", "print this")(
     "file", options::value(&settings.files), "MatrixMarket files (may go without --file)")(
-    "repeats", options::value(&settings.repeats)->default_value(5), "of which the fastest counts")(
+    "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of the random values")(
     "noise", options::value(&settings.noise)->default_value(1e-8), "added to a solution");
   options::positional_options_description positions;

@@ -4,7 +4,7 @@
 //
 // Meshes: Height_field_surface.h, with noise of 1e-9 of the extent in every sector. Each size runs
 // in a process of its own. (The smallest mesh may fit into the cache, which makes all of it, the
-// pass too, seem to grow faster than it does from there on.) Times are of the fastest of several
+// pass too, seem to grow faster than it does from there on.) Times are the shortest of several
 // runs; memory is the peak resident set during the first snap above what mesh and uv map (and a
 // copy of it) occupy before.
 
@@ -83,7 +83,7 @@ struct Measurement
 {
   double faces = 0, nodes = 0, pass = 0, bytes_per_face = 0;
   bool is_exact = false;
-  benchmark::Fastest_run run;
+  benchmark::Shortest_times run;
 };
 
 double time_of_pass(const Mesh& mesh, const UV_map& uv, int repeats)
@@ -240,7 +240,7 @@ bool read_command_line(int argc, char** argv, Settings& settings)
   description.add_options()("help,h", "print this")(
     "faces", options::value(&settings.faces)->multitoken(), "sizes (default: 100000 1000000)")(
     "faces-per-node", options::value(&settings.faces_per_node)->default_value(200), "about")(
-    "repeats", options::value(&settings.repeats)->default_value(5), "of which the fastest counts")(
+    "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of surface and noise")(
     "noise", options::value(&settings.noise)->default_value(1e-9), "relative to the extent");
   options::variables_map values;
