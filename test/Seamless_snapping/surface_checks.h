@@ -1,5 +1,5 @@
-// What the tests of the surface function share: what is known about a test mesh before its uv map is
-// disturbed, and the checks that every snapped uv map must pass.
+// What the tests of the surface function share: what is known about a test mesh before its uv map
+// is disturbed, and the checks that every snapped uv map must pass.
 
 #ifndef SEAMLESS_SNAPPING_TEST_SURFACE_CHECKS_H
 #define SEAMLESS_SNAPPING_TEST_SURFACE_CHECKS_H
@@ -149,8 +149,8 @@ public:
   bool is_closed = true;
 };
 
-// What seam_transitions() says against what is known. Around edges of no length the angles, and with
-// them the numbers of full turns, are anyone's guess.
+// What seam_transitions() says against what is known. Around edges of no length the angles, and
+// with them the numbers of full turns, are anyone's guess.
 template <typename Graph, typename UVMap>
 void check_transitions(const Graph& g, const Truth<Graph, UVMap>& truth,
                        const SS::Seam_transitions<Graph>& transitions, const std::string& context,
@@ -249,15 +249,16 @@ struct Snapped
   Bits before, after;
 };
 
-// Snaps, and checks by exact arithmetic of its own that the result is seamless and aligned, that the
-// library thinks so too, that a second run finds nothing to do, and what the report says.
+// Snaps, and checks by exact arithmetic of its own that the result is seamless and aligned, that
+// the library thinks so too, that a second run finds nothing to do, and what the report says.
 template <typename K>
 Snapped<K> snap_and_check(test_meshes::Named_mesh<K>& named, const std::string& context)
 {
   auto& mesh = named.mesh;
   const auto uv = test_meshes::uv_map(mesh);
   const auto features = test_meshes::feature_map(mesh);
-  const auto np = SS::parameters::edge_is_constrained_map(features).align_border(named.align_border);
+  const auto np =
+    SS::parameters::edge_is_constrained_map(features).align_border(named.align_border);
 
   Snapped<K> result;
   result.before = all_bits(mesh, uv);

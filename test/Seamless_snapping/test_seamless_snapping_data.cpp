@@ -91,7 +91,8 @@ std::map<std::string, Row> read_table(const std::filesystem::path& path)
     if(cells.size() > 1 && cells[1] == "file")
       for(std::size_t i = 0; i < cells.size(); ++i)
         columns[cells[i]] = i;
-    if(columns.empty() || cells.size() < columns.size() || cells[1].find(".obj") == std::string::npos)
+    if(columns.empty() || cells.size() < columns.size()
+       || cells[1].find(".obj") == std::string::npos)
       continue;
     const auto number = [&](const std::string& name) {
       return std::size_t(std::stoul(cells[columns.at(name)]));

@@ -1,5 +1,5 @@
-// Tests of the surface function: the same surface must come out the same to the bit in all mesh data
-// structures and rounding modes, and exact in all ranges of numbers.
+// Tests of the surface function: the same surface must come out the same to the bit in all mesh
+// data structures and rounding modes, and exact in all ranges of numbers.
 
 #include "surface_checks.h"
 

@@ -1,5 +1,5 @@
-// Tests of the surface function: transitions that the caller gives, edges too short to tell how they
-// turn, inputs that have to be refused untouched, and degenerate ones that have not.
+// Tests of the surface function: transitions that the caller gives, edges too short to tell how
+// they turn, inputs that have to be refused untouched, and degenerate ones that have not.
 
 #include "surface_checks.h"
 
@@ -380,7 +380,8 @@ void test_last_bits()
 {
   for(int rotation = 0; rotation < 4; ++rotation) {
     for(const double tiny : { 0x1p-60, -0x1p-1000, 0x1p-1074 }) {
-      Named_mesh<Kernel> named{ "two triangles, rotation " + std::to_string(rotation), false, Mesh() };
+      Named_mesh<Kernel> named{ "two triangles, rotation " + std::to_string(rotation), false,
+                                Mesh() };
       Mesh& mesh = named.mesh;
       Mesh::Vertex_index v[4];
       for(auto& vertex : v)
