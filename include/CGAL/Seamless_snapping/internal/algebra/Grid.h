@@ -110,7 +110,7 @@ public:
     const double bound = 4611686018427387904.; // 2^62
     if(!(std::abs(static_cast<double>(v.base) + v.offset) < bound))
       return false;
-    x = v.base + std::llround(v.offset);
+    x = std::abs(v.offset) < bound ? v.base + std::llround(v.offset) : 0;
     const int excess = static_cast<int>(bit_length(x)) - m_format.digits;
     if(excess > 0 && !is_representable(x)) {
       const std::int64_t unit = std::int64_t(1) << excess;
@@ -125,27 +125,25 @@ private:
   double m_step, m_half_inverse, m_other_half_inverse;
 };
 
-// The same real number in units of another grid, 2^shift times as coarse (as fine for shift < 0).
-// Returns false if it exceeds 2^62 there.
-inline bool rescale(Grid_value& v, const int shift)
+// Changes the units to those of a grid 2^shift times as coarse (as fine for shift < 0). Numbers that exceed
+// 2^62 there lose their exact part.
+inline void rescale(Grid_value& v, const int shift)
 {
   const double bound = 4611686018427387904.; // 2^62
-  if(!(std::ldexp(std::abs(static_cast<double>(v.base) + v.offset), -shift) < bound))
-    return false;
-  if(shift <= 0) {
+  const double size = std::ldexp(static_cast<double>(v.base) + v.offset, -shift);
+  if(!(std::abs(size) < bound) || !(std::abs(v.offset) < bound) || shift >= 62) {
+    v = {0, size};
+  } else if(shift <= 0) {
     const double offset = std::ldexp(v.offset, -shift);
     const double whole = std::nearbyint(offset);
     v.base = (v.base == 0 ? 0 : v.base * (std::int64_t(1) << -shift)) +
              static_cast<std::int64_t>(whole);
     v.offset = offset - whole;
-  } else if(shift < 62) {
+  } else {
     const std::int64_t unit = std::int64_t(1) << shift;
     v.offset = std::ldexp(static_cast<double>(v.base % unit) + v.offset, -shift);
     v.base /= unit;
-  } else {
-    v = {0, std::ldexp(static_cast<double>(v.base) + v.offset, -shift)};
   }
-  return true;
 }
 
 } // namespace internal

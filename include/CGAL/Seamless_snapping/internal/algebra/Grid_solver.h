@@ -26,6 +26,7 @@
 #include <CGAL/Seamless_snapping/internal/algebra/Unit_pivot_elimination.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -60,13 +61,15 @@ class Grid_solver
 public:
   explicit Grid_solver(const Integer_system<Integer>& system)
     : m_system(system), m_elimination(system), m_core(m_elimination),
-      m_is_free(system.number_of_columns(), false)
+      m_is_free(m_elimination.number_of_columns(), false)
   {
     for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
       m_is_homogeneous = m_is_homogeneous && system.right_hand_side(i) == 0;
       for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
         m_is_free[std::size_t(e->column)] = true;
     }
+    for(const auto& definition : m_elimination.definitions())
+      m_is_free[std::size_t(definition.column)] = true;
     for(const auto& pivot : m_elimination.pivots())
       m_is_free[std::size_t(pivot.column)] = false;
     for(const Column_index column : m_core.columns())
@@ -111,19 +114,24 @@ public:
 
     solution.grid = Grid(format, exponent);
     solution.target = point.values;
-    if(!rescale_target(exponent - point.grid.exponent(), solution))
-      return false;
+    rescale_target(exponent - point.grid.exponent(), solution);
     project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
                          point.weights, solution.target);
+    add_definitions(solution.target);
+    std::vector<double> weights(point.weights);
+    weights.resize(solution.target.size(), 1.);
     timer.finish("least-squares target");
 
-    for(int excess = 0; (excess = evaluate(point, solution)) > 0;) {
-      exponent += excess;
-      if(exponent > coarsest)
+    for(int excess = 0; (excess = evaluate(point, weights, solution)) > 0;) {
+      if(exponent == coarsest)
         return false;
+      excess = (std::min)(excess, coarsest - exponent);
+      exponent += excess;
       solution.grid = Grid(format, exponent);
       rescale_target(excess, solution);
     }
+    solution.x.resize(point.values.size());
+    solution.target.resize(point.values.size());
     timer.finish("evaluation");
     return true;
   }
@@ -139,29 +147,52 @@ private:
   {
     std::vector<Row_index> rows = m_core.independent_rows();
     for(const auto& pivot : m_elimination.pivots())
-      rows.push_back(pivot.row);
+      if(m_elimination.is_original_row(pivot.row))
+        rows.push_back(pivot.row);
     std::sort(rows.begin(), rows.end());
     return rows;
   }
 
-  bool rescale_target(const int shift, Grid_solution& solution) const
+  // The targets of the elimination's new unknowns.
+  void add_definitions(std::vector<Grid_value>& target) const
   {
-    bool fits = true;
-    for(std::size_t j = 0; shift != 0 && j < solution.target.size(); ++j)
-      fits = rescale(solution.target[j], shift) && fits;
-    return fits;
+    for(const Definition<Integer>& definition : m_elimination.definitions()) {
+      Grid_value sum;
+      for(const Entry<Integer>& e : definition.sum) {
+        const Grid_value& v = target[std::size_t(e.column)];
+        sum.base += e.coefficient > 0 ? v.base : -v.base; // at most 128 of 2^54
+        sum.offset += e.coefficient > 0 ? v.offset : -v.offset;
+      }
+      target.push_back(sum);
+    }
+  }
+
+  // To a grid 2^shift times as coarse. Where right-hand sides need a finer grid than values of some size
+  // allow, the solutions near those values are out of reach, and smaller ones are wanted.
+  void rescale_target(const int shift, Grid_solution& solution) const
+  {
+    if(shift == 0)
+      return;
+    const double largest = std::ldexp(1., solution.grid.format().digits);
+    for(Grid_value& v : solution.target) {
+      rescale(v, shift);
+      const double size = static_cast<double>(v.base) + v.offset;
+      if(shift < 0 && std::abs(size) > 64 * largest)
+        v = {static_cast<std::int64_t>(std::copysign(largest / 2, size)), 0};
+    }
   }
 
   // Chooses the core and the free columns near the target, and computes the implied ones. Returns 0 if
   // all fit, else by how many bits the grid must be coarser.
-  int evaluate(const Grid_point& point, Grid_solution& solution) const
+  int evaluate(const Grid_point& point, const std::vector<double>& weights,
+               Grid_solution& solution) const
   {
     constexpr int many = 10; // for numbers of unknown size beyond 2^62
     // negative only if all right-hand sides are zero
     const std::size_t shift = std::size_t((std::max)(right_hand_shift(solution.grid), 0));
     std::vector<std::int64_t>& x = solution.x;
     x.assign(solution.target.size(), 0);
-    if(!m_core.nearest(shift, solution.target, point.weights, x))
+    if(!m_core.nearest(shift, solution.target, weights, x))
       return many;
     for(std::size_t j = 0; j < x.size(); ++j)
       if(m_is_free[j] && !solution.grid.nearest(solution.target[j], x[j]))

@@ -18,6 +18,10 @@
 // (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution). What has no
 // unit pivot left is handed on as the core. Pivots are chosen freely, always in a shortest row and there
 // in the column that the fewest other rows share: this keeps both the fill and the coefficients small.
+//
+// Columns that a single row holds, with coefficients other than +-1, would pile up in ever longer rows: each
+// cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one of them. Several
+// are replaced by a new unknown, which is a sum of them: a unimodular change of variables.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
 
@@ -79,6 +83,14 @@ public:
     ++m_count[std::size_t(column)];
   }
 
+  // \pre `column` is the number of columns so far
+  void add_column(const Column_index column, const Row_index row)
+  {
+    m_head.push_back(-1);
+    m_count.push_back(0);
+    add(column, row);
+  }
+
   void remove_one(const Column_index column) { --m_count[std::size_t(column)]; }
 
   int count(const Column_index column) const { return m_count[std::size_t(column)]; }
@@ -99,6 +111,14 @@ private:
   std::vector<int> m_count;
 };
 
+// A new unknown in terms of older ones.
+template <typename Integer>
+struct Definition
+{
+  Column_index column;
+  std::vector<Entry<Integer> > sum;
+};
+
 // Invariant after construction: each row is redundant (0 = 0), or contradictory (0 = c), or has a unit
 // pivot in a column that no core row and no later pivot row holds, or belongs to the core.
 // The original rows of pivot rows are linearly independent. With 64-bit integers the constructor throws
@@ -111,7 +131,9 @@ public:
   struct Pivot { Row_index row; Column_index column; };
 
   explicit Unit_pivot_elimination(const Integer_system<Integer>& system)
-    : m_rows(system.number_of_rows()), m_right_hand_side(system.number_of_rows()),
+    : m_number_of_original_rows(system.number_of_rows()),
+      m_number_of_original_columns(system.number_of_columns()),
+      m_rows(system.number_of_rows()), m_right_hand_side(system.number_of_rows()),
       m_states(system.number_of_rows(), WAITING), m_columns(system.number_of_columns())
   {
     load(system);
@@ -122,6 +144,11 @@ public:
       if(m_states[i] == CORE)
         m_core_rows.push_back(Row_index(i));
   }
+
+  // New unknowns follow the system's; a pivot row beyond the system's says how one of them came about.
+  std::size_t number_of_columns() const { return m_number_of_original_columns + m_definitions.size(); }
+  bool is_original_row(const Row_index i) const { return std::size_t(i) < m_number_of_original_rows; }
+  const std::vector<Definition<Integer> >& definitions() const { return m_definitions; }
 
   // In the order of elimination: back-substitution runs through it in reverse.
   const std::vector<Pivot>& pivots() const { return m_pivots; }
@@ -203,6 +230,7 @@ private:
         continue; // the list was out of date
       const Integer factor(found->coefficient * pivot.coefficient); // = / pivot, a unit
       subtract(j, factor, i);
+      merge_single_columns(j);
       divide_by_common_factor(j);
       m_states[std::size_t(j)] = WAITING;
       m_queue.push(j, m_rows[std::size_t(j)].size());
@@ -244,6 +272,74 @@ private:
       rhs = difference_with_product(rhs, factor, right_hand_side(i));
   }
 
+  // The sum of at most this many of the system's unknowns is a new one, so that its value still fits.
+  static constexpr int largest_sum = 128;
+
+  // c (u + q v + ...) becomes c w, where w = u + q v + ... is new, and u = w - q v - ... is implied.
+  void merge_single_columns(const Row_index i)
+  {
+    const std::size_t first = first_single(m_rows[std::size_t(i)]);
+    if(first == m_rows[std::size_t(i)].size())
+      return;
+    Row& row = m_rows[std::size_t(i)];
+    const Integer c = row[first].coefficient;
+    Definition<Integer> definition;
+    int size = 0;
+    for(std::size_t k = first; k < row.size(); ++k) {
+      if(m_columns.count(row[k].column) != 1 || (row[k].coefficient != c && row[k].coefficient != -c) ||
+         size + sum_size(row[k].column) > largest_sum)
+        continue;
+      size += sum_size(row[k].column);
+      definition.sum.push_back({row[k].column, row[k].coefficient == c ? Integer(1) : Integer(-1)});
+    }
+    if(definition.sum.size() < 2)
+      return;
+    definition.column = Column_index(number_of_columns());
+    auto merged = definition.sum.begin();
+    row.erase(std::remove_if(row.begin(), row.end(), [&](const Entry<Integer>& e) {
+      if(merged == definition.sum.end() || e.column != merged->column)
+        return false;
+      ++merged;
+      return true;
+    }), row.end());
+    row.push_back({definition.column, c});
+    m_columns.add_column(definition.column, i);
+
+    Row implied(definition.sum); // w - u - q v - ... = 0, with pivot u
+    for(Entry<Integer>& e : implied)
+      e.coefficient = -e.coefficient;
+    implied.push_back({definition.column, Integer(1)});
+    m_pivots.push_back({Row_index(m_rows.size()), implied.front().column});
+    m_sum_sizes.push_back(size);
+    m_definitions.push_back(std::move(definition));
+    m_rows.push_back(std::move(implied)); // invalidates `row`
+    m_right_hand_side.push_back(Integer(0));
+    m_states.push_back(DONE);
+  }
+
+  // The first of at least two columns that no other row holds and that have the same coefficient up to the
+  // sign, or the size of the row.
+  std::size_t first_single(const Row& row) const
+  {
+    for(std::size_t k = 0; k < row.size(); ++k)
+      if(m_columns.count(row[k].column) == 1) {
+        if(is_unit(row[k].coefficient))
+          return row.size(); // a pivot at no cost
+        for(std::size_t l = k + 1; l < row.size(); ++l)
+          if(m_columns.count(row[l].column) == 1 && (row[l].coefficient == row[k].coefficient ||
+                                                     row[l].coefficient == -row[k].coefficient) &&
+             sum_size(row[k].column) + sum_size(row[l].column) <= largest_sum)
+            return k;
+      }
+    return row.size();
+  }
+
+  int sum_size(const Column_index column) const
+  {
+    return std::size_t(column) < m_number_of_original_columns
+      ? 1 : m_sum_sizes[std::size_t(column) - m_number_of_original_columns];
+  }
+
   void note_size(const Integer& c)
   {
     if(c > m_largest_coefficient)
@@ -272,6 +368,9 @@ private:
     m_right_hand_side[std::size_t(i)] = exact_quotient(right_hand_side(i), factor);
   }
 
+  std::size_t m_number_of_original_rows, m_number_of_original_columns;
+  std::vector<Definition<Integer> > m_definitions;
+  std::vector<int> m_sum_sizes; // per definition
   std::vector<Row> m_rows;
   std::vector<Integer> m_right_hand_side;
   std::vector<State> m_states;
