@@ -1,5 +1,5 @@
-// How fast isocurves are traced: crossings per second of all separatrices of a parametrization, exactly
-// and in floating point, with and without keeping the points of the curves.
+// How fast isocurves are traced: crossings per second of all separatrices of a parametrization,
+// exactly and in floating point, with and without keeping the points of the curves.
 
 #include "benchmark_tools.h"
 

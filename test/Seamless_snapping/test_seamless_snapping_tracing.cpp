@@ -57,7 +57,8 @@ void test_levels()
         expected = Exact_rational(sign) * expected + Exact_rational(a) - Exact_rational(b);
         const double near = CGAL::to_double(expected);
         for(const double u : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300), a})
-          all_agree = all_agree && level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
+          all_agree = all_agree &&
+                      level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
         all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
       }
     }
@@ -85,7 +86,7 @@ void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer
   for(const auto v : mesh.vertices())
     if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) && is_unfolded(mesh, uv, v)) {
       const int n = int(tracer.outgoing(v).size());
-      wrong += n % 4 != (4 - index[v]) % 4 ? 1 : 0; // whole turns are no singularity of the rotations
+      wrong += n % 4 != (4 - index[v]) % 4 ? 1 : 0; // whole turns don't show in the rotations
       wrong += tracer.is_singular(v) != (n != 4) ? 1 : 0;
       wrong += index[v] != 0 && n != 4 - index[v] ? 1 : 0;
     }

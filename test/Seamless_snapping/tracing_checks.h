@@ -49,8 +49,8 @@ SS::Isocurve_start<Mesh> start_at(const SS::Isocurve_point<Mesh>& point, const M
 // Whether two points, passed in opposite directions, are the same: by exact parameters on the edge,
 // which are computed in the charts of its two faces.
 template <typename Mesh, typename UVMap>
-bool are_same(const SS::Isocurve_point<Mesh>& a, const SS::Isocurve_point<Mesh>& b, const Mesh& mesh,
-              const UVMap& uv)
+bool are_same(const SS::Isocurve_point<Mesh>& a, const SS::Isocurve_point<Mesh>& b,
+              const Mesh& mesh, const UVMap& uv)
 {
   if(a.place() != b.place())
     return false;
@@ -87,7 +87,8 @@ bool is_symmetric(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Me
   const auto back = tracer.trace(start_at(end, mesh, uv), SS::reversed(end.direction()),
                                  parameters::maximum_number(n + 1));
   const bool is_first_seen =
-    (curve.start.place != Place::FACE || curve.status == Status::CLOSED) && !starts_along_edge(curve, mesh, uv);
+    (curve.start.place != Place::FACE || curve.status == Status::CLOSED) &&
+    !starts_along_edge(curve, mesh, uv);
   const std::size_t first = is_first_seen ? 0 : 1;
   if(back.points.size() + first < n)
     return false;

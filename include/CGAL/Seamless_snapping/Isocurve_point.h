@@ -142,8 +142,8 @@ public:
   /// returns what the point lies on.
   Isocurve_place place() const { return m_place; }
 
-  /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge that
-  /// points to it, of a face that the curve has come through or along; for a face one of its
+  /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
+  /// that points to it, of a face that the curve has come through or along; for a face one of its
   /// halfedges.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 

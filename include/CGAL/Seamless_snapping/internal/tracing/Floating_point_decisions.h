@@ -65,7 +65,7 @@ public:
     const double source = m_mesh.uv(Chart_mesh::prev(state.halfedge))[c];
     const double target = m_mesh.uv(state.halfedge)[c];
     if(left * compare(source, target) <= 0)
-      m_failure = Isocurve_status::STUCK_AT_CUT; // this face lies on the other side of the edge, here
+      m_failure = Isocurve_status::STUCK_AT_CUT; // here the edge faces the other way
     else if(left * side_of(state.level, source) < 0 || left * side_of(state.level, target) > 0)
       m_failure = Isocurve_status::FELL_INTO_GAP;
     else
@@ -116,7 +116,7 @@ private:
     const std::size_t c = constant_component(direction), r = running_component(direction);
     const double along = running_sign(direction) * (b[r] - a[r]);
     const double across = std::abs(b[c] - a[c]);
-    return across <= m_near && along > 1000 * across;
+    return across <= m_near && along > 4 * across;
   }
 
   // Whether one of the border edges at the vertex was meant to continue the curve.

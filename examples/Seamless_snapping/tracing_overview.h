@@ -1,0 +1,197 @@
+// Traced isocurves in the domain and, projected, on the surface, as SVG; and in space as polylines.
+
+#ifndef SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
+#define SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
+
+#include "tracing_pieces.h"
+
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+template <typename Mesh, typename UVMap>
+class Tracing_overview
+{
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+  using Curve = CGAL::Seamless_snapping::Isocurve<Mesh>;
+  using Vector = Uv_vector;
+  using Segment = Uv_segment;
+
+public:
+  Tracing_overview(const Mesh& mesh, UVMap uv_map, const std::vector<Curve>& curves)
+    : m_mesh(mesh), m_uv_map(uv_map), m_curves(curves)
+  { }
+
+  // The triangles of the domain, and the pieces of the curves in each.
+  void write_domain(std::ostream& os, double x, double y, double size) const
+  {
+    CGAL::Bbox_2 box;
+    for(const Face f : faces(m_mesh))
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        box += get(m_uv_map, h).bbox();
+    const auto place = fit(box, x, y, size);
+    os << "<path fill=\"#eef1f5\" stroke=\"#c3cbd4\" stroke-width=\"0.5\" d=\"";
+    for(const Face f : faces(m_mesh)) {
+      char command = 'M';
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+        const Vector p = place({{get(m_uv_map, h).x(), get(m_uv_map, h).y()}});
+        os << command << p[0] << ' ' << p[1];
+        command = 'L';
+      }
+      os << 'Z';
+    }
+    os << "\"/>\n";
+    for(const bool failed : {false, true})
+      for(const Curve& curve : m_curves)
+        if(CGAL::Seamless_snapping::is_failure(curve.status) == failed)
+          write_curve_in_domain(os, curve, failed, place);
+  }
+
+  // Faces from back to front, each with the pieces of curves that lie in it.
+  void write_projection(std::ostream& os, double x, double y, double size) const
+  {
+    const auto points = get(CGAL::vertex_point, m_mesh);
+    std::map<Face, std::vector<std::pair<Segment, bool> > > pieces;
+    for(const Curve& curve : m_curves)
+      for(std::size_t i = 1; i < curve.points.size(); ++i) {
+        const auto a = space(curve.points[i - 1]), b = space(curve.points[i]);
+        pieces[face(curve.points[i].halfedge(), m_mesh)].push_back(
+          {{flat(a), flat(b)}, CGAL::Seamless_snapping::is_failure(curve.status)});
+      }
+    CGAL::Bbox_2 box;
+    std::vector<std::pair<double, Face> > order;
+    for(const Face f : faces(m_mesh)) {
+      double sum = 0;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+        const auto p = get(points, target(h, m_mesh));
+        const Vector q = flat(p);
+        box += CGAL::Bbox_2(q[0], q[1], q[0], q[1]);
+        sum += depth(p);
+      }
+      order.emplace_back(sum, f);
+    }
+    std::sort(order.begin(), order.end());
+    const auto place = fit(box, x, y, size);
+    for(const auto& [unused, f] : order)
+      write_face(os, f, pieces[f], place);
+  }
+
+  // `v` and `l` statements of OBJ.
+  void write_OBJ(std::ostream& os) const
+  {
+    os.precision(17);
+    std::size_t next = 1;
+    for(const Curve& curve : m_curves) {
+      for(const auto& point : curve.points)
+        os << "v " << space(point) << "\n";
+      os << "# " << curve.status << "\nl";
+      for(std::size_t i = 0; i < curve.points.size(); ++i)
+        os << ' ' << next++;
+      os << "\n";
+    }
+  }
+
+  // Vertices and edges of PLY, the edges with the status of their curve.
+  void write_PLY(std::ostream& os) const
+  {
+    std::size_t n = 0, m = 0;
+    for(const Curve& curve : m_curves) {
+      n += curve.points.size();
+      m += curve.points.empty() ? 0 : curve.points.size() - 1;
+    }
+    os << "ply\nformat ascii 1.0\nelement vertex " << n
+       << "\nproperty double x\nproperty double y\nproperty double z\nelement edge " << m
+       << "\nproperty int vertex1\nproperty int vertex2\nproperty uchar status\nend_header\n";
+    os.precision(17);
+    for(const Curve& curve : m_curves)
+      for(const auto& point : curve.points)
+        os << space(point) << "\n";
+    std::size_t first = 0;
+    for(const Curve& curve : m_curves) {
+      for(std::size_t i = 1; i < curve.points.size(); ++i)
+        os << first + i - 1 << ' ' << first + i << ' ' << int(curve.status) << "\n";
+      first += curve.points.size();
+    }
+  }
+
+private:
+  using Point = CGAL::Seamless_snapping::Isocurve_point<Mesh>;
+
+  auto space(const Point& point) const
+  {
+    return CGAL::Seamless_snapping::isocurve_point_3(point, m_mesh, m_uv_map,
+                                                     get(CGAL::vertex_point, m_mesh));
+  }
+
+  // Seen from (1, -2, 1), roughly.
+  template <typename Point_3>
+  static Vector flat(const Point_3& p)
+  { return {{0.894 * p.x() + 0.447 * p.y(), 0.913 * p.z() - 0.183 * p.x() + 0.365 * p.y()}}; }
+  template <typename Point_3>
+  static double depth(const Point_3& p)
+  { return 0.408 * p.x() - 0.816 * p.y() + 0.408 * p.z(); }
+
+  static auto fit(const CGAL::Bbox_2& box, double x, double y, double size)
+  {
+    const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin();
+    const double scale = size / (std::max)((std::max)(width, height), 1e-300);
+    const Vector middle{{(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2}};
+    return [=](const Vector& p) -> Vector {
+      return {{x + scale * (p[0] - middle[0]), y - scale * (p[1] - middle[1])}};
+    };
+  }
+
+  static const char* color(bool failed) { return failed ? "#c62828" : "#1f4fd0"; }
+
+  template <typename Place>
+  void write_curve_in_domain(std::ostream& os, const Curve& curve, bool failed,
+                             const Place& place) const
+  {
+    os << "<path fill=\"none\" stroke-width=\"1.4\" stroke=\"" << color(failed) << "\" d=\"";
+    for(std::size_t i = 1; i < curve.points.size(); ++i) {
+      const Uv_segment piece = curve_piece(curve.points[i - 1], curve.points[i], m_mesh, m_uv_map);
+      const Vector p = place(piece.first), q = place(piece.second);
+      os << 'M' << p[0] << ' ' << p[1] << 'L' << q[0] << ' ' << q[1];
+    }
+    os << "\"/>\n";
+    if(!failed)
+      return;
+    const Vector end =
+      place(CGAL::Seamless_snapping::isocurve_uv(curve.points.back(), m_mesh, m_uv_map));
+    os << "<circle cx=\"" << end[0] << "\" cy=\"" << end[1]
+       << "\" r=\"3.5\" fill=\"#fff\" stroke=\"#c62828\" stroke-width=\"1.6\"/>\n";
+  }
+
+  template <typename Pieces, typename Place>
+  void write_face(std::ostream& os, Face f, const Pieces& pieces, const Place& place) const
+  {
+    const auto points = get(CGAL::vertex_point, m_mesh);
+    std::vector<Vector> corners;
+    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+      corners.push_back(place(flat(get(points, target(h, m_mesh)))));
+    os << "<path fill=\"#eef1f5\" stroke=\"#c3cbd4\" stroke-width=\"0.4\" d=\"M" << corners[0][0]
+       << ' ' << corners[0][1] << 'L' << corners[1][0] << ' ' << corners[1][1] << 'L'
+       << corners[2][0] << ' ' << corners[2][1] << "Z\"/>\n";
+    for(const auto& [segment, failed] : pieces) {
+      const Vector p = place(segment.first), q = place(segment.second);
+      os << "<path stroke-width=\"1.6\" stroke=\"" << color(failed) << "\" d=\"M" << p[0] << ' '
+         << p[1] << 'L' << q[0] << ' ' << q[1] << "\"/>\n";
+    }
+  }
+
+  const Mesh& m_mesh;
+  UVMap m_uv_map;
+  const std::vector<Curve>& m_curves;
+};
+
+#endif // SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
