@@ -157,7 +157,7 @@ Mesh tetrahedron()
   return mesh;
 }
 
-Mesh height_field(const std::size_t n)
+Mesh height_field(const Mesh::size_type n)
 {
   Mesh mesh;
   CGAL::make_grid(n, n, mesh, [](const std::size_t i, const std::size_t j) {

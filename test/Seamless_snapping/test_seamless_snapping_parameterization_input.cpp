@@ -83,7 +83,7 @@ Mesh torus(const std::size_t n, const std::size_t m)
   return mesh;
 }
 
-Mesh grid(const std::size_t n)
+Mesh grid(const Mesh::size_type n)
 {
   Mesh mesh;
   CGAL::make_grid(n, n, mesh, [](const std::size_t i, const std::size_t j) {
