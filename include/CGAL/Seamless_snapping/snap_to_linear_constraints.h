@@ -111,7 +111,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
       return refused(Snapping_status::INVALID_ARGUMENT,
                      "weight " + std::to_string(j) + " is not a positive number");
 
-  Any_system system;
+  Scaled_system system;
   std::string problem;
   if(!read_constraints(c, b, system, problem))
     return refused(Snapping_status::INVALID_ARGUMENT, problem);

@@ -14,8 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What unit pivots can't reach: hands the rows that the elimination left over, with their columns
-// renumbered, to the complete integer solver. Most systems have none.
+// What unit pivots can't reach goes to the complete integer solver; most systems have nothing of the kind.
+// Of large systems it is the rows that the elimination left over. Of others it is all rows as they were
+// given: a solution near by in all unknowns is wanted, and implied ones amplify changes of the core.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -35,18 +37,14 @@ template <typename Integer>
 class Core_solver
 {
 public:
-  explicit Core_solver(const Unit_pivot_elimination<Integer>& elimination)
-    : m_lattice(core_system(elimination))
+  Core_solver(const Integer_system<Integer>& system,
+              const Unit_pivot_elimination<Integer>& elimination)
+    : m_is_whole(!elimination.core_rows().empty() &&
+                 system.number_of_columns() <= largest_whole_system),
+      m_lattice(m_is_whole ? core_of(system, all_rows(system)) : core_of(elimination))
   {
-    const std::vector<Row_index>& rows = elimination.core_rows();
-    for(const Row_index row : rows) {
-      m_right_hand_side.push_back(Exact_integer(elimination.right_hand_side(row)));
-      for(const Entry<Integer>& e : elimination.row(row))
-        m_largest_coefficient = (std::max)(m_largest_coefficient,
-                                           Exact_integer(CGAL::abs(Exact_integer(e.coefficient))));
-    }
     for(const Row_index i : m_lattice.independent_rows())
-      m_independent_rows.push_back(rows[std::size_t(i)]);
+      m_independent_rows.push_back(m_rows[std::size_t(i)]);
     const Lattice_solution solution = m_lattice.some_solution(m_right_hand_side);
     m_is_consistent = solution.solvability != Solvability::INCONSISTENT;
     if(solution.solvability == Solvability::SOLVABLE)
@@ -54,6 +52,9 @@ public:
     else if(m_is_consistent && solution.is_dyadic)
       m_right_hand_shift = solution.power_of_two;
   }
+
+  // Whether all rows of the system are here, so that back-substitution has nothing left to do.
+  bool is_whole() const { return m_is_whole; }
 
   // Whether there are solutions over the rationals.
   bool is_consistent() const { return m_is_consistent; }
@@ -64,8 +65,7 @@ public:
 
   const std::vector<Column_index>& columns() const { return m_columns; }
   const std::vector<Row_index>& independent_rows() const { return m_independent_rows; }
-  std::size_t number_of_redundant_rows() const
-  { return m_lattice.number_of_rows() - m_independent_rows.size(); }
+  std::size_t number_of_redundant_rows() const { return m_rows.size() - m_independent_rows.size(); }
   const Exact_integer& largest_coefficient() const { return m_largest_coefficient; }
   Exact_integer largest_pivot() const { return m_lattice.largest_pivot(); }
 
@@ -98,30 +98,72 @@ public:
   }
 
 private:
-  // Also collects the columns.
-  Integer_system<Integer> core_system(const Unit_pivot_elimination<Integer>& elimination)
+  static constexpr std::size_t largest_whole_system = 2000; // columns
+
+  static std::vector<Row_index> all_rows(const Integer_system<Integer>& system)
   {
-    for(const Row_index row : elimination.core_rows())
-      for(const Entry<Integer>& e : elimination.row(row))
-        m_columns.push_back(e.column);
+    std::vector<Row_index> rows(system.number_of_rows());
+    std::iota(rows.begin(), rows.end(), Row_index(0));
+    return rows;
+  }
+
+  Integer_system<Integer> core_of(const Integer_system<Integer>& system,
+                                  const std::vector<Row_index>& rows)
+  {
+    for(const Row_index row : rows)
+      collect(system.begin(std::size_t(row)), system.end(std::size_t(row)),
+              system.right_hand_side(std::size_t(row)), row);
+    return renumbered();
+  }
+
+  Integer_system<Integer> core_of(const Unit_pivot_elimination<Integer>& elimination)
+  {
+    for(const Row_index row : elimination.core_rows()) {
+      const auto& entries = elimination.row(row);
+      collect(entries.data(), entries.data() + entries.size(), elimination.right_hand_side(row), row);
+    }
+    return renumbered();
+  }
+
+  void collect(const Entry<Integer>* first, const Entry<Integer>* last, const Integer& b,
+               const Row_index row)
+  {
+    m_entries.emplace_back(first, last);
+    m_right_hand_side.push_back(Exact_integer(b));
+    m_rows.push_back(row);
+    for(; first != last; ++first) {
+      m_columns.push_back(first->column);
+      m_largest_coefficient = (std::max)(m_largest_coefficient,
+                                         Exact_integer(CGAL::abs(Exact_integer(first->coefficient))));
+    }
+  }
+
+  // The collected rows, with columns as indices into `m_columns`.
+  Integer_system<Integer> renumbered()
+  {
     std::sort(m_columns.begin(), m_columns.end());
     m_columns.erase(std::unique(m_columns.begin(), m_columns.end()), m_columns.end());
     Integer_system<Integer> system(m_columns.size());
-    for(const Row_index row : elimination.core_rows()) {
-      std::vector<Entry<Integer> > entries = elimination.row(row);
+    for(std::vector<Entry<Integer> >& entries : m_entries) {
       for(Entry<Integer>& e : entries)
         e.column = Column_index(std::lower_bound(m_columns.begin(), m_columns.end(), e.column) -
                                 m_columns.begin());
       system.add_row(entries, Integer(0));
     }
+    m_entries.clear();
     return system;
   }
 
-  std::vector<Column_index> m_columns; // before the lattice, which is made from them
-  Integer_lattice m_lattice;
-  std::vector<Row_index> m_independent_rows;
+  bool m_is_whole;
+  // filled while the lattice is made from them
+  std::vector<std::vector<Entry<Integer> > > m_entries;
+  std::vector<Row_index> m_rows;
+  std::vector<Column_index> m_columns;
   std::vector<Exact_integer> m_right_hand_side;
   Exact_integer m_largest_coefficient = Exact_integer(0);
+  Integer_lattice m_lattice;
+
+  std::vector<Row_index> m_independent_rows;
   bool m_is_consistent = true;
   std::optional<std::size_t> m_right_hand_shift;
 };

@@ -60,7 +60,7 @@ class Grid_solver
 {
 public:
   explicit Grid_solver(const Integer_system<Integer>& system)
-    : m_system(system), m_elimination(system), m_core(m_elimination),
+    : m_system(system), m_elimination(system), m_core(system, m_elimination),
       m_is_free(m_elimination.number_of_columns(), false)
   {
     for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
@@ -84,9 +84,12 @@ public:
 
   void fill_in(Snapping_report& report) const
   {
+    const std::size_t core_redundant = m_core.number_of_redundant_rows();
+    const std::size_t core_rank = m_core.independent_rows().size();
     report.number_of_redundant_constraints =
-      m_elimination.redundant_rows().size() + m_core.number_of_redundant_rows();
-    report.number_of_non_unit_pivots = m_core.independent_rows().size();
+      m_core.is_whole() ? core_redundant : m_elimination.redundant_rows().size() + core_redundant;
+    report.number_of_non_unit_pivots =
+      m_core.is_whole() ? core_rank - number_of_unit_pivots() : core_rank;
     const Exact_integer largest = (std::max)(Exact_integer(m_elimination.largest_coefficient()),
                                              m_core.largest_coefficient());
     report.coefficient_bits = bit_length(largest);
@@ -143,9 +146,17 @@ private:
     return -static_cast<int>(m_system.right_hand_scale()) - grid.exponent();
   }
 
+  std::size_t number_of_unit_pivots() const
+  {
+    return std::size_t(std::count_if(m_elimination.pivots().begin(), m_elimination.pivots().end(),
+                                     [&](const auto& p) { return m_elimination.is_original_row(p.row); }));
+  }
+
   std::vector<Row_index> independent_rows() const
   {
     std::vector<Row_index> rows = m_core.independent_rows();
+    if(m_core.is_whole())
+      return rows;
     for(const auto& pivot : m_elimination.pivots())
       if(m_elimination.is_original_row(pivot.row))
         rows.push_back(pivot.row);
@@ -197,14 +208,21 @@ private:
     for(std::size_t j = 0; j < x.size(); ++j)
       if(m_is_free[j] && !solution.grid.nearest(solution.target[j], x[j]))
         return many;
+    if(m_core.is_whole())
+      return excess_of(point, solution);
     for(auto pivot = m_elimination.pivots().rbegin(); pivot != m_elimination.pivots().rend(); ++pivot)
       if(!back_substitute(*pivot, shift, x))
         return many;
+    return excess_of(point, solution);
+  }
 
+  // By how many bits values exceed the number type.
+  static int excess_of(const Grid_point& point, const Grid_solution& solution)
+  {
     int excess = 0;
     for(std::size_t j = 0; j < point.number_of_representable_columns; ++j)
-      if(!solution.grid.is_representable(x[j]))
-        excess = (std::max)({excess, 1, static_cast<int>(bit_length(x[j])) -
+      if(!solution.grid.is_representable(solution.x[j]))
+        excess = (std::max)({excess, 1, static_cast<int>(bit_length(solution.x[j])) -
                                           solution.grid.format().digits});
     return excess;
   }

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -47,6 +48,34 @@ inline std::pair<Exact_integer, Exact_integer> numerator_and_denominator(const E
   return {Exact_integer(numerator), Exact_integer(denominator)};
 }
 
+// A system in integers, and by which factors its rows differ from those the caller gave.
+struct Scaled_system
+{
+  Any_system system;
+  std::map<std::size_t, Exact_rational> scales; // of rows where they are not 1
+
+  // Multipliers of the system's rows, as multipliers of the caller's: integers without a common factor.
+  void rescale(std::vector<std::pair<std::size_t, Exact_integer> >& certificate) const
+  {
+    std::vector<Exact_rational> multipliers;
+    Exact_integer denominator(1), factor(0);
+    for(const auto& multiple : certificate) {
+      const auto scale = scales.find(multiple.first);
+      multipliers.push_back(Exact_rational(multiple.second) *
+                            (scale == scales.end() ? Exact_rational(1) : scale->second));
+      const Exact_integer d = numerator_and_denominator(multipliers.back()).second;
+      denominator = Exact_integer(exact_quotient(denominator, greatest_common_divisor(denominator, d)) * d);
+    }
+    for(std::size_t i = 0; i < certificate.size(); ++i) {
+      const auto parts = numerator_and_denominator(multipliers[i]);
+      certificate[i].second = Exact_integer(parts.first * exact_quotient(denominator, parts.second));
+      factor = greatest_common_divisor(factor, certificate[i].second);
+    }
+    for(auto& multiple : certificate)
+      multiple.second = exact_quotient(multiple.second, factor);
+  }
+};
+
 class System_builder
 {
 public:
@@ -56,7 +85,8 @@ public:
 
   // Entries in any order; equal columns add up.
   template <typename Coefficient>
-  void add_row(std::vector<Entry<Coefficient> >& entries, const Exact_rational& right_hand_side)
+  void add_row(const std::vector<Entry<Coefficient> >& entries,
+               const Exact_rational& right_hand_side)
   {
     if constexpr(std::is_same<Coefficient, std::int64_t>::value) {
       if(right_hand_side == 0 && add_small_row(entries))
@@ -68,8 +98,11 @@ public:
     add_rational_row(row, right_hand_side);
   }
 
-  // Leaves the builder empty.
-  Any_system take()
+  // Call once, when all rows are there.
+  Scaled_system take() { return {take_system(), std::move(m_scales)}; }
+
+private:
+  Any_system take_system()
   {
     std::size_t scale = 0;
     for(const Large_row& row : m_large_rows)
@@ -89,7 +122,6 @@ public:
     return Any_system(merged<Exact_integer>(scale));
   }
 
-private:
   // A row that is not made of 64-bit integers only, or that has a right-hand side.
   struct Large_row
   {
@@ -99,7 +131,7 @@ private:
     std::size_t right_hand_scale;
   };
 
-  bool add_small_row(std::vector<Entry<std::int64_t> >& entries)
+  bool add_small_row(const std::vector<Entry<std::int64_t> >& entries)
   {
     std::vector<Entry<std::int64_t> > row(entries);
     try {
@@ -142,6 +174,7 @@ private:
     const Exact_integer common = greatest_common_divisor(odd, row.right_hand_side);
     if(factor != 0) {
       const Exact_integer divisor(common * power_of_two(twos));
+      m_scales[m_rows.number_of_rows()] = Exact_rational(multiple) / Exact_rational(divisor);
       for(Entry<Exact_integer>& e : row.entries)
         e.coefficient = exact_quotient(e.coefficient, divisor);
       row.right_hand_side = exact_quotient(row.right_hand_side, common);
@@ -151,6 +184,8 @@ private:
         row.right_hand_side = exact_quotient(row.right_hand_side, Exact_integer(2));
         --row.right_hand_scale;
       }
+    } else {
+      m_scales[m_rows.number_of_rows()] = Exact_rational(multiple);
     }
     m_rows.add_row({}, 0); // holds the place
     m_large_rows.push_back(std::move(row));
@@ -198,6 +233,7 @@ private:
   std::size_t m_number_of_columns;
   Integer_system<std::int64_t> m_rows;
   std::vector<Large_row> m_large_rows; // by index
+  std::map<std::size_t, Exact_rational> m_scales; // other than 1
 };
 
 } // namespace internal

@@ -144,9 +144,30 @@ bool for_each_row(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c, c
   return true;
 }
 
+// Whether a floating point coefficient converts to 64 bits. (Other types are what `Input_coefficient` says.)
+template <typename T>
+bool is_small_integer(const T& t)
+{
+  if constexpr(std::is_floating_point<T>::value)
+    return std::abs(t) < T(4503599627370496.) && t == std::floor(t);
+  else
+    return std::is_same<Input_coefficient<T>, std::int64_t>::value;
+}
+
+template <typename Input, typename Coefficient>
+std::vector<Entry<Input> > converted_row(const std::vector<Entry<Coefficient> >& row)
+{
+  std::vector<Entry<Input> > entries;
+  entries.reserve(row.size());
+  if constexpr(std::is_convertible<Coefficient, Input>::value || std::is_constructible<Input, Coefficient>::value)
+    for(const Entry<Coefficient>& e : row)
+      entries.push_back({e.column, static_cast<Input>(e.coefficient)});
+  return entries;
+}
+
 // Returns false and tells the problem if something is not a number or of the wrong size.
 template <typename Constraints, typename RightHandSide>
-bool read_constraints(const Constraints& c, const RightHandSide& b, Any_system& system,
+bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_system& system,
                       std::string& problem)
 {
   if(!has_size(b, number_of_rows(c))) {
@@ -160,17 +181,16 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Any_system& 
   }
   System_builder builder(number_of_columns(c));
   const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
-    using Coefficient = decltype(row.front().coefficient);
-    using Input = Input_coefficient<std::decay_t<Coefficient> >;
-    std::vector<Entry<Input> > entries;
-    for(const auto& e : row) {
+    using Coefficient = std::decay_t<decltype(row.front().coefficient)>;
+    for(const auto& e : row)
       if(!is_finite_number(e.coefficient)) {
         problem = "a coefficient of constraint " + std::to_string(i) + " is NaN or infinite";
         return false;
       }
-      entries.push_back({e.column, Input(e.coefficient)});
-    }
-    builder.add_row(entries, right_hand_side(c, b, i));
+    if(std::all_of(row.begin(), row.end(), [](const auto& e) { return is_small_integer(e.coefficient); }))
+      builder.add_row(converted_row<std::int64_t>(row), right_hand_side(c, b, i));
+    else
+      builder.add_row(converted_row<Input_coefficient<Coefficient> >(row), right_hand_side(c, b, i));
     return true;
   });
   if(finite)

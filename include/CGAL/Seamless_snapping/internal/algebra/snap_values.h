@@ -117,10 +117,11 @@ inline std::string failure_message(const Snapping_report& report)
 }
 
 // Replaces `x` by values that solve the system exactly, or leaves it alone.
-inline void snap_values(const Any_system& system, const std::vector<double>& weights,
+inline void snap_values(const Scaled_system& scaled, const std::vector<double>& weights,
                         const Number_format& format, std::vector<double>& x,
                         Snapping_report& report, Step_timer& timer)
 {
+  const Any_system& system = scaled.system;
   const auto solves = [&](const std::vector<double>& values) {
     return std::visit([&](const auto& s) { return next_violated_row(s, values) == s.number_of_rows(); },
                       system);
@@ -136,6 +137,7 @@ inline void snap_values(const Any_system& system, const std::vector<double>& wei
   Grid_solution solution{point.grid, {}, {}};
   if(!std::visit([&](const auto& s) { return solve_on_grid(s, point, solution, report, timer); },
                  system)) {
+    scaled.rescale(report.certificate);
     report.message = failure_message(report);
     return;
   }

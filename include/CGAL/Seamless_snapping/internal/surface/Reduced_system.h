@@ -117,7 +117,7 @@ public:
       builder.add_row(row, Exact_rational(0));
     if(!constraints.empty())
       add_constraints(constraints, builder);
-    m_system = builder.take();
+    m_system = builder.take().system;
   }
 
   const Any_system& system() const { return m_system; }

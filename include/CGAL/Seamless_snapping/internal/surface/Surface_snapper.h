@@ -171,7 +171,11 @@ private:
     m_timer.finish("verification");
 
     Change_statistics statistics(solution.grid.step());
-    write_coordinates(sectors, snapped, m_uv_map, statistics);
+    if(!write_coordinates(sectors, snapped, m_uv_map, statistics)) {
+      m_report.status = Snapping_status::INTERNAL_ERROR;
+      m_report.message = "the uv map does not keep what is written to it: each corner needs a place of its own";
+      return true;
+    }
     m_timer.finish("writing");
     statistics.fill_in(m_report);
     m_report.grid_step = solution.grid.step();

@@ -88,25 +88,46 @@ private:
   std::size_t m_count = 0;
 };
 
+// Reads back what was written: a map that does not keep values, or gives several corners one place, would
+// void the check. Returns false, with everything taken back, in such a case.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Snapped>
-void write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Snapped& snapped,
+bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Snapped& snapped,
                        HalfedgeUVMap& uv_map, Change_statistics& statistics)
 {
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = typename Uv_number<HalfedgeUVMap>::type;
+  const auto point = [](const Uv& uv) {
+    return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
+  };
+  std::vector<Point> before; // of sectors whose corners differed
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
-    const Point point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
+    const Point new_point = point(uv);
     const auto first = sectors.corners_begin(s), last = sectors.corners_end(s);
     if(sectors.sector(s).is_uniform)
       statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
     for(auto h = first; h != last; ++h) {
-      if(!sectors.sector(s).is_uniform)
+      if(!sectors.sector(s).is_uniform) {
         statistics.add(get_uv(uv_map, *h), uv, 1);
-      put(uv_map, *h, point);
+        before.push_back(get(uv_map, *h));
+      }
+      put(uv_map, *h, new_point);
     }
   }
+  bool kept = true;
+  for(std::size_t i = 0; i < sectors.number_of_sectors() && kept; ++i) {
+    const Sector_index s = Sector_index(i);
+    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
+      kept = kept && get_uv(uv_map, *h) == snapped.uv(s);
+  }
+  auto old = before.begin();
+  for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
+    const Sector_index s = Sector_index(i);
+    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
+      put(uv_map, *h, sectors.sector(s).is_uniform ? point(sectors.sector(s).uv) : *old++);
+  }
+  return kept;
 }
 
 } // namespace internal
