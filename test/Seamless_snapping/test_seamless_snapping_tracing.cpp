@@ -199,6 +199,45 @@ void test_limits()
     }
 }
 
+// Curves end at the first vertex that is marked.
+void test_stops()
+{
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::torus(4, 3), 2);
+  auto is_stop = mesh.add_property_map<Mesh::Vertex_index, bool>("v:stop", false).first;
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const Tracer tracer(mesh, uv);
+  for(const auto v : mesh.vertices())
+    is_stop[v] = v.idx() % 3 == 0;
+  for(const auto v : mesh.vertices())
+    for(const auto& [start, direction] : tracer.outgoing(v)) {
+      const auto curve =
+        tracer.trace(start, direction, parameters::vertex_is_constrained_map(is_stop));
+      std::size_t stops = 0;
+      for(std::size_t i = 1; i < curve.points.size(); ++i)
+        stops += is_stop[mesh.target(curve.points[i].halfedge())] ? 1 : 0;
+      CHECK_EQUAL(stops, std::size_t(curve.status == Status::TARGET ? 1 : 0));
+      CHECK(curve.status == Status::TARGET || curve.status == Status::CLOSED);
+    }
+}
+
+// Coordinates of type float give the same curves.
+void test_floats()
+{
+  using Float_kernel = CGAL::Simple_cartesian<float>;
+  auto doubles = test_meshes::all_meshes<Kernel>();
+  auto floats = test_meshes::all_meshes<Float_kernel>();
+  for(std::size_t i = 0; i < doubles.size(); ++i) {
+    const Tracer tracer(doubles[i].mesh, test_meshes::uv_map(doubles[i].mesh));
+    const SS::Isocurve_tracer<CGAL::Surface_mesh<Float_kernel::Point_3> > other(
+      floats[i].mesh, test_meshes::uv_map(floats[i].mesh));
+    const auto a = tracer.separatrices();
+    const auto b = other.separatrices();
+    CHECK_EQUAL(a.size(), b.size());
+    for(std::size_t j = 0; j < (std::min)(a.size(), b.size()); ++j)
+      CHECK(a[j].status == b[j].status && a[j].points.size() == b[j].points.size());
+  }
+}
+
 // Another data structure, whose halfedges come in another order, gives the same curves.
 void test_polyhedron(const test_meshes::Named_mesh<Kernel>& named)
 {
@@ -326,6 +365,8 @@ int main()
   test_levels();
   test_synthetic_meshes();
   test_limits();
+  test_stops();
+  test_floats();
   for(auto& named : test_meshes::all_meshes<Kernel>()) {
     test_polyhedron(named);
     test_threads(named.mesh, test_meshes::uv_map(named.mesh));

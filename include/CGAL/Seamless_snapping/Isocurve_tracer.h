@@ -201,6 +201,7 @@ private:
 
   Curve trace(const Start& start, const Isocurve_direction direction, const Options& options) const
   {
+    CGAL_precondition_msg(m_is_valid, "the mesh is not triangular, or its map not seamless at all");
     CGAL_precondition_msg(is_exact() || !options.decide_exactly,
                           "isocurves can be traced exactly on exactly seamless maps only");
     const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);

@@ -110,11 +110,12 @@ more it ends.
 
 \return how the curve ends. Its member `points` is empty: the points are written to `output`.
 
-\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`
+\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the tolerance of
+     `seam_transitions()`
 
 \par Complexity
 One pass over the mesh, and constant time for each edge crossed. To trace many curves, use
-`Isocurve_tracer`, which makes the pass once.
+`Isocurve_tracer`, which makes the pass once; it also lets cuts and rotations be given.
 
 \sa `trace_all_separatrices()`
 \sa `snap_to_seamless()`
