@@ -18,6 +18,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -38,6 +39,12 @@ public:
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - m_start).count();
     m_start = now;
+    const auto same = std::find_if(m_report.step_times.begin(), m_report.step_times.end(),
+                                   [&](const auto& other) { return other.first == step; });
+    if(same != m_report.step_times.end()) {
+      same->second += seconds; // made again, for another part or on another grid
+      return;
+    }
     m_report.step_times.emplace_back(step, seconds);
     if(m_verbose)
       std::cerr << "  " << step << ": " << seconds * 1e3 << " ms" << std::endl;

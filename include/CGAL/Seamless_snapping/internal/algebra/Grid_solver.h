@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -82,21 +83,22 @@ public:
     return m_elimination.contradictory_rows().empty() && m_core.is_consistent();
   }
 
+  // Adds to the figures of other systems.
   void fill_in(Snapping_report& report) const
   {
     const std::size_t core_redundant = m_core.number_of_redundant_rows();
     const std::size_t core_rank = m_core.independent_rows().size();
-    report.number_of_redundant_constraints =
+    report.number_of_redundant_constraints +=
       m_core.is_whole() ? core_redundant : m_elimination.redundant_rows().size() + core_redundant;
-    report.number_of_non_unit_pivots =
+    report.number_of_non_unit_pivots +=
       m_core.is_whole() ? core_rank - number_of_unit_pivots() : core_rank;
     const Exact_integer largest = (std::max)(Exact_integer(m_elimination.largest_coefficient()),
                                              m_core.largest_coefficient());
-    report.coefficient_bits = bit_length(largest);
-    report.largest_coefficient = CGAL::to_double(largest);
-    report.largest_pivot = (std::max)(m_elimination.pivots().empty() ? 0. : 1.,
-                                      CGAL::to_double(m_core.largest_pivot()));
-    report.multiprecision = std::is_same<Integer, Exact_integer>::value;
+    report.coefficient_bits = (std::max)(report.coefficient_bits, bit_length(largest));
+    report.largest_coefficient = (std::max)(report.largest_coefficient, CGAL::to_double(largest));
+    report.largest_pivot = (std::max)({report.largest_pivot, m_elimination.pivots().empty() ? 0. : 1.,
+                                       CGAL::to_double(m_core.largest_pivot())});
+    report.multiprecision = report.multiprecision || std::is_same<Integer, Exact_integer>::value;
   }
 
   // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from the
@@ -115,11 +117,17 @@ public:
     if(exponent < format.minimum_exponent)
       return false;
 
-    solution.grid = Grid(format, exponent);
+    solution.grid = point.grid;
     solution.target = point.values;
-    rescale_target(exponent - point.grid.exponent(), solution);
     project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
                          point.weights, solution.target);
+    if(exponent != point.grid.exponent()) { // right-hand sides want a finer grid
+      if(!rescale_target(exponent - point.grid.exponent(), solution))
+        return false;
+      solution.grid = Grid(format, exponent);
+      project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
+                           point.weights, solution.target);
+    }
     add_definitions(solution.target);
     std::vector<double> weights(point.weights);
     weights.resize(solution.target.size(), 1.);
@@ -178,19 +186,15 @@ private:
     }
   }
 
-  // To a grid 2^shift times as coarse. Where right-hand sides need a finer grid than values of some size
-  // allow, the solutions near those values are out of reach, and smaller ones are wanted.
-  void rescale_target(const int shift, Grid_solution& solution) const
+  // To a grid 2^shift times as coarse. Returns whether all values are within 2^62.
+  bool rescale_target(const int shift, Grid_solution& solution) const
   {
-    if(shift == 0)
-      return;
-    const double largest = std::ldexp(1., solution.grid.format().digits);
+    bool fits = true;
     for(Grid_value& v : solution.target) {
       rescale(v, shift);
-      const double size = static_cast<double>(v.base) + v.offset;
-      if(shift < 0 && std::abs(size) > 64 * largest)
-        v = {static_cast<std::int64_t>(std::copysign(largest / 2, size)), 0};
+      fits = fits && std::abs(static_cast<double>(v.base) + v.offset) < 4611686018427387904.;
     }
+    return fits;
   }
 
   // Chooses the core and the free columns near the target, and computes the implied ones. Returns 0 if

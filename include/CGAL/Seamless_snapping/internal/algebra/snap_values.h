@@ -14,12 +14,13 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From values to values: looks whether they solve the system already, puts them on a grid, solves there,
-// and checks what comes back.
+// From values to values: looks whether they solve the system already, divides it into independent parts,
+// puts the values of each on a grid, solves there, and checks what comes back.
 
 #include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/algebra/exact_evaluation.h>
 #include <CGAL/Seamless_snapping/internal/algebra/solve_on_grid.h>
+#include <CGAL/Seamless_snapping/internal/algebra/system_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,30 +33,29 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Which columns occur in a row.
 template <typename Integer>
-std::vector<bool> used_columns(const Integer_system<Integer>& system)
+std::vector<double> component_values(const System_component<Integer>& component,
+                                     const std::vector<double>& x)
 {
-  std::vector<bool> used(system.number_of_columns(), false);
-  for(std::size_t i = 0; i < system.number_of_rows(); ++i)
-    for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
-      used[std::size_t(e->column)] = true;
-  return used;
+  std::vector<double> values;
+  for(const std::size_t j : component.columns)
+    values.push_back(x[j]);
+  return values;
 }
 
-// The used values on the finest grid that holds the largest of them.
-inline Grid_point point_on_grid(const std::vector<double>& x, const std::vector<double>& weights,
-                                const std::vector<bool>& used, const Number_format& format,
-                                Snapping_report& report)
+// The values of a part of the system on the finest grid that holds the largest of them.
+template <typename Integer>
+Grid_point point_on_grid(const System_component<Integer>& component, const std::vector<double>& x,
+                         const std::vector<double>& weights, const Number_format& format)
 {
-  for(std::size_t j = 0; j < x.size(); ++j)
-    if(used[j])
-      report.extent = (std::max)(report.extent, std::abs(x[j]));
-  Grid_point point{Grid::finest(format, report.extent), std::vector<Grid_value>(x.size()), weights,
-                   x.size()};
-  for(std::size_t j = 0; j < x.size(); ++j)
-    if(used[j])
-      point.values[j] = point.grid.split(x[j]);
+  double largest = 0;
+  for(const std::size_t j : component.columns)
+    largest = (std::max)(largest, std::abs(x[j]));
+  Grid_point point{Grid::finest(format, largest), {}, {}, component.columns.size()};
+  for(const std::size_t j : component.columns) {
+    point.values.push_back(point.grid.split(x[j]));
+    point.weights.push_back(weights[j]);
+  }
   return point;
 }
 
@@ -70,35 +70,39 @@ double largest_violation(const Integer_system<Integer>& system, const Grid_point
   return largest * point.grid.step();
 }
 
-// Changes are measured in grid steps, so that squares neither overflow nor vanish.
-inline void report_changes(const std::vector<double>& before, const std::vector<double>& after,
-                           const std::vector<bool>& used, const Grid_solution& solution,
-                           Snapping_report& report)
+// Figures of the change, in units of the largest value, so that squares neither overflow nor vanish.
+class Change_figures
 {
-  const Grid& grid = solution.grid;
-  report.grid_step = grid.step();
-  double largest = 0, sum = 0, squares = 0, optimal_squares = 0, count = 0;
-  for(std::size_t j = 0; j < before.size(); ++j) {
-    if(!used[j])
-      continue;
-    const Grid_value a = grid.split(before[j]);
-    const Grid_value b = grid.split(after[j]);
-    const Grid_value& t = solution.target[j];
-    const double change = std::abs(static_cast<double>(b.base - a.base) + (b.offset - a.offset));
-    const double optimum = static_cast<double>(t.base - a.base) + (t.offset - a.offset);
-    largest = (std::max)(largest, change);
-    sum += change;
-    squares += change * change;
-    optimal_squares += optimum * optimum;
-    count += 1;
+public:
+  explicit Change_figures(const double unit) : m_unit(unit > 0 ? unit : 1) { }
+
+  void add(const double before, const Grid& grid, const std::int64_t after, const Grid_value& target)
+  {
+    const double change = std::abs(grid.value(after) - before);
+    const Grid_value start = grid.split(before);
+    const double optimum = (static_cast<double>(target.base - start.base) +
+                            (target.offset - start.offset)) * (grid.step() / m_unit);
+    m_largest = (std::max)(m_largest, change);
+    m_sum += change / m_unit;
+    m_squares += (change / m_unit) * (change / m_unit);
+    m_optimal_squares += optimum * optimum;
+    m_count += 1;
   }
-  if(count == 0)
-    return;
-  report.largest_change = largest * grid.step();
-  report.mean_change = sum / count * grid.step();
-  report.rms_change = std::sqrt(squares / count) * grid.step();
-  report.optimal_rms_change = std::sqrt(optimal_squares / count) * grid.step();
-}
+
+  void fill_in(Snapping_report& report) const
+  {
+    if(m_count == 0)
+      return;
+    report.largest_change = m_largest;
+    report.mean_change = m_sum / m_count * m_unit;
+    report.rms_change = std::sqrt(m_squares / m_count) * m_unit;
+    report.optimal_rms_change = std::sqrt(m_optimal_squares / m_count) * m_unit;
+  }
+
+private:
+  double m_unit;
+  double m_largest = 0, m_sum = 0, m_squares = 0, m_optimal_squares = 0, m_count = 0;
+};
 
 inline std::string failure_message(const Snapping_report& report)
 {
@@ -116,44 +120,81 @@ inline std::string failure_message(const Snapping_report& report)
          "or remove factors that they are not divisible by";
 }
 
-// Replaces `x` by values that solve the system exactly, or leaves it alone.
-inline void snap_values(const Scaled_system& scaled, const std::vector<double>& weights,
-                        const Number_format& format, std::vector<double>& x,
-                        Snapping_report& report, Step_timer& timer)
+// One part. Writes its new values to `snapped`, or returns false and says why in the report.
+template <typename Integer>
+bool snap_component(const System_component<Integer>& component, const std::vector<double>& x,
+                    const std::vector<double>& weights, const Number_format& format,
+                    std::vector<double>& snapped, Change_figures& figures, Snapping_report& report,
+                    Step_timer& timer)
 {
-  const Any_system& system = scaled.system;
-  const auto solves = [&](const std::vector<double>& values) {
-    return std::visit([&](const auto& s) { return next_violated_row(s, values) == s.number_of_rows(); },
-                      system);
-  };
-  if(solves(x))
-    return;
-  const std::vector<bool> used = std::visit([](const auto& s) { return used_columns(s); }, system);
-  const Grid_point point = point_on_grid(x, weights, used, format, report);
-  report.violation_before = std::visit([&](const auto& s) { return largest_violation(s, point); },
-                                       system);
+  const Grid_point point = point_on_grid(component, x, weights, format);
+  report.violation_before = (std::max)(report.violation_before,
+                                       largest_violation(component.system, point));
   timer.finish("input");
-
   Grid_solution solution{point.grid, {}, {}};
-  if(!std::visit([&](const auto& s) { return solve_on_grid(s, point, solution, report, timer); },
-                 system)) {
-    scaled.rescale(report.certificate);
+  if(!solve_on_grid(component.system, point, solution, report, timer)) {
+    for(auto& multiple : report.certificate)
+      multiple.first = component.rows[multiple.first];
+    return false;
+  }
+  report.grid_step = (std::max)(report.grid_step, solution.grid.step());
+  for(std::size_t k = 0; k < component.columns.size(); ++k) {
+    const std::size_t j = component.columns[k];
+    snapped[j] = solution.grid.value(solution.x[k]);
+    figures.add(x[j], solution.grid, solution.x[k], solution.target[k]);
+  }
+  return true;
+}
+
+// Replaces `x` by values that solve the system exactly, or leaves it alone.
+template <typename Integer>
+void snap_values(const Integer_system<Integer>& system, const std::vector<double>& weights,
+                 const Number_format& format, std::vector<double>& x, Snapping_report& report,
+                 Step_timer& timer)
+{
+  if(next_violated_row(system, x) == system.number_of_rows())
+    return;
+  const std::vector<System_component<Integer> > components = system_components(system);
+  for(const System_component<Integer>& component : components)
+    for(const std::size_t j : component.columns)
+      report.extent = (std::max)(report.extent, std::abs(x[j]));
+
+  // A contradiction anywhere is the first thing to tell.
+  std::vector<double> snapped(x);
+  Change_figures figures(report.extent);
+  Snapping_status status = Snapping_status::SNAPPED;
+  for(const System_component<Integer>& component : components) {
+    if(next_violated_row(component.system, component_values(component, x)) ==
+       component.system.number_of_rows())
+      continue; // exact, and so left alone
+    if(snap_component(component, x, weights, format, snapped, figures, report, timer))
+      continue;
+    status = report.status;
+    if(status == Snapping_status::INCONSISTENT)
+      break;
+  }
+  report.status = status;
+  if(status != Snapping_status::SNAPPED) {
     report.message = failure_message(report);
     return;
   }
-  std::vector<double> snapped(x);
-  for(std::size_t j = 0; j < x.size(); ++j)
-    if(used[j])
-      snapped[j] = solution.grid.value(solution.x[j]);
-  if(!solves(snapped)) {
+  if(next_violated_row(system, snapped) != system.number_of_rows()) {
     report.status = Snapping_status::INTERNAL_ERROR;
     report.message = "the result failed its exact verification and was discarded; please report this";
     return;
   }
   timer.finish("verification");
-  report_changes(x, snapped, used, solution, report);
+  figures.fill_in(report);
   x.swap(snapped);
-  report.status = Snapping_status::SNAPPED;
+}
+
+inline void snap_values(const Scaled_system& scaled, const std::vector<double>& weights,
+                        const Number_format& format, std::vector<double>& x,
+                        Snapping_report& report, Step_timer& timer)
+{
+  std::visit([&](const auto& system) { snap_values(system, weights, format, x, report, timer); },
+             scaled.system);
+  scaled.rescale(report.certificate);
 }
 
 } // namespace internal
