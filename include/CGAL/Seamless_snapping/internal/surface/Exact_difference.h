@@ -62,8 +62,8 @@ struct Edge_sides
   // Without branches: nearly all edges of a mesh come here, and nearly all are.
   bool are_identical() const
   {
-    return (a[0] == a_opposite[0]) & (a[1] == a_opposite[1]) &
-           (b[0] == b_opposite[0]) & (b[1] == b_opposite[1]);
+    return (int(a[0] == a_opposite[0]) & int(a[1] == a_opposite[1]) &
+            int(b[0] == b_opposite[0]) & int(b[1] == b_opposite[1])) != 0;
   }
 
   // as seen from the opposite halfedge
