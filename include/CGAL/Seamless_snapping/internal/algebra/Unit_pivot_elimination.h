@@ -220,6 +220,7 @@ private:
   void eliminate(const Row_index i, const Entry<Integer>& pivot)
   {
     m_columns.take(pivot.column, m_rows_of_column);
+    m_changed_rows.clear();
     for(const Row_index j : m_rows_of_column) {
       if(m_states[std::size_t(j)] == DONE)
         continue;
@@ -230,6 +231,9 @@ private:
         continue; // the list was out of date
       const Integer factor(found->coefficient * pivot.coefficient); // = / pivot, a unit
       subtract(j, factor, i);
+      m_changed_rows.push_back(j);
+    }
+    for(const Row_index j : m_changed_rows) { // which columns are single is known only now
       merge_single_columns(j);
       divide_by_common_factor(j);
       m_states[std::size_t(j)] = WAITING;
@@ -379,7 +383,7 @@ private:
   std::vector<Pivot> m_pivots;
   std::vector<Row_index> m_core_rows, m_redundant_rows, m_contradictory_rows;
   Integer m_largest_coefficient = Integer(0);
-  std::vector<Row_index> m_rows_of_column; // scratch
+  std::vector<Row_index> m_rows_of_column, m_changed_rows; // scratch
   Row m_scratch;
 };
 
