@@ -58,6 +58,12 @@ Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
   return {static_cast<double>(p.x()), static_cast<double>(p.y())};
 }
 
+template <typename Point>
+bool are_equal(const Point& p, const Point& q)
+{
+  return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
+}
+
 // \pre both sides of `h` have a face
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h)
@@ -175,14 +181,18 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
       continue;
     }
     number_of_corners += 2;
+    // Points are compared where they are: copying them first would take as long again.
+    const auto& h_point = get(uv_map, h);
+    const auto& g_point = get(uv_map, g);
+    box.add({static_cast<double>(h_point.x()), static_cast<double>(h_point.y())});
+    box.add({static_cast<double>(g_point.x()), static_cast<double>(g_point.y())});
+    if(are_equal(h_point, get(uv_map, prev(g, tmesh))) &&
+       are_equal(g_point, get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
+      continue;
     const Edge_sides sides = edge_sides(tmesh, uv_map, h);
-    box.add(sides.b);
-    box.add(sides.a_opposite);
-    if(!sides.are_identical() || is_open_anyway(h)) {
-      survey.open_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
-                                    std::size_t(get(vertex_indices, target(h, tmesh)))}, sides});
-      in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
-    }
+    survey.open_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
+                                  std::size_t(get(vertex_indices, target(h, tmesh)))}, sides});
+    in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
   }
   survey.extent = box.extent();
   // Faces have at least three corners, so that all are triangles if there are no more corners than that.
