@@ -173,7 +173,8 @@ private:
     Change_statistics statistics(solution.grid.step());
     if(!write_coordinates(sectors, snapped, m_uv_map, statistics)) {
       m_report.status = Snapping_status::INTERNAL_ERROR;
-      m_report.message = "the uv map does not keep what is written to it: each corner needs a place of its own";
+      m_report.message = "the uv map does not keep what is written to it; each corner needs a place of its own, and the "
+                         "full precision of the points' number type";
       return true;
     }
     m_timer.finish("writing");

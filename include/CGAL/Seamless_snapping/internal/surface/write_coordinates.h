@@ -88,8 +88,8 @@ private:
   std::size_t m_count = 0;
 };
 
-// Reads back what was written: a map that does not keep values, or gives several corners one place, would
-// void the check. Returns false, with everything taken back, in such a case.
+// Reads back what it writes: a map that does not keep values would void the check. Returns false, with
+// everything taken back, in such a case.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Snapped>
 bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Snapped& snapped,
                        HalfedgeUVMap& uv_map, Change_statistics& statistics)
@@ -100,6 +100,7 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
     return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
   };
   std::vector<Point> before; // of sectors whose corners differed
+  bool kept = true;
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
@@ -113,13 +114,8 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
         before.push_back(get(uv_map, *h));
       }
       put(uv_map, *h, new_point);
+      kept = kept && get_uv(uv_map, *h) == uv;
     }
-  }
-  bool kept = true;
-  for(std::size_t i = 0; i < sectors.number_of_sectors() && kept; ++i) {
-    const Sector_index s = Sector_index(i);
-    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
-      kept = kept && get_uv(uv_map, *h) == snapped.uv(s);
   }
   auto old = before.begin();
   for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
