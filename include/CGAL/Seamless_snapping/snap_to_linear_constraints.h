@@ -152,16 +152,16 @@ pivots first, and a least-squares target.
         `Eigen::VectorXd`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param c the matrix \f$ C \f$, #constraints by #unknowns
-\param b the right-hand side, #constraints; if it is omitted, that of a `Linear_constraints`, and zero
+\param c the matrix \f$ C \f$, with one row per constraint and one column per unknown
+\param b the right-hand side, one number per constraint; if it is omitted, that of a `Linear_constraints`, and zero
        for a matrix
-\param x the values, #unknowns; changed in place
+\param x the values, one per unknown; changed in place
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{weights}
     \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
-    \cgalParamType{a range of #unknowns positive numbers of type `double`}
+    \cgalParamType{a range of positive numbers of type `double`, one per unknown}
     \cgalParamDefault{all 1}
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd

@@ -150,7 +150,7 @@ OBJ_status read_OBJ(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 
 \brief reads a triangle mesh with coordinates per corner from a file in the OBJ format.
 
-\copydetails read_OBJ(std::istream&, TriangleMesh&, HalfedgeUVMap, const NamedParameters&)
+Parameters, named parameters, and result are those of the function that reads from a stream.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -241,7 +241,7 @@ OBJ_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap 
 /*!
 \ingroup PkgSeamlessSnappingIO
 \brief writes a triangle mesh with coordinates per corner to a file in the OBJ format.
-\copydetails write_OBJ(std::ostream&, const TriangleMesh&, HalfedgeUVMap, const std::string&, const NamedParameters&)
+Parameters, named parameters, and result are those of the function that writes to a stream.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -165,6 +165,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
                                   const Predicate& is_open_anyway)
 {
   Uv_survey<TriangleMesh> survey;
+  survey.open_edges.reserve(std::size_t(num_edges(tmesh)) / 16); // growing would copy and touch more memory
   Uv_box box;
   std::size_t number_of_corners = 0;
   bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
