@@ -4,6 +4,7 @@
 
 #include "checking.h"
 #include "exact_seamless_check.h"
+#include "random_constraints.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -30,7 +30,6 @@ using Connection = CS::Connection_constraint<Mesh>;
 using Cycle = CS::Cycle_constraint<Mesh>;
 using Corner = CS::Corner_constraint<Mesh>;
 using exact_reference::Rational;
-using Random = std::mt19937_64;
 
 struct Model
 {
@@ -55,90 +54,15 @@ struct Model
   std::vector<Kernel::Point_2> values() const { return {uv.begin(), uv.end()}; }
 };
 
-Halfedge random_corner(Random& random, const Model& model)
-{
-  const Mesh::Face_index f(std::uint32_t(random() % model.mesh.number_of_faces()));
-  return model.mesh.halfedge(f);
-}
-
-// At a singular vertex if there is one.
-Halfedge random_node_corner(Random& random, const Model& model)
-{
-  if(model.singular.empty())
-    return random_corner(random, model);
-  return model.mesh.halfedge(model.singular[random() % model.singular.size()]);
-}
-
-Connection random_connection(Random& random, const Model& model)
-{
-  const Halfedge a = random_node_corner(random, model), b = random_node_corner(random, model);
-  return { a, b, int(random() % 2), CS::shortest_face_path(model.mesh, a, b) };
-}
-
-// Through two random faces and back.
-Cycle random_cycle(Random& random, const Model& model)
-{
-  const Halfedge stops[3] = { random_corner(random, model), random_corner(random, model),
-                              random_corner(random, model) };
-  Cycle cycle{ stops[0], int(random() % 2), {} };
-  for(int i = 0; i < 3; ++i) {
-    const auto part = CS::shortest_face_path(model.mesh, stops[i], stops[(i + 1) % 3]);
-    cycle.path.insert(cycle.path.end(), part.begin(), part.end());
-  }
-  return cycle;
-}
-
-// --- Eq. (6) ---------------------------------------------------------------------------------------
-
-// The exact rotation across the edge of h, from face(h).
-int exact_rotation(const Model& model, Halfedge h)
-{
-  const auto sides = exact_check::two_sides(h, model.mesh, model.uv);
-  for(int k = 0; k < 4; ++k)
-    if(exact_check::rotated(sides.here, k) == sides.there)
-      return k;
-  return -1;
-}
-
-exact_check::Exact_vector exact_uv(const Model& model, Halfedge h)
-{
-  return { Rational(model.uv[h].x()), Rational(model.uv[h].y()) };
-}
-
-bool is_connected(const Model& model, const Connection& c)
-{
-  auto u = exact_uv(model, c.a);
-  // a direction along the isocurve tells which component stays the same
-  exact_check::Exact_vector constant = { Rational(c.component == 0 ? 1 : 0),
-                                         Rational(c.component == 0 ? 0 : 1) };
-  for(const Halfedge h : c.path) {
-    const int k = exact_rotation(model, h);
-    const Halfedge o = model.mesh.opposite(h);
-    const auto from = exact_uv(model, model.mesh.prev(h)); // at the source of h
-    const auto to = exact_uv(model, o);
-    exact_check::Exact_vector relative = { Rational(u[0] - from[0]), Rational(u[1] - from[1]) };
-    relative = exact_check::rotated(relative, k);
-    u = { Rational(to[0] + relative[0]), Rational(to[1] + relative[1]) };
-    constant = exact_check::rotated(constant, k);
-  }
-  const auto b = exact_uv(model, c.b);
-  const Rational difference = Rational(constant[0] * Rational(u[0] - b[0])) +
-                              Rational(constant[1] * Rational(u[1] - b[1]));
-  return difference == 0;
-}
-
 // --- tests -----------------------------------------------------------------------------------------
 
-void test_random_constraints(const std::string& name, std::uint64_t seed, int connections, int cycles)
+void test_random_constraints(const std::string& name, std::uint64_t seed,
+                             std::size_t connections, std::size_t cycles)
 {
   Model model(name);
-  Random random(seed);
-  std::vector<Connection> connection_constraints;
-  for(int i = 0; i < connections; ++i)
-    connection_constraints.push_back(random_connection(random, model));
-  std::vector<Cycle> cycle_constraints;
-  for(int i = 0; i < cycles; ++i)
-    cycle_constraints.push_back(random_cycle(random, model));
+  random_constraints::Generator<Mesh> random(model.mesh, model.uv, seed);
+  const std::vector<Connection> connection_constraints = random.connections(connections);
+  const std::vector<Cycle> cycle_constraints = random.cycles(cycles);
   const auto np = parameters::connection_constraints(connection_constraints)
                              .cycle_constraints(cycle_constraints)
                              .edge_is_constrained_map(model.is_feature);
@@ -150,9 +74,9 @@ void test_random_constraints(const std::string& name, std::uint64_t seed, int co
   CHECK_EQUAL(check.inexact_edges, 0u);
   CHECK_EQUAL(check.inexact_aligned_edges, 0u);
   for(const Connection& c : connection_constraints)
-    CHECK(is_connected(model, c));
+    CHECK(random_constraints::is_connected(model.mesh, model.uv, c));
   for(const Cycle& c : cycle_constraints)
-    CHECK(is_connected(model, { c.corner, c.corner, c.component, c.path }));
+    CHECK(random_constraints::is_cyclic(model.mesh, model.uv, c));
   CHECK(CS::is_seamless(model.mesh, model.uv, np));
   // what holds is left alone
   const auto values = model.values();
@@ -223,10 +147,10 @@ void test_corner_constraints(const std::string& name)
 void test_invalid_paths(const std::string& name)
 {
   Model model(name);
-  Random random(1);
-  Connection good = random_connection(random, model);
+  random_constraints::Generator<Mesh> random(model.mesh, model.uv, 1);
+  Connection good = random.connection();
   while(good.path.size() < 4)
-    good = random_connection(random, model);
+    good = random.connection();
   std::vector<Connection> bad(3, good);
   std::swap(bad[0].path[1], bad[0].path[2]);
   bad[1].path.pop_back();
