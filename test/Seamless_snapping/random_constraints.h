@@ -28,12 +28,11 @@ class Generator
 
 public:
   // Connections end in singular vertices, if there are any.
-  template <typename UVMap>
-  Generator(const Graph& g, const UVMap& uv, std::uint64_t seed) : m_graph(g), m_random(seed)
+  Generator(const Graph& g, const CS::Seam_transitions<Graph>& transitions, std::uint64_t seed)
+    : m_graph(g), m_random(seed)
   {
     for(const auto f : faces(g))
       m_corners.push_back(halfedge(f, g));
-    const auto transitions = CS::seam_transitions(g, uv);
     for(const auto& vertex : transitions.singular_vertices())
       m_nodes.push_back(halfedge(vertex.first, g));
     if(m_nodes.empty())
@@ -92,33 +91,34 @@ private:
 using exact_check::Exact_vector;
 using exact_reference::Rational;
 
-// u and a direction in the chart of face(h), brought to the chart of the opposite face. False if the
-// transition isn't exact.
+// u and a direction in the chart of face(h), brought to the chart of the opposite face by k quarter turns.
+// False if the transition isn't exact.
 template <typename Graph, typename UVMap>
 bool cross(typename boost::graph_traits<Graph>::halfedge_descriptor h, const Graph& g, const UVMap& uv,
-           Exact_vector& u, Exact_vector& direction)
+           int k, Exact_vector& u, Exact_vector& direction)
 {
   const auto o = opposite(h, g);
-  if(get(uv, h) == get(uv, prev(o, g)) && get(uv, prev(h, g)) == get(uv, o))
-    return true;
-  const auto rotation = exact_check::best_rotation(exact_check::two_sides(h, g, uv));
   const auto from = get(uv, prev(h, g)), to = get(uv, o);
+  if(k == 0 && from == to && get(uv, h) == get(uv, prev(o, g)))
+    return true;
   Exact_vector relative = { Rational(u[0] - Rational(from.x())),
                             Rational(u[1] - Rational(from.y())) };
-  relative = exact_check::rotated(relative, rotation.first);
+  relative = exact_check::rotated(relative, k);
   u = { Rational(Rational(to.x()) + relative[0]), Rational(Rational(to.y()) + relative[1]) };
-  direction = exact_check::rotated(direction, rotation.first);
-  return rotation.second == 0;
+  direction = exact_check::rotated(direction, k);
+  return exact_check::violation(exact_check::two_sides(h, g, uv), k) == 0;
 }
 
+// The transitions are those from before anything was moved: edges of no length don't tell.
 template <typename Graph, typename UVMap>
-bool is_connected(const Graph& g, const UVMap& uv, const CS::Connection_constraint<Graph>& c)
+bool is_connected(const Graph& g, const UVMap& uv, const CS::Seam_transitions<Graph>& transitions,
+                  const CS::Connection_constraint<Graph>& c)
 {
   Exact_vector u = { Rational(get(uv, c.a).x()), Rational(get(uv, c.a).y()) };
   // the direction across the isocurve tells which component stays the same
   Exact_vector across = { Rational(c.component == 0 ? 1 : 0), Rational(c.component == 0 ? 0 : 1) };
   for(const auto h : c.path)
-    if(!cross(h, g, uv, u, across))
+    if(!cross(h, g, uv, transitions.rotation(h), u, across))
       return false;
   const Rational x = across[0] * Rational(u[0] - Rational(get(uv, c.b).x()));
   const Rational y = across[1] * Rational(u[1] - Rational(get(uv, c.b).y()));
@@ -126,9 +126,10 @@ bool is_connected(const Graph& g, const UVMap& uv, const CS::Connection_constrai
 }
 
 template <typename Graph, typename UVMap>
-bool is_cyclic(const Graph& g, const UVMap& uv, const CS::Cycle_constraint<Graph>& c)
+bool is_connected(const Graph& g, const UVMap& uv, const CS::Seam_transitions<Graph>& transitions,
+                  const CS::Cycle_constraint<Graph>& c)
 {
-  return is_connected(g, uv, { c.corner, c.corner, c.component, c.path });
+  return is_connected(g, uv, transitions, { c.corner, c.corner, c.component, c.path });
 }
 
 } // namespace random_constraints

@@ -2,89 +2,125 @@
 // checked by composing the transitions of their paths in rational arithmetic, which shares no code with
 // the library; contradictions, unreachable right-hand sides, and paths that are none.
 
+#include "Parametrized_model.h"
 #include "checking.h"
 #include "exact_seamless_check.h"
 #include "random_constraints.h"
 
-#include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#ifndef SEAMLESS_SNAPPING_DATA_DIR
+#define SEAMLESS_SNAPPING_DATA_DIR ""
+#endif
+
 namespace CS = CGAL::Seamless_snapping;
 namespace parameters = CGAL::Seamless_snapping::parameters;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Mesh = Parametrized_model::Mesh;
 using Halfedge = Mesh::Halfedge_index;
-using UV_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
 using Connection = CS::Connection_constraint<Mesh>;
 using Cycle = CS::Cycle_constraint<Mesh>;
 using Corner = CS::Corner_constraint<Mesh>;
 using exact_reference::Rational;
 
-struct Model
+struct Model : Parametrized_model
 {
-  Mesh mesh;
-  UV_map uv;
-  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
+  CS::Seam_transitions<Mesh> transitions = CS::seam_transitions(mesh, uv); // before snapping
   std::vector<Mesh::Vertex_index> singular;
 
-  explicit Model(const std::string& name)
-    : uv(mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
-      is_feature(mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first)
+  explicit Model(const std::string& filename) : Parametrized_model(filename)
   {
-    const auto status = CS::IO::read_OBJ("../../data/" + name + ".obj", mesh, uv,
-                                         parameters::edge_is_constrained_map(is_feature));
     if(!CHECK(bool(status)))
-      std::cerr << status << std::endl;
-    const auto transitions = CS::seam_transitions(mesh, uv);
+      std::cerr << filename << ": " << status << std::endl;
     for(const auto& vertex : transitions.singular_vertices())
       singular.push_back(vertex.first);
   }
 
-  std::vector<Kernel::Point_2> values() const { return {uv.begin(), uv.end()}; }
+  // Then its rotation can't be seen any more.
+  bool has_cut_of_no_length() const
+  {
+    const auto& cuts = transitions.cut_halfedges();
+    return std::any_of(cuts.begin(), cuts.end(),
+                       [&](Halfedge h) { return uv[h] == uv[mesh.prev(h)]; });
+  }
 };
+
+// In the folder that is part of the package.
+std::string data_file(const std::string& name)
+{
+  return "../../data/" + name + ".obj";
+}
+
+// What holds already.
+template <typename NamedParameters>
+void check_left_alone(Model& model, const NamedParameters& np)
+{
+  CHECK(CS::is_seamless(model.mesh, model.uv, np));
+  const auto values = model.values();
+  CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status == CS::Snapping_status::ALREADY_EXACT);
+  CHECK(model.values() == values);
+}
 
 // --- tests -----------------------------------------------------------------------------------------
 
-void test_random_constraints(const std::string& name, std::uint64_t seed,
+void test_random_constraints(const std::filesystem::path& path, std::uint64_t seed,
                              std::size_t connections, std::size_t cycles)
 {
-  Model model(name);
-  random_constraints::Generator<Mesh> random(model.mesh, model.uv, seed);
+  const std::string name = path.stem().string();
+  Model model(path.string());
+  random_constraints::Generator<Mesh> random(model.mesh, model.transitions, seed);
   const std::vector<Connection> connection_constraints = random.connections(connections);
   const std::vector<Cycle> cycle_constraints = random.cycles(cycles);
   const auto np = parameters::connection_constraints(connection_constraints)
                              .cycle_constraints(cycle_constraints)
-                             .edge_is_constrained_map(model.is_feature);
+                             .edge_is_constrained_map(model.is_aligned);
   const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
   if(!CHECK(bool(report)))
     std::cerr << name << ", seed " << seed << ": " << report << std::endl;
   const auto check = exact_check::check_edges(model.mesh, model.uv,
-                                              [&](Mesh::Edge_index e) { return model.is_feature[e]; });
+                                              [&](Mesh::Edge_index e) { return model.is_aligned[e]; });
   CHECK_EQUAL(check.inexact_edges, 0u);
   CHECK_EQUAL(check.inexact_aligned_edges, 0u);
   for(const Connection& c : connection_constraints)
-    CHECK(random_constraints::is_connected(model.mesh, model.uv, c));
+    CHECK(random_constraints::is_connected(model.mesh, model.uv, model.transitions, c));
   for(const Cycle& c : cycle_constraints)
-    CHECK(random_constraints::is_cyclic(model.mesh, model.uv, c));
-  CHECK(CS::is_seamless(model.mesh, model.uv, np));
-  // what holds is left alone
-  const auto values = model.values();
-  CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status == CS::Snapping_status::ALREADY_EXACT);
-  CHECK(model.values() == values);
+    CHECK(random_constraints::is_connected(model.mesh, model.uv, model.transitions, c));
+  if(model.has_cut_of_no_length()) {
+    auto rotations = model.mesh.add_property_map<Halfedge, int>("h:rotation", 0).first;
+    for(const Halfedge h : model.mesh.halfedges())
+      rotations[h] = model.transitions.rotation(h);
+    check_left_alone(model, np.halfedge_rotation_map(rotations));
+  } else {
+    check_left_alone(model, np);
+  }
   std::cout << name << ", seed " << seed << ": largest change " << report.largest_change / report.extent
             << " of the extent, redundant " << report.number_of_redundant_constraints
             << ", non-unit pivots " << report.number_of_non_unit_pivots << std::endl;
+}
+
+// Parametrizations made by solvers, as many constraints on each as in Table 3.
+void test_files(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> paths;
+  if(std::filesystem::is_directory(folder / "uv"))
+    for(const auto& entry : std::filesystem::directory_iterator(folder / "uv"))
+      if(entry.path().extension() == ".obj")
+        paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for(const std::filesystem::path& path : paths)
+    test_random_constraints(path, 1, 100, 10);
+  if(paths.empty())
+    std::cout << "files skipped: no folder with data" << std::endl;
 }
 
 double rounded_to_sixteenths(double x)
@@ -114,7 +150,7 @@ Corner pin(Halfedge corner, int component, const Rational& value, const Rational
 
 void test_corner_constraints(const std::string& name)
 {
-  Model model(name);
+  Model model(data_file(name));
   const Halfedge a = model.mesh.halfedge(model.singular[0]), b = model.mesh.halfedge(model.singular[1]);
   const double at_a = rounded_to_sixteenths(model.uv[a].x());
   const Corner pin_a = pin(a, 0, Rational(at_a));
@@ -146,8 +182,8 @@ void test_corner_constraints(const std::string& name)
 
 void test_invalid_paths(const std::string& name)
 {
-  Model model(name);
-  random_constraints::Generator<Mesh> random(model.mesh, model.uv, 1);
+  Model model(data_file(name));
+  random_constraints::Generator<Mesh> random(model.mesh, model.transitions, 1);
   Connection good = random.connection();
   while(good.path.size() < 4)
     good = random.connection();
@@ -174,7 +210,8 @@ int main()
   for(const std::string name : { "genus0", "genus1", "genus2", "genus3", "genus0_border",
                                  "genus2_features", "genus2_features_border" })
     for(std::uint64_t seed = 1; seed <= 3; ++seed)
-      test_random_constraints(name, seed, 20, 4);
+      test_random_constraints(data_file(name), seed, 20, 4);
+  test_files(SEAMLESS_SNAPPING_DATA_DIR);
   test_corner_constraints("genus0");
   test_corner_constraints("genus2");
   test_invalid_paths("genus2");

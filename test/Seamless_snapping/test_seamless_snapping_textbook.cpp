@@ -2,6 +2,7 @@
 // verification on thousands of random systems and on the reduced systems of parametrizations; and
 // constraint elimination in floating point, which gets close and no more.
 
+#include "Parametrized_model.h"
 #include "checking.h"
 #include "exact_reference.h"
 #include "naive_elimination.h"
@@ -10,11 +11,6 @@
 #include "reduced_seamless_system.h"
 #include "snap_in_any_form.h"
 #include "textbook_method.h"
-
-#include <CGAL/Seamless_snapping/IO/OBJ.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -224,11 +220,6 @@ void test_addendum()
 
 // --- systems of parametrizations -----------------------------------------------------------------
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
-
 // The largest violation after constraint elimination in floating point.
 double violation_by_naive_method(const System& system, std::vector<double> x)
 {
@@ -244,15 +235,14 @@ double violation_by_naive_method(const System& system, std::vector<double> x)
 // Returns the violation by the naive method.
 double test_reduced_system(const std::string& name, std::size_t connections)
 {
-  Mesh mesh;
-  const UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  const Feature_map is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
-  CHECK(bool(CGAL::Seamless_snapping::IO::read_OBJ(
-    "../../data/" + name + ".obj", mesh, uv, parameters::edge_is_constrained_map(is_feature))));
-  random_constraints::Generator<Mesh> random(mesh, uv, 1);
+  const Parametrized_model model("../../data/" + name + ".obj");
+  CHECK(bool(model.status));
+  const auto transitions = CGAL::Seamless_snapping::seam_transitions(model.mesh, model.uv);
+  random_constraints::Generator<Parametrized_model::Mesh> random(model.mesh, transitions, 1);
   const auto constraints = random.connections(connections);
   const auto reduced = reduced_system::reduced_seamless_system(
-    mesh, uv, parameters::edge_is_constrained_map(is_feature).connection_constraints(constraints));
+    model.mesh, model.uv, parameters::edge_is_constrained_map(model.is_aligned)
+                                     .connection_constraints(constraints));
 
   std::vector<double> x = reduced.xbar, ours = reduced.xbar;
   const auto form =
