@@ -126,6 +126,18 @@ struct Snapping_report
   double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
   /// @}
 
+  /// \name Orientation (Surface Function Only)
+  /// Faces are counted in the order of iteration over all faces of the mesh, from 0.
+  /// @{
+  /// faces of positive orientation that the closest solution turned or made degenerate, before repair
+  std::size_t number_of_lost_faces = 0;
+  std::size_t number_of_faces_repaired_by_moves = 0; ///< those that moves of single vertices made positive again
+  std::vector<std::size_t> lost_faces; ///< those that remain
+  /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
+  std::size_t number_of_repaired_flips = 0;
+  std::vector<std::size_t> remaining_flips; ///< with `repair_flips`: those that remain
+  /// @}
+
   /// \name Time
   /// @{
   /// the steps in the order in which they were made, with their wall-clock times in seconds

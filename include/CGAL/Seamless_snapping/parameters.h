@@ -39,6 +39,7 @@
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
+  F(repair_flips_t, repair_flips, repair_flips)                                                    \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
@@ -174,6 +175,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
  *   where it is known
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
+ * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of

@@ -45,8 +45,14 @@ ordinary floating point numbers.
 
 The result approximates the least-squares optimum, that is the exactly seamless parametrization that
 minimizes the sum of squared changes of the sectors at cut vertices. Corners that no constraint
-concerns keep their bits. A parametrization that is exactly seamless already is not touched at all. The
-result is verified exactly before the function reports success; on failure nothing has changed.
+concerns keep their bits, unless the orientation of a face requires otherwise. A parametrization that is
+exactly seamless already is not touched at all. The result is verified exactly before the function reports
+success; on failure nothing has changed.
+
+Faces of positive orientation keep it where an exactly seamless parametrization near by allows this. The
+orientations are decided exactly. If the closest solution turns a face over or makes it degenerate, one of
+its vertices, with all its sectors, is moved into the kernel of its 1-ring. The report counts such faces,
+and lists those that could not be saved.
 
 Charts may be arranged in any way; cuts, rotations, and singular vertices are read off the coordinates (see
 `seam_transitions()`) unless they are given. The mesh may have any number of components of any genus, with
@@ -114,6 +120,13 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
+  \cgalParamNBegin{repair_flips}
+    \cgalParamDescription{whether faces that have negative or no orientation in the input are to become
+                          positive too, where this is possible near by and costs no other face its orientation.
+                          Then a parametrization that is seamless already may be changed as well.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index; they appear
                           in messages and determine the order of processing}
@@ -146,7 +159,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \par Complexity
 Linear in the number of faces, with a constant of a few passes over the edges; in addition sparse
-elimination of a system whose size is the number of nodes and branches of the cuts.
+elimination of a system whose size is the number of nodes and branches of the cuts. Orientations take a
+pass over the faces at cut vertices; only faces that are thinner than their vertices move are looked at exactly.
 
 \sa `is_seamless()`
 \sa `seam_transitions()`

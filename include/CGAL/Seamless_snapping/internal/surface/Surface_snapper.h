@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
 #include <CGAL/Seamless_snapping/internal/surface/Branches.h>
 #include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/surface/Orientation_repair.h>
 #include <CGAL/Seamless_snapping/internal/surface/Path_rotations.h>
 #include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
@@ -30,6 +31,7 @@
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/surface/snapped_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/surface/write_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/surface/write_free_vertices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,13 +53,20 @@ class Surface_snapper
   using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
   using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
   using Snapped = Snapped_coordinates<TriangleMesh, HalfedgeUVMap>;
+  using Vertex_index_map = std::decay_t<decltype(
+    CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
+                                           std::declval<const NamedParameters&>()))>;
+  using Rotation_lookup = Path_rotations<TriangleMesh>;
+  using Repair = Orientation_repair<TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
 
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_np(np),
       m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np)),
       m_timer(m_report, CGAL::parameters::choose_parameter(
-                          CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
+                          CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false)),
+      m_repairs_flips(CGAL::parameters::choose_parameter(
+                        CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
   { }
 
   Snapping_report run()
@@ -74,8 +83,10 @@ public:
     m_report.violation_before = (std::max)(transitions.violation, align_edges.violation());
     if(failed(align_edges) || failed(constraints))
       return m_report;
-    if(transitions.is_exact && align_edges.is_exact() &&
-       constraints_hold(m_tmesh, m_uv_map, constraints, Rotation_lookup(m_tmesh, transitions, constraints)))
+    m_was_exact =
+      transitions.is_exact && align_edges.is_exact() &&
+      constraints_hold(m_tmesh, m_uv_map, constraints, Rotation_lookup(m_tmesh, transitions, constraints));
+    if(m_was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))
       return m_report;
 
     const Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges, constraints.corners(),
@@ -149,7 +160,7 @@ private:
     }
     if(solution.grid.exponent() != grid.exponent())
       coordinates = sector_coordinates(sectors, m_uv_map, solution.grid);
-    const Snapped snapped(sectors, branches, system, coordinates, solution);
+    Snapped snapped(sectors, branches, system, coordinates, solution);
     if(!snapped.fits()) {
       if(solution.grid.exponent() >= grid.exponent())
         return false;
@@ -159,28 +170,59 @@ private:
     }
     m_timer.finish("coordinates");
 
-    const Snapped_uv_map<TriangleMesh, HalfedgeUVMap, Snapped> snapped_uv(m_uv_map, sectors,
-                                                                          snapped, !constraints.empty());
-    if(!all_constraints_hold(sectors, transitions, align_edges, snapped) ||
-       !constraints_hold(m_tmesh, snapped_uv, constraints,
-                         Rotation_lookup(m_tmesh, transitions, constraints))) {
-      m_report.status = Snapping_status::INTERNAL_ERROR;
-      m_report.message = "the result failed its exact verification and was discarded; please report this";
+    Repair repair(sectors, transitions, align_edges, m_uv_map, m_vertex_indices, solution.grid,
+                  m_repairs_flips);
+    Uv_state uv = m_was_exact ? repair.points().input_of_sectors() : snapped.take();
+    repair.run(uv, m_report);
+    m_timer.finish("orientation");
+    if(m_was_exact && m_report.number_of_repaired_flips == 0) {
+      m_report.lost_faces.clear(); // nothing moves
       return true;
     }
-    m_timer.finish("verification");
 
-    Change_statistics statistics(solution.grid.step());
-    if(!write_coordinates(sectors, snapped, m_uv_map, statistics)) {
-      m_report.status = Snapping_status::INTERNAL_ERROR;
-      m_report.message = "the uv map does not keep what is written to it; each corner needs a place of its own, and the "
-                         "full precision of the points' number type";
-      return true;
-    }
+    if(!is_exact(sectors, transitions, align_edges, constraints, uv))
+      return fail("the result failed its exact verification and was discarded; please report this");
+    m_timer.finish("verification");
+    if(!write(sectors, repair.points(), uv, solution.grid))
+      return fail("the uv map does not keep what is written to it; each corner needs a place of its own, and the "
+                  "full precision of the points' number type");
     m_timer.finish("writing");
-    statistics.fill_in(m_report);
     m_report.grid_step = solution.grid.step();
     m_report.status = Snapping_status::SNAPPED;
+    return true;
+  }
+
+  bool is_exact(const Sectors& sectors, const Transition_data<TriangleMesh>& transitions,
+                const Align_edges<TriangleMesh>& align_edges,
+                const Constraint_list<TriangleMesh>& constraints, const Uv_state& uv) const
+  {
+    const Sector_uv snapped{uv};
+    const Snapped_uv_map<TriangleMesh, HalfedgeUVMap, Sector_uv> snapped_uv(m_uv_map, sectors, snapped,
+                                                                            !constraints.empty());
+    return all_constraints_hold(sectors, transitions, align_edges, snapped) &&
+           constraints_hold(m_tmesh, snapped_uv, constraints,
+                            Rotation_lookup(m_tmesh, transitions, constraints));
+  }
+
+  // All or nothing.
+  bool write(const Sectors& sectors, const typename Repair::Points& points, const Uv_state& uv,
+             const Grid& grid)
+  {
+    Change_statistics statistics(grid.step());
+    Free_vertex_writer<typename Repair::Points, HalfedgeUVMap> free_vertices(points, m_uv_map);
+    if(!free_vertices.write(uv, statistics) ||
+       !write_coordinates(sectors, Sector_uv{uv}, m_uv_map, statistics)) {
+      free_vertices.take_back();
+      return false;
+    }
+    statistics.fill_in(m_report);
+    return true;
+  }
+
+  bool fail(const char* message) // ends the search for a grid, too
+  {
+    m_report.status = Snapping_status::INTERNAL_ERROR;
+    m_report.message = message;
     return true;
   }
 
@@ -206,17 +248,14 @@ private:
     m_report.message += "; remove or correct one of them";
   }
 
-  using Vertex_index_map = std::decay_t<decltype(
-    CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
-                                           std::declval<const NamedParameters&>()))>;
-  using Rotation_lookup = Path_rotations<TriangleMesh>;
-
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
   const NamedParameters& m_np;
   Vertex_index_map m_vertex_indices;
   Snapping_report m_report;
   Step_timer m_timer;
+  bool m_repairs_flips;
+  bool m_was_exact = false;
 };
 
 } // namespace internal

@@ -21,6 +21,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,7 +54,8 @@ public:
   // Whether all coordinates are numbers of the format; else a coarser grid is needed.
   bool fits() const { return m_fits; }
 
-  const Uv& uv(const Sector_index s) const { return m_uv[std::size_t(s)]; }
+  // Hands over the coordinates of all sectors.
+  std::vector<Uv> take() { return std::move(m_uv); }
 
 private:
   void set_unsnapped(const Sector_index s)

@@ -1,0 +1,245 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_KERNEL_MOVES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_KERNEL_MOVES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Makes a face positive by moving one of its vertices into the kernel of its 1-ring, the intersection of the
+// half planes beside the link's edges (Sec. 5.4): as little as it takes, on the grid, and only if an exact
+// check of the whole ring agrees.
+
+#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/surface/Half_planes.h>
+#include <CGAL/Seamless_snapping/internal/surface/Vertex_moves.h>
+#include <CGAL/Seamless_snapping/internal/surface/Watched_faces.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Twice the area, in units of the grid's squares. Up to rounding.
+inline double twice_area(const Uv_triangle& t, const double step)
+{
+  const double ax = (t[1][0] - t[0][0]) / step, ay = (t[1][1] - t[0][1]) / step;
+  const double bx = (t[2][0] - t[0][0]) / step, by = (t[2][1] - t[0][1]) / step;
+  return ax * by - ay * bx;
+}
+
+// The square of the longest edge, in the same units.
+inline double longest_square(const Uv_triangle& t, const double step)
+{
+  double result = 0;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const Uv e{{(t[(i + 1) % 3][0] - t[i][0]) / step, (t[(i + 1) % 3][1] - t[i][1]) / step}};
+    result = (std::max)(result, dot(e, e));
+  }
+  return result;
+}
+
+// What twice the area of a face should be: that of the input. Faces that were not positive there have none;
+// they are content with a sliver.
+inline double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
+{
+  return was_positive ? twice_area(input, step) : longest_square(input, step) / 16;
+}
+
+// What is asked of a face, as a part of the wanted area: as much as a ring can give, down to anything that
+// rounding to the grid leaves positive.
+constexpr std::array<double, 4> area_margins{{1. / 4, 1. / 32, 1. / 1024, 0}};
+
+template <typename Points, typename Number>
+class Kernel_moves
+{
+  using Face = typename Points::Face;
+  using Watched = typename Watched_faces<Points>::Watched;
+  using Halfedge = typename Points::Halfedge;
+
+public:
+  Kernel_moves(Points& points, const Vertex_move_finder<Points>& find_move, const Grid& grid)
+    : m_points(points), m_find_move(find_move), m_grid(grid)
+  { }
+
+  // Returns the faces that remain.
+  std::vector<Watched> repair(std::vector<Watched> faces, Uv_state& state) const
+  {
+    for(std::size_t before = faces.size() + 1; !faces.empty() && faces.size() < before;) {
+      before = faces.size(); // a move can make room for another
+      faces.erase(std::remove_if(faces.begin(), faces.end(),
+                                 [&](const Watched& w) { return repair(w, state); }), faces.end());
+    }
+    return faces;
+  }
+
+private:
+  // A face around the vertex that moves; its first corner does.
+  struct Ring_face
+  {
+    Face face;
+    bool is_target, was_positive, is_positive;
+    double area, wanted;
+    Uv gradient; // of the area, by the displacement
+  };
+
+  struct Plan
+  {
+    Vertex_move move;
+    double unit; // of areas and displacements
+    std::vector<Ring_face> ring;
+    Uv displacement;
+  };
+
+  bool repair(const Watched& target, Uv_state& state) const
+  {
+    if(orientation(m_points.uv(state, target.face)) == CGAL::POSITIVE)
+      return true; // by another face's move
+    std::vector<Plan> plans;
+    for(const Point_index p : target.face.points) {
+      Plan plan{m_find_move(p), 0, {}, {}};
+      plan.unit = plan.move.is_on_grid ? m_grid.step() : local_step(target, state);
+      if(plan.move.is_possible() && collect_ring(target, state, plan))
+        plans.push_back(std::move(plan));
+    }
+    for(const double margin : area_margins)
+      for(const bool all : {true, false}) // whether faces of the ring that were lost too must come back
+        if(apply_shortest(plans, margin, all, state))
+          return true;
+    return false;
+  }
+
+  // Off the grid, the spacing of numbers near by.
+  double local_step(const Watched& target, const Uv_state& state) const
+  {
+    double largest = 0;
+    for(const Uv& u : m_points.uv(state, target.face))
+      largest = (std::max)({largest, std::abs(u[0]), std::abs(u[1])});
+    return Grid::finest(m_grid.format(), largest).step();
+  }
+
+  // Returns false if a face has several corners that move.
+  bool collect_ring(const Watched& target, const Uv_state& state, Plan& plan) const
+  {
+    bool is_simple = true;
+    for(const Vertex_move::Member& member : plan.move.members)
+      m_points.for_each_corner(member.point, [&](const Halfedge corner) {
+        const Face f = m_points.face(corner);
+        is_simple = is_simple && plan.move.find(f.points[1]) == nullptr &&
+                    plan.move.find(f.points[2]) == nullptr;
+        plan.ring.push_back(ring_face(f, member.rotation, target, state, plan.unit));
+      });
+    return is_simple;
+  }
+
+  Ring_face ring_face(const Face& f, const int rotation, const Watched& target,
+                      const Uv_state& state, const double unit) const
+  {
+    Ring_face result;
+    result.face = f;
+    result.is_target = std::find(f.corners.begin(), f.corners.end(), target.face.corners[0]) !=
+                       f.corners.end();
+    const Uv_triangle input = m_points.input(f), now = m_points.uv(state, f);
+    result.was_positive = orientation(input) == CGAL::POSITIVE;
+    result.is_positive = orientation(now) == CGAL::POSITIVE;
+    result.area = twice_area(now, unit);
+    result.wanted = wanted_area(input, result.was_positive, unit);
+    const Uv normal{{(now[1][1] - now[2][1]) / unit, (now[2][0] - now[1][0]) / unit}};
+    result.gradient = rotation_matrix(inverse_rotation(rotation))(normal);
+    return result;
+  }
+
+  // Faces that are positive stay so.
+  bool apply_shortest(std::vector<Plan>& plans, const double margin, const bool all,
+                      Uv_state& state) const
+  {
+    std::vector<std::pair<double, const Plan*> > found;
+    for(Plan& plan : plans) {
+      Half_planes kernel(plan.move.is_fixed);
+      for(const Ring_face& f : plan.ring) {
+        const double one_step = std::sqrt(dot(f.gradient, f.gradient)); // what rounding can cost
+        const double bound = (std::max)(margin * f.wanted, one_step);
+        if(f.is_positive)
+          kernel.add(f.gradient, (std::min)(bound, f.area / 2) - f.area);
+        else if(f.is_target || (all && f.was_positive))
+          kernel.add(f.gradient, bound - f.area);
+      }
+      if(kernel.find_shortest(plan.displacement))
+        found.emplace_back(dot(plan.displacement, plan.displacement), &plan);
+    }
+    std::sort(found.begin(), found.end());
+    return std::any_of(found.begin(), found.end(),
+                       [&](const auto& f) { return apply(*f.second, state); });
+  }
+
+  // Takes the first displacement in whole grid steps, of those around the plan's, that the exact check accepts.
+  bool apply(const Plan& plan, Uv_state& state) const
+  {
+    constexpr double largest = 4503599627370496.; // 2^52
+    if(!(std::abs(plan.displacement[0]) < largest && std::abs(plan.displacement[1]) < largest))
+      return false;
+    std::vector<std::pair<double, Uv> > candidates;
+    for(int i = -2; i <= 2; ++i)
+      for(int j = -2; j <= 2; ++j) {
+        const Uv d{{plan.move.is_fixed[0] ? 0 : std::round(plan.displacement[0]) + i,
+                    plan.move.is_fixed[1] ? 0 : std::round(plan.displacement[1]) + j}};
+        const Uv off{{d[0] - plan.displacement[0], d[1] - plan.displacement[1]}};
+        candidates.emplace_back(dot(off, off), d);
+      }
+    std::sort(candidates.begin(), candidates.end());
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](const auto& c) { return try_displacement(plan, c.second, state); });
+  }
+
+  bool try_displacement(const Plan& plan, const Uv& d, Uv_state& state) const
+  {
+    std::vector<Uv> before;
+    bool is_exact = true;
+    for(const Vertex_move::Member& member : plan.move.members) {
+      const Uv u = m_points.uv(state, member.point);
+      const Uv steps = rotation_matrix(member.rotation)(d);
+      before.push_back(u);
+      Uv moved;
+      for(std::size_t c = 0; c < 2; ++c) {
+        const double by = steps[c] * plan.unit;
+        moved[c] = static_cast<double>(static_cast<Number>(u[c] + by));
+        const Exact_difference difference(moved[c], u[c]);
+        is_exact = is_exact && difference.rounded == by && difference.error == 0;
+      }
+      m_points.set_uv(state, member.point, moved);
+    }
+    if((is_exact || !plan.move.is_on_grid) &&
+       std::all_of(plan.ring.begin(), plan.ring.end(), [&](const Ring_face& f) {
+         return !(f.is_positive || f.is_target) ||
+                orientation(m_points.uv(state, f.face)) == CGAL::POSITIVE;
+       }))
+      return true;
+    for(std::size_t i = 0; i < before.size(); ++i)
+      m_points.set_uv(state, plan.move.members[i].point, before[i]);
+    return false;
+  }
+
+  Points& m_points;
+  const Vertex_move_finder<Points>& m_find_move;
+  const Grid& m_grid;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_KERNEL_MOVES_H
