@@ -32,6 +32,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -103,8 +104,7 @@ public:
                  const std::vector<Grid_uv>& coordinates, const Grid& grid)
     : m_sectors(sectors), m_branches(branches), m_transitions(transitions), m_align_edges(align_edges),
       m_coordinates(coordinates), m_point{grid, {}, {}, 0},
-      m_unknown_of_sector(sectors.number_of_sectors(), -1),
-      m_is_constrained(sectors.number_of_sectors(), {{false, false}})
+      m_unknown_of_sector(sectors.number_of_sectors(), -1)
   {
     add_node_unknowns(branches.is_node);
     m_point.number_of_representable_columns = m_point.values.size();
@@ -118,6 +118,7 @@ public:
     if(!constraints.empty())
       add_constraints(constraints, builder);
     m_system = builder.take().system;
+    std::visit([&](const auto& system) { mark_unknowns_in_rows(system); }, m_system);
   }
 
   const Any_system& system() const { return m_system; }
@@ -148,7 +149,7 @@ public:
   Column_index coordinate(const std::size_t b) const { return m_coordinate_of_branch[b]; }
   // Which components of a node sector some row fixes.
   bool is_constrained(const Sector_index s, const std::size_t c) const
-  { return m_is_constrained[std::size_t(s)][c]; }
+  { return unknown(s) >= 0 && m_is_in_row[std::size_t(unknown(s)) + c]; }
 
   int directed_rotation(const Directed_cut d) const
   {
@@ -283,8 +284,17 @@ private:
 
   void append(Row& row, const Sector_index s, const std::size_t c, const std::int64_t coefficient)
   {
-    m_is_constrained[std::size_t(s)][c] = true;
     row.push_back({m_unknown_of_sector[std::size_t(s)] + Column_index(c), coefficient});
+  }
+
+  // Coefficients may have cancelled: the corner of a cycle need not be in its row.
+  template <typename Integer>
+  void mark_unknowns_in_rows(const Integer_system<Integer>& system)
+  {
+    m_is_in_row.assign(m_point.values.size(), false);
+    for(std::size_t i = 0; i < system.number_of_rows(); ++i)
+      for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
+        m_is_in_row[std::size_t(e->column)] = true;
   }
 
   void add_row(Row& row, const bool is_cut, const std::size_t edge)
@@ -306,7 +316,6 @@ private:
       std::vector<Entry<Exact_rational> > row;
       for(const auto& term : c.terms) {
         const Sector_index s = *sector++;
-        m_is_constrained[std::size_t(s)][std::size_t(term.component)] = true;
         row.push_back({m_unknown_of_sector[std::size_t(s)] + Column_index(term.component),
                        term.coefficient});
       }
@@ -433,7 +442,7 @@ private:
   std::vector<Origin> m_origins; // of these rows; the rows of further constraints follow
   Any_system m_system;
   std::vector<Column_index> m_unknown_of_sector, m_translation_of_branch, m_coordinate_of_branch;
-  std::vector<std::array<bool, 2> > m_is_constrained;
+  std::vector<bool> m_is_in_row; // per unknown
 };
 
 } // namespace internal
