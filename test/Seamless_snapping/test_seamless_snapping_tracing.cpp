@@ -7,6 +7,7 @@
 #include "tracing_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -142,6 +143,25 @@ bool hits_its_vertices(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, co
   return true;
 }
 
+// A curve that meets a vertex fulfils the connection to it along the edges that it crosses.
+void test_face_paths(const Mesh& mesh, const UV_map& uv,
+                     const std::vector<SS::Isocurve<Mesh> >& curves)
+{
+  std::vector<SS::Connection_constraint<Mesh> > connections;
+  std::vector<SS::Cycle_constraint<Mesh> > cycles;
+  for(const auto& curve : curves) {
+    const auto path = SS::isocurve_face_path(mesh, curve);
+    const int component = int(curve.direction) % 2 == 0 ? 1 : 0;
+    if(curve.status == Status::CLOSED)
+      cycles.push_back({curve.start.halfedge, component, path});
+    else if(curve.points.back().place() == Place::VERTEX)
+      connections.push_back({curve.start.halfedge, curve.points.back().halfedge(), component,
+                             path});
+  }
+  CHECK(SS::is_seamless(mesh, uv, parameters::connection_constraints(connections)
+                                             .cycle_constraints(cycles)));
+}
+
 void test_synthetic_meshes()
 {
   for(const bool warped : {false, true})
@@ -154,9 +174,10 @@ void test_synthetic_meshes()
       CHECK(tracer.is_exact());
       Counts ends;
       std::size_t bad = 0, missed = 0;
+      std::vector<SS::Isocurve<Mesh> > curves;
       for(const auto v : mesh.vertices())
         for(const auto& [start, direction] : tracer.outgoing(v)) {
-          const auto curve = tracer.trace(start, direction);
+          const auto& curve = curves.emplace_back(tracer.trace(start, direction));
           ++ends[curve.status];
           bad += is_good(tracer, curve, mesh, uv) ? 0 : 1;
           missed += hits_its_vertices(tracer, curve, mesh) ? 0 : 1;
@@ -167,6 +188,7 @@ void test_synthetic_meshes()
       CHECK(warped || ends[Status::MAXIMUM_NUMBER] == 0);
       test_numbers_of_directions(mesh, uv, tracer);
       test_other_starts(mesh, uv, tracer, 100);
+      test_face_paths(mesh, uv, curves);
     }
 }
 
