@@ -17,6 +17,8 @@
 // The open edges of a uv map, in an order that does not depend on the mesh data structure, and which of
 // them meet at which vertex.
 
+#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -38,9 +40,17 @@ struct Indexed_edge
   std::size_t source, target;
 };
 
+// An open edge together with the coordinates of its sides, so that the mesh need not be asked again.
+template <typename Halfedge>
+struct Surveyed_edge
+  : Indexed_edge<Halfedge>
+{
+  Edge_sides sides;
+};
+
 template <typename Halfedge>
 struct Open_edge
-  : Indexed_edge<Halfedge> // directed towards the end of larger index
+  : Surveyed_edge<Halfedge> // directed towards the end of larger index
 {
   int rotation = 0;      // k of the transition from face(halfedge) to the opposite face
   bool is_cut = true;    // else the corners of both sides are merged

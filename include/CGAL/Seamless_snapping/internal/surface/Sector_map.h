@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/surface/singular_vertices.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -104,6 +105,7 @@ public:
 
 private:
   using Ends = std::vector<Indexed_edge<Halfedge> >;
+  static constexpr std::size_t number_of_walks = 64; // at a time
 
   // A corner's vertex, as both ends of an edge.
   template <typename VertexIndexMap>
@@ -147,12 +149,14 @@ private:
     m_align_ends = numbers.ends(align_edges.edges());
     const std::vector<Edge_ends> node_ends = numbers.ends(node_corners);
     const std::vector<Halfedge> starts = start_halfedges(node_corners, node_ends, vertex_indices);
+    m_has_merged_edge.resize(numbers.size(), false);
+    for(std::size_t i = transitions.number_of_cuts; i < m_cut_ends.size(); ++i)
+      m_has_merged_edge[std::size_t(m_cut_ends[i].source)] =
+        m_has_merged_edge[std::size_t(m_cut_ends[i].target)] = true;
     m_cut_ends.resize(transitions.number_of_cuts); // from here on without the merged edges
     m_cuts = Vertex_incidences(numbers.size(), m_cut_ends);
     m_aligned = Vertex_incidences(numbers.size(), m_align_ends);
-    std::vector<std::size_t> first_visit;
-    const std::vector<Visit> visits = walk_around_vertices(starts, first_visit);
-    form_sectors(visits, first_visit);
+    form_sectors(starts);
     for(std::size_t i = 0; i < node_corners.size(); ++i)
       make_node(node_corners[i].halfedge, node_ends[i].target);
   }
@@ -208,45 +212,42 @@ private:
     return best;
   }
 
-  // A halfedge met on the walk around a vertex: a corner, or on the border.
-  struct Visit
+  // All halfedges towards each of some vertices, clockwise. The walks take turns, so that their accesses to
+  // the memory overlap: in a single walk each waits for the one before.
+  void walk_around_vertices(const Halfedge* starts, const std::size_t number,
+                            std::vector<std::vector<Halfedge> >& walks) const
   {
-    Halfedge halfedge;
-    bool is_corner;
-    Uv uv;
-  };
-
-  // All halfedges towards each vertex, clockwise, with their coordinates. The loop does nothing else, so that
-  // the memory accesses of many vertices overlap.
-  std::vector<Visit> walk_around_vertices(const std::vector<Halfedge>& starts,
-                                          std::vector<std::size_t>& first_visit) const
-  {
-    std::vector<Visit> visits;
-    visits.reserve(7 * starts.size());
-    first_visit.reserve(starts.size() + 1);
-    for(const Halfedge start : starts) {
-      first_visit.push_back(visits.size());
-      Halfedge h = start;
-      do {
-        const bool is_corner = !is_border(h, m_tmesh);
-        visits.push_back({h, is_corner, is_corner ? get_uv(m_uv_map, h) : Uv()});
-        h = opposite(next(h, m_tmesh), m_tmesh);
-      } while(h != start);
+    std::array<std::size_t, number_of_walks> under_way;
+    for(std::size_t i = 0; i < number; ++i) {
+      walks[i].assign(1, starts[i]);
+      under_way[i] = i;
     }
-    first_visit.push_back(visits.size());
-    return visits;
+    for(std::size_t left = number; left > 0;) {
+      std::size_t still = 0;
+      for(std::size_t j = 0; j < left; ++j) {
+        std::vector<Halfedge>& walk = walks[under_way[j]];
+        const Halfedge h = opposite(next(walk.back(), m_tmesh), m_tmesh);
+        if(h == walk.front())
+          continue;
+        walk.push_back(h);
+        under_way[still++] = under_way[j];
+      }
+      left = still;
+    }
   }
 
   // Divides the corners around each vertex into sectors.
-  void form_sectors(const std::vector<Visit>& visits, const std::vector<std::size_t>& first_visit)
+  void form_sectors(const std::vector<Halfedge>& starts)
   {
-    m_corners.reserve(visits.size());
-    m_sectors.reserve(2 * m_is_node.size());
-    m_first_sector.reserve(m_is_node.size() + 1);
-    for(std::size_t v = 0; v < m_is_node.size(); ++v) {
+    m_corners.reserve(7 * starts.size());
+    m_sectors.reserve(2 * starts.size());
+    m_first_sector.reserve(starts.size() + 1);
+    std::vector<std::vector<Halfedge> > walks(number_of_walks);
+    for(std::size_t v = 0; v < starts.size(); ++v) {
+      if(v % number_of_walks == 0)
+        walk_around_vertices(starts.data() + v, (std::min)(starts.size() - v, number_of_walks), walks);
       m_first_sector.push_back(Sector_index(m_sectors.size()));
-      const bool on_border = form_sectors_at(Vertex_index(v), visits.data() + first_visit[v],
-                                             visits.data() + first_visit[v + 1]);
+      const bool on_border = form_sectors_at(Vertex_index(v), walks[v % number_of_walks]);
       const bool is_singular = !on_border && holonomy(m_cuts, m_transitions.edges, Vertex_index(v)) != 0;
       m_number_of_singular_vertices += is_singular ? 1 : 0;
       m_is_node[v] = needs_node(Vertex_index(v), on_border, is_singular);
@@ -255,24 +256,27 @@ private:
   }
 
   // Returns whether the vertex lies on the border.
-  bool form_sectors_at(const Vertex_index v, const Visit* first, const Visit* last)
+  bool form_sectors_at(const Vertex_index v, const std::vector<Halfedge>& walk)
   {
     collect_cuts_towards(v);
     bool on_border = false;
     bool begins = true;
-    const Directed_cut first_cut = cut_towards(first->halfedge);
+    const Directed_cut first_cut = cut_towards(walk.front());
     Directed_cut cut = first_cut;
-    for(const Visit* visit = first; visit != last; ++visit) {
-      const Directed_cut following_cut = visit + 1 != last ? cut_towards(visit[1].halfedge) : first_cut;
-      if(visit->is_corner) {
-        if(begins || cut >= 0)
-          m_sectors.push_back({visit->uv, m_corners.size(), true, 1.});
-        add_corner(*visit, cut, following_cut);
-        if(m_aligned.degree(v) > 0)
-          add_to_aligned(v, visit->halfedge);
-        begins = false;
-      } else {
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const Halfedge h = walk[i];
+      const Directed_cut following_cut = i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
+      if(is_border(h, m_tmesh)) {
         on_border = begins = true;
+      } else {
+        if(begins || cut >= 0)
+          begin_sector(h, cut);
+        else if(m_has_merged_edge[std::size_t(v)])
+          m_sectors.back().is_uniform &= get_uv(m_uv_map, h) == m_sectors.back().uv;
+        add_corner(h, cut, following_cut);
+        if(m_aligned.degree(v) > 0)
+          add_to_aligned(v, h);
+        begins = false;
       }
       cut = following_cut;
     }
@@ -299,14 +303,25 @@ private:
     return -1;
   }
 
-  void add_corner(const Visit& visit, const Directed_cut cut, const Directed_cut following_cut)
+  // Without a merged edge all further corners have the coordinates of the first: no edge between them is open.
+  void begin_sector(const Halfedge h, const Directed_cut cut)
+  {
+    const Uv uv = cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h);
+    m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
+    m_sectors.push_back({uv, m_corners.size(), true, 1.});
+  }
+
+  // At the target of a cut.
+  const Uv& uv_behind(const Directed_cut d) const
+  {
+    const Edge_sides& sides = m_transitions.edges[std::size_t(d / 2)].sides;
+    return d % 2 == 0 ? sides.b : sides.a_opposite;
+  }
+
+  void add_corner(const Halfedge h, const Directed_cut cut, const Directed_cut following_cut)
   {
     const Sector_index s = Sector_index(m_sectors.size()) - 1;
-    Sector& sector = m_sectors.back();
-    sector.is_uniform = sector.is_uniform && visit.uv == sector.uv;
-    m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(visit.uv[0]),
-                                       std::abs(visit.uv[1])});
-    m_corners.push_back(visit.halfedge);
+    m_corners.push_back(h);
     if(cut >= 0)
       m_target_sector[std::size_t(cut)] = s;
     if(following_cut >= 0)
@@ -355,7 +370,7 @@ private:
   std::vector<Sector_index> m_first_sector;
   std::vector<Sector_index> m_node_corner_sectors;
   std::vector<Halfedge> m_corners;
-  std::vector<bool> m_is_node;
+  std::vector<bool> m_is_node, m_has_merged_edge;
   std::size_t m_number_of_singular_vertices = 0;
   double m_largest_coordinate = 0;
 };

@@ -73,9 +73,9 @@ void read_rotation(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const
 }
 
 template <typename Halfedge>
-void measure_length_and_gap(Open_edge<Halfedge>& edge, const Edge_sides& sides,
-                            const Edge_vectors& vectors, const double scale)
+void measure_length_and_gap(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const double scale)
 {
+  const Edge_sides& sides = edge.sides;
   edge.length = vectors.length(scale);
   edge.gap = 0;
   for(std::size_t c = 0; c < 2; ++c)
@@ -106,8 +106,8 @@ bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Open_edge<Half
 
 // An edge not longer than a few residuals looks alike under all rotations: it takes its rotation from
 // the branch it lies on.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
+template <typename TriangleMesh, typename Halfedge>
+void complete_rotations(const TriangleMesh& tmesh, const double scale,
                         const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
@@ -135,7 +135,7 @@ void complete_rotations(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, 
       // towards the vertex the rotations of both add up to 0
       const int k = edges[std::size_t(i)].rotation;
       Open_edge<Halfedge>& edge = edges[std::size_t(other.edge)];
-      set_rotation(edge, Edge_vectors(edge_sides(tmesh, uv_map, edge.halfedge)),
+      set_rotation(edge, Edge_vectors(edge.sides),
                    here.points_to_vertex == other.points_to_vertex ? inverse_rotation(k) : k, scale);
       is_known[std::size_t(other.edge)] = true;
       known.push_back(other.edge);

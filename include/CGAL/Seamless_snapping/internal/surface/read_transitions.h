@@ -180,19 +180,17 @@ private:
     data.edges.reserve(surveyed.size());
     for(const std::size_t i : canonical_order(m_tmesh, m_vertex_indices, numbers, surveyed)) {
       data.edges.emplace_back();
-      static_cast<Indexed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
-      if(!read_rotation_of(surveyed[i].sides, data))
+      static_cast<Surveyed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
+      if(!read_rotation_of(data.edges.back(), data))
         return false;
     }
     return true;
   }
 
-  // Of the last edge.
-  bool read_rotation_of(const Edge_sides& sides, Data& data) const
+  bool read_rotation_of(Open_edge<Halfedge>& edge, Data& data) const
   {
-    Open_edge<Halfedge>& edge = data.edges.back();
-    const Edge_vectors vectors(sides);
-    measure_length_and_gap(edge, sides, vectors, m_scale);
+    const Edge_vectors vectors(edge.sides);
+    measure_length_and_gap(edge, vectors, m_scale);
     edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
     if constexpr(Given::has_rotations) {
       const int k = m_given.rotation(edge.halfedge);
@@ -254,7 +252,7 @@ private:
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
     if(!Given::has_rotations)
-      complete_rotations(m_tmesh, m_uv_map, m_scale, ends, incidences, data.edges);
+      complete_rotations(m_tmesh, m_scale, ends, incidences, data.edges);
     if(!Given::has_cuts)
       mark_merged_edges(m_tmesh, ends, incidences, residual, data.edges);
   }

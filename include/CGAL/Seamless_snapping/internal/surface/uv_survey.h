@@ -73,14 +73,6 @@ Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, co
           get_uv(uv_map, g), get_uv(uv_map, prev(g, tmesh))};
 }
 
-// An open edge together with the coordinates of its sides, so that the mesh need not be asked again.
-template <typename Halfedge>
-struct Surveyed_edge
-  : Indexed_edge<Halfedge>
-{
-  Edge_sides sides;
-};
-
 template <typename TriangleMesh>
 struct Uv_survey
 {

@@ -101,6 +101,7 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
   };
   std::vector<Point> before; // of sectors whose corners differed
   bool kept = true;
+  constexpr std::size_t batch = 64; // of sectors: writing never waits for what is read back
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
@@ -114,8 +115,11 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
         before.push_back(get(uv_map, *h));
       }
       put(uv_map, *h, new_point);
-      kept = kept && get_uv(uv_map, *h) == uv;
     }
+    if(i % batch == batch - 1 || i + 1 == sectors.number_of_sectors())
+      for(std::size_t j = i - i % batch; j <= i; ++j)
+        for(auto h = sectors.corners_begin(Sector_index(j)); h != sectors.corners_end(Sector_index(j)); ++h)
+          kept = kept && get_uv(uv_map, *h) == snapped.uv(Sector_index(j));
   }
   auto old = before.begin();
   for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
