@@ -83,6 +83,13 @@ public:
     : m_number_of_columns(number_of_columns), m_rows(number_of_columns)
   { }
 
+  // With right-hand side 0.
+  void add_row(const std::vector<Entry<std::int64_t> >& entries)
+  {
+    if(!add_small_row(entries))
+      add_row(to_rationals(entries), Exact_rational(0));
+  }
+
   // Entries in any order; equal columns add up.
   template <typename Coefficient>
   void add_row(const std::vector<Entry<Coefficient> >& entries,
@@ -92,9 +99,7 @@ public:
       if(right_hand_side == 0 && add_small_row(entries))
         return;
     }
-    std::vector<Entry<Exact_rational> > row;
-    for(const Entry<Coefficient>& e : entries)
-      row.push_back({e.column, Exact_rational(e.coefficient)});
+    std::vector<Entry<Exact_rational> > row = to_rationals(entries);
     add_rational_row(row, right_hand_side);
   }
 
@@ -131,9 +136,20 @@ private:
     std::size_t right_hand_scale;
   };
 
+  template <typename Coefficient>
+  static std::vector<Entry<Exact_rational> >
+  to_rationals(const std::vector<Entry<Coefficient> >& entries)
+  {
+    std::vector<Entry<Exact_rational> > row;
+    for(const Entry<Coefficient>& e : entries)
+      row.push_back({e.column, Exact_rational(e.coefficient)});
+    return row;
+  }
+
   bool add_small_row(const std::vector<Entry<std::int64_t> >& entries)
   {
-    std::vector<Entry<std::int64_t> > row(entries);
+    std::vector<Entry<std::int64_t> >& row = m_row;
+    row.assign(entries.begin(), entries.end());
     try {
       sort_and_sum(row);
     } catch(const Integer_overflow&) {
@@ -232,6 +248,7 @@ private:
 
   std::size_t m_number_of_columns;
   Integer_system<std::int64_t> m_rows;
+  std::vector<Entry<std::int64_t> > m_row; // under way
   std::vector<Large_row> m_large_rows; // by index
   std::map<std::size_t, Exact_rational> m_scales; // other than 1
 };

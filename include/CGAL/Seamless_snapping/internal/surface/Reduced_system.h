@@ -109,12 +109,19 @@ public:
     add_node_unknowns(branches.is_node);
     m_point.number_of_representable_columns = m_point.values.size();
     for(std::size_t b = 0; b < branches.cut.size(); ++b)
-      add_cut_branch(branches.cut.begin(b), branches.cut.end(b));
+      m_translation_of_branch.push_back(
+        has_inner_vertices(branches.cut, b)
+          ? add_translation(branches.cut.begin(b), branches.cut.end(b)) : -1);
     for(std::size_t b = 0; b < branches.aligned.size(); ++b)
-      add_align_branch(branches.aligned.begin(b), branches.aligned.end(b));
+      m_coordinate_of_branch.push_back(
+        has_inner_vertices(branches.aligned, b)
+          ? add_coordinate(branches.aligned.begin(b), branches.aligned.end(b)) : -1);
+
     System_builder builder(m_point.values.size());
-    for(Row& row : m_rows)
-      builder.add_row(row, Exact_rational(0));
+    for(std::size_t b = 0; b < branches.cut.size(); ++b)
+      add_cut_rows(branches.cut.begin(b), branches.cut.end(b), translation(b), builder);
+    for(std::size_t b = 0; b < branches.aligned.size(); ++b)
+      add_align_rows(branches.aligned.begin(b), branches.aligned.end(b), coordinate(b), builder);
     if(!constraints.empty())
       add_constraints(constraints, builder);
     m_system = builder.take().system;
@@ -129,13 +136,13 @@ public:
   std::string name_of_row(const std::size_t row, const Constraint_list<TriangleMesh>& constraints,
                           const TriangleMesh_& tmesh, const VertexIndexMap& vertex_indices) const
   {
-    if(row < m_rows.size())
+    if(row < m_origins.size())
       return m_origins[row].is_cut
         ? "the transition across " + edge_name(tmesh, vertex_indices,
                                                m_transitions.edges[m_origins[row].edge].halfedge)
         : "the alignment of " + edge_name(tmesh, vertex_indices,
                                           m_align_edges.halfedge(Edge_index(m_origins[row].edge)));
-    const std::size_t i = row - m_rows.size();
+    const std::size_t i = row - m_origins.size();
     return i < constraints.paths().size()
       ? constraints.paths()[i].name
       : constraints.corner_constraint_name(i - constraints.paths().size());
@@ -191,39 +198,40 @@ private:
     }
   }
 
-  // u- = R u+ + t at both ends.
-  void add_cut_branch(const Directed_cut* first, const Directed_cut* last)
+  static bool has_inner_vertices(const Branch_list& branches, const std::size_t b)
+  { return branches.end(b) - branches.begin(b) > 1; }
+
+  // u- = R u+ + t at both ends. Without t: the difference of both.
+  void add_cut_rows(const Directed_cut* first, const Directed_cut* last, const Column_index t,
+                    System_builder& builder)
   {
-    const int k = directed_rotation(*first);
-    const Rotation& r = rotation_matrix(k);
+    const Rotation& r = rotation_matrix(directed_rotation(*first));
     const Directed_cut back = *(last - 1);
     const Sector_index plus[2] = {m_sectors.source_sector(*first), m_sectors.target_sector(back)};
     const Sector_index minus[2] = {m_sectors.target_sector(opposite_cut(*first)),
                                    m_sectors.source_sector(opposite_cut(back))};
-    const Column_index t = last - first > 1 ? add_translation(first, last, r) : -1;
-    m_translation_of_branch.push_back(t);
     for(std::size_t c = 0; c < 2; ++c) {
-      Row rows[2];
+      m_row.clear();
       for(std::size_t end = 0; end < 2; ++end) {
-        const std::int64_t sign = t < 0 && end == 1 ? -1 : 1; // without t: the difference of both
-        Row& row = rows[t < 0 ? 0 : end];
-        append(row, minus[end], c, sign);
+        const std::int64_t sign = t < 0 && end == 1 ? -1 : 1;
+        append(m_row, minus[end], c, sign);
         for(std::size_t d = 0; d < 2; ++d)
           if(r.m[c][d] != 0)
-            append(row, plus[end], d, -sign * r.m[c][d]);
+            append(m_row, plus[end], d, -sign * r.m[c][d]);
+        if(t < 0 && end == 0)
+          continue;
         if(t >= 0)
-          row.push_back({t + Column_index(c), -1});
+          m_row.push_back({t + Column_index(c), -1});
+        add_row(true, std::size_t((t >= 0 && end == 1 ? back : *first) / 2), builder);
       }
-      add_row(rows[0], true, std::size_t(*first / 2));
-      if(t >= 0)
-        add_row(rows[1], true, std::size_t(back / 2));
     }
   }
 
   // The pairs of sectors between the ends contribute 1/2 w |R u+ + t - u-|^2 each: together the branch
   // wants the weighted mean of their translations.
-  Column_index add_translation(const Directed_cut* first, const Directed_cut* last, const Rotation& r)
+  Column_index add_translation(const Directed_cut* first, const Directed_cut* last)
   {
+    const Rotation& r = rotation_matrix(directed_rotation(*first));
     Grid_vector base{{0, 0}};
     Uv sum{{0, 0}};
     double weights = 0;
@@ -246,30 +254,25 @@ private:
     return t;
   }
 
-  // u|k = a at both ends, Eq. (5).
-  void add_align_branch(const std::int32_t* first, const std::int32_t* last)
+  // u|k = a at both ends, Eq. (5). Without a: the difference of both.
+  void add_align_rows(const std::int32_t* first, const std::int32_t* last, const Column_index a,
+                      System_builder& builder)
   {
     const std::size_t c = align_component(*first);
-    const Sector_index start = align_sector(*first, false), end = align_sector(*(last - 1), true);
-    Column_index a = -1;
-    if(last - first > 1)
-      a = add_coordinate(first, last, c);
-    m_coordinate_of_branch.push_back(a);
-    Row rows[2];
-    append(rows[0], start, c, 1);
-    if(a < 0) {
-      append(rows[0], end, c, -1);
-    } else {
-      rows[0].push_back({a, -1});
-      append(rows[1], end, c, 1);
-      rows[1].push_back({a, -1});
-      add_row(rows[1], false, std::size_t(*(last - 1) / 2));
+    m_row.clear();
+    append(m_row, align_sector(*first, false), c, 1);
+    if(a >= 0) {
+      m_row.push_back({a, -1});
+      add_row(false, std::size_t(*first / 2), builder);
+      m_row.assign(1, {a, -1});
     }
-    add_row(rows[0], false, std::size_t(*first / 2));
+    append(m_row, align_sector(*(last - 1), true), c, a < 0 ? -1 : 1);
+    add_row(false, std::size_t((a < 0 ? *first : *(last - 1)) / 2), builder);
   }
 
-  Column_index add_coordinate(const std::int32_t* first, const std::int32_t* last, const std::size_t c)
+  Column_index add_coordinate(const std::int32_t* first, const std::int32_t* last)
   {
+    const std::size_t c = align_component(*first);
     const std::int64_t base = m_coordinates[std::size_t(align_sector(*first, true))].base[c];
     double sum = 0, weights = 0;
     for(const std::int32_t* d = first; d != last - 1; ++d) {
@@ -297,9 +300,10 @@ private:
         m_is_in_row[std::size_t(e->column)] = true;
   }
 
-  void add_row(Row& row, const bool is_cut, const std::size_t edge)
+  void add_row(const bool is_cut, const std::size_t edge, System_builder& builder)
   {
-    m_rows.push_back(row);
+    builder.add_row(m_row);
+    m_row.clear();
     m_origins.push_back({is_cut, edge});
   }
 
@@ -310,7 +314,7 @@ private:
     for(const Path_constraint<TriangleMesh>& p : constraints.paths()) {
       const Sector_index a = *sector++, b = *sector++;
       Row row = path_row(p.connection, a, b, finder);
-      builder.add_row(row, Exact_rational(0));
+      builder.add_row(row);
     }
     for(const Corner_constraint<TriangleMesh>& c : constraints.corner_constraints()) {
       std::vector<Entry<Exact_rational> > row;
@@ -438,8 +442,8 @@ private:
   const Align_edges<TriangleMesh>& m_align_edges;
   const std::vector<Grid_uv>& m_coordinates;
   Grid_point m_point;
-  std::vector<Row> m_rows;
-  std::vector<Origin> m_origins; // of these rows; the rows of further constraints follow
+  Row m_row; // under way
+  std::vector<Origin> m_origins; // of the first rows; those of further constraints follow
   Any_system m_system;
   std::vector<Column_index> m_unknown_of_sector, m_translation_of_branch, m_coordinate_of_branch;
   std::vector<bool> m_is_in_row; // per unknown

@@ -68,7 +68,7 @@ private:
       else if(m_sectors.sector(s).is_uniform)
         m_uv[std::size_t(s)][c] = m_sectors.sector(s).uv[c];
       else
-        set(s, c, u.base[c] + std::llround(u.offset[c]));
+        set(s, c, u.base[c] + nearest_integer(u.offset[c]));
     }
   }
 
@@ -98,7 +98,7 @@ private:
       const Uv gap = inverse(transition_gap(a, z, r, t));
       Grid_vector x;
       for(std::size_t c = 0; c < 2; ++c)
-        x[c] = a.base[c] + std::llround(a.offset[c] + gap[c] * (w_minus / (w_plus + w_minus)));
+        x[c] = a.base[c] + nearest_integer(a.offset[c] + gap[c] * (w_minus / (w_plus + w_minus)));
       const Grid_vector rotated = r(x);
       for(std::size_t c = 0; c < 2; ++c) {
         set(plus, c, x[c]);
