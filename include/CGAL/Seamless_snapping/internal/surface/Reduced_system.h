@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/surface/Branches.h>
 #include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
+#include <CGAL/Seamless_snapping/internal/surface/Sector_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
 #include <array>
@@ -39,61 +39,11 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-using Grid_vector = std::array<std::int64_t, 2>;
-
-// A real point relative to the grid.
-struct Grid_uv
-{
-  Grid_vector base;
-  Uv offset;
-};
-
-// The coordinates of all sectors on a grid. Sectors whose corners differ are represented by their mean.
-template <typename TriangleMesh, typename HalfedgeUVMap>
-std::vector<Grid_uv> sector_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors,
-                                        const HalfedgeUVMap& uv_map, const Grid& grid)
-{
-  std::vector<Grid_uv> result(sectors.number_of_sectors());
-  for(std::size_t i = 0; i < result.size(); ++i) {
-    const Sector_index s = Sector_index(i);
-    const Sector& sector = sectors.sector(s);
-    for(std::size_t c = 0; c < 2; ++c) {
-      const Grid_value v = grid.split(sector.uv[c]);
-      result[i].base[c] = v.base;
-      result[i].offset[c] = v.offset;
-      if(sector.is_uniform)
-        continue;
-      double sum = 0, count = 0;
-      for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h) {
-        const Grid_value corner = grid.split(get_uv(uv_map, *h)[c]);
-        sum += static_cast<double>(corner.base - v.base) + (corner.offset - v.offset);
-        count += 1;
-      }
-      result[i].offset[c] += sum / count;
-    }
-  }
-  return result;
-}
-
-// u- - R u+ - t for sectors beside a cut: exact in the bases.
-inline Uv transition_gap(const Grid_uv& plus, const Grid_uv& minus, const Rotation& r,
-                         const Grid_vector& t)
-{
-  const Grid_vector base = r(plus.base);
-  const Uv offset = r(plus.offset);
-  Uv gap;
-  for(std::size_t c = 0; c < 2; ++c)
-    gap[c] = static_cast<double>(minus.base[c] - base[c] - t[c]) + (minus.offset[c] - offset[c]);
-  return gap;
-}
-
-// How two sectors of weights a and b share what separates them: the price per unit of squared gap.
-inline double shared_weight(const double a, const double b) { return a * b / (a + b); }
-
 template <typename TriangleMesh, typename HalfedgeUVMap>
 class Reduced_system
 {
   using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using Coordinates = Sector_coordinates<TriangleMesh, HalfedgeUVMap>;
   using Row = std::vector<Entry<std::int64_t> >;
 
 public:
@@ -101,7 +51,7 @@ public:
                  const Transition_data<TriangleMesh>& transitions,
                  const Align_edges<TriangleMesh>& align_edges,
                  const Constraint_list<TriangleMesh>& constraints,
-                 const std::vector<Grid_uv>& coordinates, const Grid& grid)
+                 const Coordinates& coordinates, const Grid& grid)
     : m_sectors(sectors), m_branches(branches), m_transitions(transitions), m_align_edges(align_edges),
       m_coordinates(coordinates), m_point{grid, {}, {}, 0},
       m_unknown_of_sector(sectors.number_of_sectors(), -1)
@@ -190,7 +140,7 @@ private:
         continue;
       const Vertex_index vi = Vertex_index(v);
       for(Sector_index s = m_sectors.first_sector(vi); s != m_sectors.first_sector(vi + 1); ++s) {
-        const Grid_uv& u = m_coordinates[std::size_t(s)];
+        const Grid_uv u = m_coordinates[s];
         const double weight = m_sectors.sector(s).weight;
         m_unknown_of_sector[std::size_t(s)] = add_unknown({u.base[0], u.offset[0]}, weight);
         add_unknown({u.base[1], u.offset[1]}, weight);
@@ -238,8 +188,8 @@ private:
     for(const Directed_cut* d = first; d != last - 1; ++d) {
       const Sector_index plus = m_sectors.target_sector(*d);
       const Sector_index minus = m_sectors.source_sector(opposite_cut(*d));
-      const Grid_uv& a = m_coordinates[std::size_t(plus)];
-      const Grid_uv& b = m_coordinates[std::size_t(minus)];
+      const Grid_uv a = m_coordinates[plus];
+      const Grid_uv b = m_coordinates[minus];
       if(d == first) { // the sum is relative to the first pair
         const Grid_vector rotated = r(a.base);
         base = {{b.base[0] - rotated[0], b.base[1] - rotated[1]}};
@@ -273,11 +223,11 @@ private:
   Column_index add_coordinate(const std::int32_t* first, const std::int32_t* last)
   {
     const std::size_t c = align_component(*first);
-    const std::int64_t base = m_coordinates[std::size_t(align_sector(*first, true))].base[c];
+    const std::int64_t base = m_coordinates[align_sector(*first, true)].base[c];
     double sum = 0, weights = 0;
     for(const std::int32_t* d = first; d != last - 1; ++d) {
       const Sector_index s = align_sector(*d, true);
-      const Grid_uv& u = m_coordinates[std::size_t(s)];
+      const Grid_uv u = m_coordinates[s];
       const double w = m_sectors.sector(s).weight;
       sum += w * (static_cast<double>(u.base[c] - base) + u.offset[c]);
       weights += w;
@@ -440,7 +390,7 @@ private:
   const Branches& m_branches;
   const Transition_data<TriangleMesh>& m_transitions;
   const Align_edges<TriangleMesh>& m_align_edges;
-  const std::vector<Grid_uv>& m_coordinates;
+  const Coordinates& m_coordinates;
   Grid_point m_point;
   Row m_row; // under way
   std::vector<Origin> m_origins; // of the first rows; those of further constraints follow

@@ -44,8 +44,10 @@ struct Sector
 {
   Uv uv;                    // of its first corner
   std::size_t first_corner; // the others follow up to the first corner of the next sector
-  bool is_uniform;          // whether all corners agree to the bit
   double weight;            // in the least-squares target
+  std::int32_t mixed;       // the number of the sector among those whose corners differ, or -1
+
+  bool is_uniform() const { return mixed < 0; }
 };
 
 // Invariant: complete after construction. Sectors of one vertex are consecutive, and in clockwise order.
@@ -79,6 +81,7 @@ public:
   std::size_t number_of_singular_vertices() const { return m_number_of_singular_vertices; }
 
   std::size_t number_of_sectors() const { return m_sectors.size(); }
+  std::size_t number_of_mixed_sectors() const { return std::size_t(m_number_of_mixed_sectors); }
   const Sector& sector(const Sector_index s) const { return m_sectors[std::size_t(s)]; }
   Sector_index first_sector(const Vertex_index v) const { return m_first_sector[std::size_t(v)]; }
 
@@ -272,7 +275,7 @@ private:
         if(begins || cut >= 0)
           begin_sector(h, cut);
         else if(m_has_merged_edge[std::size_t(v)])
-          m_sectors.back().is_uniform &= get_uv(m_uv_map, h) == m_sectors.back().uv;
+          compare_with_first(h);
         add_corner(h, cut, following_cut);
         if(m_aligned.degree(v) > 0)
           add_to_aligned(v, h);
@@ -308,7 +311,14 @@ private:
   {
     const Uv uv = cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h);
     m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
-    m_sectors.push_back({uv, m_corners.size(), true, 1.});
+    m_sectors.push_back({uv, m_corners.size(), 1., -1});
+  }
+
+  void compare_with_first(const Halfedge h)
+  {
+    Sector& sector = m_sectors.back();
+    if(sector.is_uniform() && get_uv(m_uv_map, h) != sector.uv)
+      sector.mixed = m_number_of_mixed_sectors++;
   }
 
   // At the target of a cut.
@@ -371,6 +381,7 @@ private:
   std::vector<Sector_index> m_node_corner_sectors;
   std::vector<Halfedge> m_corners;
   std::vector<bool> m_is_node, m_has_merged_edge;
+  std::int32_t m_number_of_mixed_sectors = 0;
   std::size_t m_number_of_singular_vertices = 0;
   double m_largest_coordinate = 0;
 };

@@ -51,6 +51,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameter
 class Surface_snapper
 {
   using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using Coordinates = Sector_coordinates<TriangleMesh, HalfedgeUVMap>;
   using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
   using Snapped = Snapped_coordinates<TriangleMesh, HalfedgeUVMap>;
   using Vertex_index_map = std::decay_t<decltype(
@@ -144,7 +145,7 @@ private:
                const Constraint_list<TriangleMesh>& constraints, const Sectors& sectors,
                const Branches& branches)
   {
-    std::vector<Grid_uv> coordinates = sector_coordinates(sectors, m_uv_map, grid);
+    const Coordinates coordinates(sectors, m_uv_map, grid);
     const System system(sectors, branches, transitions, align_edges, constraints, coordinates, grid);
     m_report.number_of_unknowns = system.point().values.size();
     m_timer.finish("reduced system");
@@ -158,9 +159,8 @@ private:
       explain(system, constraints);
       return true;
     }
-    if(solution.grid.exponent() != grid.exponent())
-      coordinates = sector_coordinates(sectors, m_uv_map, solution.grid);
-    Snapped snapped(sectors, branches, system, coordinates, solution);
+    const Coordinates final_coordinates(sectors, m_uv_map, solution.grid);
+    Snapped snapped(sectors, branches, system, final_coordinates, solution);
     if(!snapped.fits()) {
       if(solution.grid.exponent() >= grid.exponent())
         return false;

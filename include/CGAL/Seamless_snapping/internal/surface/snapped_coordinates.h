@@ -34,12 +34,13 @@ template <typename TriangleMesh, typename HalfedgeUVMap>
 class Snapped_coordinates
 {
   using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using Coordinates = Sector_coordinates<TriangleMesh, HalfedgeUVMap>;
   using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
 
 public:
   // `coordinates` on the grid of `solution`
   Snapped_coordinates(const Sectors& sectors, const Branches& branches, const System& system,
-                      const std::vector<Grid_uv>& coordinates, const Grid_solution& solution)
+                      const Coordinates& coordinates, const Grid_solution& solution)
     : m_sectors(sectors), m_system(system), m_coordinates(coordinates), m_solution(solution),
       m_uv(sectors.number_of_sectors())
   {
@@ -60,16 +61,18 @@ public:
 private:
   void set_unsnapped(const Sector_index s)
   {
-    const Column_index unknown = m_system.unknown(s);
-    for(std::size_t c = 0; c < 2; ++c) {
-      const Grid_uv& u = m_coordinates[std::size_t(s)];
-      if(unknown >= 0 && m_system.is_constrained(s, c))
-        set(s, c, m_solution.x[std::size_t(unknown) + c]);
-      else if(m_sectors.sector(s).is_uniform)
-        m_uv[std::size_t(s)][c] = m_sectors.sector(s).uv[c];
-      else
-        set(s, c, u.base[c] + nearest_integer(u.offset[c]));
+    m_uv[std::size_t(s)] = m_sectors.sector(s).uv;
+    if(!m_sectors.sector(s).is_uniform()) {
+      const Grid_uv mean = m_coordinates[s];
+      for(std::size_t c = 0; c < 2; ++c)
+        set(s, c, mean.base[c] + nearest_integer(mean.offset[c]));
     }
+    const Column_index unknown = m_system.unknown(s);
+    if(unknown < 0)
+      return;
+    for(std::size_t c = 0; c < 2; ++c)
+      if(m_system.is_constrained(s, c))
+        set(s, c, m_solution.x[std::size_t(unknown) + c]);
   }
 
   void set(const Sector_index s, const std::size_t c, const std::int64_t x)
@@ -92,8 +95,8 @@ private:
     for(const Directed_cut* d = first; d != last - 1; ++d) {
       const Sector_index plus = m_sectors.target_sector(*d);
       const Sector_index minus = m_sectors.source_sector(opposite_cut(*d));
-      const Grid_uv& a = m_coordinates[std::size_t(plus)];
-      const Grid_uv& z = m_coordinates[std::size_t(minus)];
+      const Grid_uv a = m_coordinates[plus];
+      const Grid_uv z = m_coordinates[minus];
       const double w_plus = m_sectors.sector(plus).weight, w_minus = m_sectors.sector(minus).weight;
       const Uv gap = inverse(transition_gap(a, z, r, t));
       Grid_vector x;
@@ -119,7 +122,7 @@ private:
 
   const Sectors& m_sectors;
   const System& m_system;
-  const std::vector<Grid_uv>& m_coordinates;
+  const Coordinates& m_coordinates;
   const Grid_solution& m_solution;
   std::vector<Uv> m_uv; // per sector
   bool m_fits = true;

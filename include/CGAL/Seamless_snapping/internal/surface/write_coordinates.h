@@ -107,10 +107,10 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
     const Uv& uv = snapped.uv(s);
     const Point new_point = point(uv);
     const auto first = sectors.corners_begin(s), last = sectors.corners_end(s);
-    if(sectors.sector(s).is_uniform)
+    if(sectors.sector(s).is_uniform())
       statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
     for(auto h = first; h != last; ++h) {
-      if(!sectors.sector(s).is_uniform) {
+      if(!sectors.sector(s).is_uniform()) {
         statistics.add(get_uv(uv_map, *h), uv, 1);
         before.push_back(get(uv_map, *h));
       }
@@ -125,7 +125,7 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
   for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
     const Sector_index s = Sector_index(i);
     for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
-      put(uv_map, *h, sectors.sector(s).is_uniform ? point(sectors.sector(s).uv) : *old++);
+      put(uv_map, *h, sectors.sector(s).is_uniform() ? point(sectors.sector(s).uv) : *old++);
   }
   return kept;
 }

@@ -1,0 +1,110 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SECTOR_COORDINATES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SECTOR_COORDINATES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The coordinates of sectors relative to a grid.
+
+#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Grid_vector = std::array<std::int64_t, 2>;
+
+// A real point relative to the grid.
+struct Grid_uv
+{
+  Grid_vector base;
+  Uv offset;
+};
+
+// Sectors whose corners differ are represented by their mean. All others are computed when asked for, which
+// is cheaper than to store them.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+class Sector_coordinates
+{
+  using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+
+public:
+  Sector_coordinates(const Sectors& sectors, const HalfedgeUVMap& uv_map, const Grid& grid)
+    : m_sectors(sectors), m_grid(grid), m_means(sectors.number_of_mixed_sectors())
+  {
+    if(!m_means.empty())
+      for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
+        if(!sectors.sector(Sector_index(s)).is_uniform())
+          m_means[std::size_t(sectors.sector(Sector_index(s)).mixed)] = mean(Sector_index(s), uv_map);
+  }
+
+  Grid_uv operator[](const Sector_index s) const
+  {
+    const Sector& sector = m_sectors.sector(s);
+    return sector.is_uniform() ? split(sector.uv) : m_means[std::size_t(sector.mixed)];
+  }
+
+private:
+  Grid_uv split(const Uv& uv) const
+  {
+    const Grid_value u = m_grid.split(uv[0]), v = m_grid.split(uv[1]);
+    return {{{u.base, v.base}}, {{u.offset, v.offset}}};
+  }
+
+  Grid_uv mean(const Sector_index s, const HalfedgeUVMap& uv_map) const
+  {
+    Grid_uv result = split(m_sectors.sector(s).uv);
+    Uv sum{{0, 0}};
+    const auto first = m_sectors.corners_begin(s), last = m_sectors.corners_end(s);
+    for(auto h = first; h != last; ++h) {
+      const Grid_uv corner = split(get_uv(uv_map, *h));
+      for(std::size_t c = 0; c < 2; ++c)
+        sum[c] += static_cast<double>(corner.base[c] - result.base[c]) +
+                  (corner.offset[c] - result.offset[c]);
+    }
+    for(std::size_t c = 0; c < 2; ++c)
+      result.offset[c] += sum[c] / static_cast<double>(last - first);
+    return result;
+  }
+
+  const Sectors& m_sectors;
+  Grid m_grid;
+  std::vector<Grid_uv> m_means; // of mixed sectors
+};
+
+// u- - R u+ - t for sectors beside a cut: exact in the bases.
+inline Uv transition_gap(const Grid_uv& plus, const Grid_uv& minus, const Rotation& r,
+                         const Grid_vector& t)
+{
+  const Grid_vector base = r(plus.base);
+  const Uv offset = r(plus.offset);
+  Uv gap;
+  for(std::size_t c = 0; c < 2; ++c)
+    gap[c] = static_cast<double>(minus.base[c] - base[c] - t[c]) + (minus.offset[c] - offset[c]);
+  return gap;
+}
+
+// How two sectors of weights a and b share what separates them: the price per unit of squared gap.
+inline double shared_weight(const double a, const double b) { return a * b / (a + b); }
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SECTOR_COORDINATES_H
