@@ -270,7 +270,7 @@ private:
         ++q;
       }
     }
-    std::swap(m_rows[std::size_t(j)], m_scratch);
+    m_rows[std::size_t(j)].assign(m_scratch.begin(), m_scratch.end());
     Integer& rhs = m_right_hand_side[std::size_t(j)];
     if(right_hand_side(i) != 0)
       rhs = difference_with_product(rhs, factor, right_hand_side(i));
