@@ -19,6 +19,7 @@
 // at open edges only.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/prefetch.h>
 #include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/surface/Open_edges.h>
 
@@ -92,15 +93,21 @@ inline bool is_in_range(const Uv& u)
   return std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate;
 }
 
-// The bounding box of coordinates. Ignores NaN.
+// The bounding box of coordinates. Ignores NaN, and what comes together with NaN.
 class Uv_box
 {
 public:
-  void add(const Uv& u)
+  void add(const Uv& u) { add(u, u); }
+
+  // Two at a time, since most are inside. Eigen compares both components at once.
+  void add(const Uv& u, const Uv& v)
   {
-    const Eigen::Array2d point(u[0], u[1]); // so that both components are compared at once
-    m_low = point.min(m_low);
-    m_high = point.max(m_high);
+    const Eigen::Array2d p(u[0], u[1]), q(v[0], v[1]);
+    const Eigen::Array2d low = p.min(q), high = p.max(q);
+    if(low[0] < m_low[0] || low[1] < m_low[1] || high[0] > m_high[0] || high[1] > m_high[1]) {
+      m_low = low.min(m_low);
+      m_high = high.max(m_high);
+    }
   }
 
   bool is_empty() const { return m_low[0] > m_high[0]; }
@@ -150,6 +157,8 @@ void explain_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
   }
 }
 
+constexpr std::size_t survey_lookahead = 24; // edges
+
 // `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap, typename Predicate>
 Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -161,7 +170,17 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
   Uv_box box;
   std::size_t number_of_corners = 0;
   bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
-  for(const auto e : edges(tmesh)) {
+  const auto range = edges(tmesh);
+  auto ahead = std::begin(range);
+  for(std::size_t i = 0; i < survey_lookahead && ahead != std::end(range); ++i)
+    ++ahead;
+  for(const auto e : range) {
+    if(ahead != std::end(range)) {
+      const auto soon = halfedge(*ahead, tmesh);
+      prefetch(uv_map, prev(soon, tmesh));
+      prefetch(uv_map, prev(opposite(soon, tmesh), tmesh));
+      ++ahead;
+    }
     const auto h = halfedge(e, tmesh);
     const auto g = opposite(h, tmesh);
     if(is_border(h, tmesh) || is_border(g, tmesh)) {
@@ -177,8 +196,8 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
     // Points are compared where they are: copying them first would take as long again.
     const auto& h_point = get(uv_map, h);
     const auto& g_point = get(uv_map, g);
-    box.add({static_cast<double>(h_point.x()), static_cast<double>(h_point.y())});
-    box.add({static_cast<double>(g_point.x()), static_cast<double>(g_point.y())});
+    box.add(Uv{static_cast<double>(h_point.x()), static_cast<double>(h_point.y())},
+            Uv{static_cast<double>(g_point.x()), static_cast<double>(g_point.y())});
     if(are_equal(h_point, get(uv_map, prev(g, tmesh))) &&
        are_equal(g_point, get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
       continue;
