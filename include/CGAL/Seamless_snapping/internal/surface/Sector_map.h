@@ -89,9 +89,9 @@ public:
   { return m_corners.data() + sector(s).first_corner; }
   const Halfedge* corners_end(const Sector_index s) const
   {
-    return std::size_t(s) + 1 < m_sectors.size() ? corners_begin(s + 1)
-                                                 : m_corners.data() + m_corners.size();
+    return std::size_t(s) + 1 < m_sectors.size() ? corners_begin(s + 1) : corners_end();
   }
+  const Halfedge* corners_end() const { return m_corners.data() + m_corners.size(); } // of all sectors
 
   // The sectors at the ends of a cut, on the side of its halfedge's face.
   Sector_index target_sector(const Directed_cut d) const { return m_target_sector[std::size_t(d)]; }

@@ -18,6 +18,7 @@
 // the uv map.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/prefetch.h>
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 
@@ -101,7 +102,7 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
   };
   std::vector<Point> before; // of sectors whose corners differed
   bool kept = true;
-  constexpr std::size_t batch = 64; // of sectors: writing never waits for what is read back
+  constexpr std::ptrdiff_t lookahead = 32; // corners
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
     const Uv& uv = snapped.uv(s);
@@ -110,16 +111,15 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
     if(sectors.sector(s).is_uniform())
       statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
     for(auto h = first; h != last; ++h) {
+      if(sectors.corners_end() - h > lookahead)
+        prefetch(uv_map, h[lookahead]);
       if(!sectors.sector(s).is_uniform()) {
         statistics.add(get_uv(uv_map, *h), uv, 1);
         before.push_back(get(uv_map, *h));
       }
       put(uv_map, *h, new_point);
+      kept = kept && get_uv(uv_map, *h) == uv;
     }
-    if(i % batch == batch - 1 || i + 1 == sectors.number_of_sectors())
-      for(std::size_t j = i - i % batch; j <= i; ++j)
-        for(auto h = sectors.corners_begin(Sector_index(j)); h != sectors.corners_end(Sector_index(j)); ++h)
-          kept = kept && get_uv(uv_map, *h) == snapped.uv(Sector_index(j));
   }
   auto old = before.begin();
   for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
