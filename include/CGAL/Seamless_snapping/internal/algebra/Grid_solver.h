@@ -162,13 +162,18 @@ private:
 
   std::vector<Row_index> independent_rows() const
   {
-    std::vector<Row_index> rows = m_core.independent_rows();
     if(m_core.is_whole())
-      return rows;
+      return m_core.independent_rows();
+    std::vector<bool> is_independent(m_system.number_of_rows(), false);
+    for(const Row_index row : m_core.independent_rows())
+      is_independent[std::size_t(row)] = true;
     for(const auto& pivot : m_elimination.pivots())
       if(m_elimination.is_original_row(pivot.row))
-        rows.push_back(pivot.row);
-    std::sort(rows.begin(), rows.end());
+        is_independent[std::size_t(pivot.row)] = true;
+    std::vector<Row_index> rows;
+    for(std::size_t i = 0; i < is_independent.size(); ++i)
+      if(is_independent[i])
+        rows.push_back(Row_index(i));
     return rows;
   }
 

@@ -69,46 +69,46 @@ double row_violation(const Integer_system<Integer>& system, const std::size_t ro
   return std::ldexp(CGAL::to_double(sum), -static_cast<int>(down)) + offset;
 }
 
-// The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as a matrix.
+// The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as the columns of a matrix.
 template <typename Integer>
 Eigen::SparseMatrix<double> scaled_rows(const Integer_system<Integer>& system,
                                         const std::vector<Row_index>& rows,
                                         const std::vector<double>& scales, // 1/sqrt(w)
                                         Eigen::VectorXd& row_scales)
 {
-  std::vector<Eigen::Triplet<double> > triplets;
-  triplets.reserve(system.number_of_entries());
+  Eigen::SparseMatrix<double> result(Eigen::Index(system.number_of_columns()), Eigen::Index(rows.size()));
+  result.reserve(Eigen::Index(system.number_of_entries()));
   row_scales.resize(Eigen::Index(rows.size()));
+  std::vector<double> row;
   for(std::size_t i = 0; i < rows.size(); ++i) {
-    const std::size_t row = std::size_t(rows[i]);
-    const std::size_t first = triplets.size();
+    const Entry<Integer>* const first = system.begin(std::size_t(rows[i]));
+    const Entry<Integer>* const last = system.end(std::size_t(rows[i]));
+    row.clear();
     double largest = 0;
-    for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e) {
-      const double c = CGAL::to_double(e->coefficient) * scales[std::size_t(e->column)];
-      largest = (std::max)(largest, std::abs(c));
-      triplets.emplace_back(int(i), e->column, c);
+    for(const Entry<Integer>* e = first; e != last; ++e) {
+      row.push_back(CGAL::to_double(e->coefficient) * scales[std::size_t(e->column)]);
+      largest = (std::max)(largest, std::abs(row.back()));
     }
     double squares = 0; // of c / largest: c^2 may overflow
-    for(std::size_t k = first; k < triplets.size(); ++k)
-      squares += (triplets[k].value() / largest) * (triplets[k].value() / largest);
+    for(const double c : row)
+      squares += (c / largest) * (c / largest);
     const double scale = 1. / (largest * std::sqrt(squares));
     row_scales[Eigen::Index(i)] = scale;
-    for(std::size_t k = first; k < triplets.size(); ++k)
-      triplets[k] = Eigen::Triplet<double>(triplets[k].row(), triplets[k].col(),
-                                           triplets[k].value() * scale);
+    result.startVec(Eigen::Index(i));
+    for(const Entry<Integer>* e = first; e != last; ++e)
+      result.insertBack(e->column, Eigen::Index(i)) = row[std::size_t(e - first)] * scale;
   }
-  Eigen::SparseMatrix<double> matrix(Eigen::Index(rows.size()),
-                                     Eigen::Index(system.number_of_columns()));
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
+  result.finalize();
+  return result;
 }
 
-// The lower triangle of M M^T, or an empty matrix where columns shared by many rows make it too dense.
+// The lower triangle of M^T M, or an empty matrix where rows shared by many columns make it too dense.
 inline Eigen::SparseMatrix<double> normal_matrix(const Eigen::SparseMatrix<double>& m)
 {
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> by_row(m);
   std::size_t size = 0;
-  for(Eigen::Index j = 0; j < m.outerSize(); ++j) {
-    const std::size_t count = std::size_t(m.outerIndexPtr()[j + 1] - m.outerIndexPtr()[j]);
+  for(Eigen::Index i = 0; i < by_row.outerSize(); ++i) {
+    const std::size_t count = std::size_t(by_row.outerIndexPtr()[i + 1] - by_row.outerIndexPtr()[i]);
     size += count * (count + 1) / 2;
   }
   if(size > 100 * std::size_t(m.nonZeros()) + 1000000)
@@ -116,34 +116,35 @@ inline Eigen::SparseMatrix<double> normal_matrix(const Eigen::SparseMatrix<doubl
 
   std::vector<Eigen::Triplet<double> > triplets;
   triplets.reserve(size);
-  using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
-  for(Eigen::Index j = 0; j < m.outerSize(); ++j)
-    for(Iterator a(m, j); a; ++a)
-      for(Iterator b(m, j); b && b.row() <= a.row(); ++b)
-        triplets.emplace_back(int(a.row()), int(b.row()), a.value() * b.value());
-  Eigen::SparseMatrix<double> result(m.rows(), m.rows());
+  using Iterator = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+  for(Eigen::Index i = 0; i < by_row.outerSize(); ++i)
+    for(Iterator a(by_row, i); a; ++a)
+      for(Iterator b(by_row, i); b && b.col() <= a.col(); ++b)
+        triplets.emplace_back(int(a.col()), int(b.col()), a.value() * b.value());
+  Eigen::SparseMatrix<double> result(m.cols(), m.cols());
   result.setFromTriplets(triplets.begin(), triplets.end());
   return result;
 }
 
-// The shortest y with M y = r, for M of full row rank.
+// The shortest y with M^T y = r, for M of full column rank.
 inline Eigen::VectorXd shortest_solution(const Eigen::SparseMatrix<double>& m,
                                          const Eigen::VectorXd& r)
 {
   const Eigen::SparseMatrix<double> normal = normal_matrix(m);
-  if(normal.rows() == m.rows()) {
+  if(normal.rows() == m.cols()) {
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky(normal);
     if(cholesky.info() == Eigen::Success) {
-      Eigen::VectorXd y = m.transpose() * cholesky.solve(r);
-      y += m.transpose() * cholesky.solve(Eigen::VectorXd(r - m * y)); // one refinement
+      Eigen::VectorXd y = m * cholesky.solve(r);
+      y += m * cholesky.solve(Eigen::VectorXd(r - m.transpose() * y)); // one refinement
       if(y.allFinite())
         return y;
     }
   }
-  Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double> > iterative(m);
+  const Eigen::SparseMatrix<double> rows = m.transpose();
+  Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double> > iterative(rows);
   iterative.setTolerance(1e-12);
   const Eigen::VectorXd y = iterative.solve(r);
-  return y.allFinite() ? y : Eigen::VectorXd::Zero(m.cols());
+  return y.allFinite() ? y : Eigen::VectorXd::Zero(m.rows());
 }
 
 // Moves `values` to their projection.
@@ -161,7 +162,7 @@ void project_to_solutions(const Integer_system<Integer>& system,
     scales[j] = 1. / std::sqrt(weights[j]);
   Eigen::VectorXd row_scales;
   const Eigen::SparseMatrix<double> m = scaled_rows(system, independent_rows, scales, row_scales);
-  Eigen::VectorXd r(m.rows());
+  Eigen::VectorXd r(m.cols());
   for(Eigen::Index i = 0; i < r.size(); ++i)
     r[i] = row_scales[i] * row_violation(system, std::size_t(independent_rows[std::size_t(i)]),
                                          right_hand_shift, values);

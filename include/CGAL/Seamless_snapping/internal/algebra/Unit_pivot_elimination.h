@@ -166,6 +166,7 @@ private:
   void load(const Integer_system<Integer>& system)
   {
     for(std::size_t i = 0; i < m_rows.size(); ++i) {
+      m_rows[i].reserve(2 * std::size_t(system.end(i) - system.begin(i))); // most rows grow
       m_rows[i].assign(system.begin(i), system.end(i));
       m_right_hand_side[i] = system.right_hand_side(i);
       for(const Entry<Integer>& e : m_rows[i])

@@ -106,16 +106,21 @@ bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Open_edge<Half
 
 // An edge not longer than a few residuals looks alike under all rotations: it takes its rotation from
 // the branch it lies on.
+template <typename Halfedge>
+bool hides_its_rotation(const Open_edge<Halfedge>& edge, const double residual)
+{
+  return edge.is_cut && edge.length <= 4 * residual;
+}
+
 template <typename TriangleMesh, typename Halfedge>
-void complete_rotations(const TriangleMesh& tmesh, const double scale,
+void complete_rotations(const TriangleMesh& tmesh, const double scale, const double residual,
                         const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
-  const double shortest = 4 * largest_residual(edges);
   std::vector<char> is_known(edges.size());
   std::vector<Edge_index> known;
   for(std::size_t i = 0; i < edges.size(); ++i) {
-    is_known[i] = edges[i].length > shortest || !edges[i].is_cut;
+    is_known[i] = !hides_its_rotation(edges[i], residual);
     if(is_known[i] && edges[i].is_cut)
       known.push_back(Edge_index(i));
   }
@@ -146,14 +151,19 @@ void complete_rotations(const TriangleMesh& tmesh, const double scale,
 // Chains of edges without rotation whose sides would coincide but for noise are no cuts: their corners
 // are merged. A chain is judged as a whole, by the mean of its gaps against the largest residual of the
 // map, so that a small translation on an accurate map stays what it is.
+template <typename Halfedge>
+bool may_be_noise(const Open_edge<Halfedge>& edge, const double residual)
+{
+  return edge.rotation == 0 && edge.gap <= 8 * noise_factor * residual;
+}
+
 template <typename TriangleMesh, typename Halfedge>
 void mark_merged_edges(const TriangleMesh& tmesh, const std::vector<Edge_ends>& ends,
                        const Vertex_incidences& incidences,
                        const double residual, std::vector<Open_edge<Halfedge> >& edges)
 {
   const auto is_candidate = [&](const Edge_index i) {
-    const Open_edge<Halfedge>& edge = edges[std::size_t(i)];
-    return edge.rotation == 0 && edge.gap <= 8 * noise_factor * residual;
+    return may_be_noise(edges[std::size_t(i)], residual);
   };
   std::vector<Edge_index> parent(edges.size()), rank(edges.size(), 0);
   boost::disjoint_sets<Edge_index*, Edge_index*> chains(rank.data(), parent.data());

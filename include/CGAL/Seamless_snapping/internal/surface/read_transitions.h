@@ -246,13 +246,13 @@ private:
   void tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
   {
     const double residual = largest_residual(data.edges);
-    const auto tells_its_rotation = [](const Open_edge<Halfedge>& edge) { return edge.length > 0; };
-    if(residual == 0 && std::all_of(data.edges.begin(), data.edges.end(), tells_its_rotation))
+    if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Open_edge<Halfedge>& edge)
+                    { return hides_its_rotation(edge, residual) || may_be_noise(edge, residual); }))
       return;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
     if(!Given::has_rotations)
-      complete_rotations(m_tmesh, m_scale, ends, incidences, data.edges);
+      complete_rotations(m_tmesh, m_scale, residual, ends, incidences, data.edges);
     if(!Given::has_cuts)
       mark_merged_edges(m_tmesh, ends, incidences, residual, data.edges);
   }
