@@ -17,6 +17,7 @@
 // The few faces whose orientation the moves of sectors can change. A face whose corners all move by no more
 // than its height allows needs no second look; what is left is checked exactly, as often as it takes.
 
+#include <CGAL/Seamless_snapping/internal/prefetch.h>
 #include <CGAL/Seamless_snapping/internal/surface/Uv_points.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ double largest_move(const Sectors& sectors, const HalfedgeUVMap& uv_map, const U
   };
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
-    if(sectors.sector(s).is_uniform)
+    if(sectors.sector(s).is_uniform())
       add(sectors.sector(s).uv, state[i]);
     else
       for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
@@ -72,12 +73,17 @@ bool has_flips(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 template <typename Sectors, typename HalfedgeUVMap>
 auto corners_at_risk(const Sectors& sectors, const HalfedgeUVMap& uv_map, const double reach)
 {
+  constexpr std::ptrdiff_t lookahead = 24; // corners
   std::vector<typename Sectors::Halfedge> result;
   for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
     const Sector_index s = Sector_index(i);
-    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
+    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h) {
+      if(sectors.corners_end() - h > lookahead)
+        for(const auto soon : {next(h[lookahead], sectors.mesh()), prev(h[lookahead], sectors.mesh())})
+          prefetch(uv_map, soon);
       if(!is_surely_positive(uv_triangle(sectors.mesh(), uv_map, *h), reach))
         result.push_back(*h);
+    }
   }
   return result;
 }
