@@ -9,6 +9,7 @@
 // copy of it) occupy before.
 
 #include "benchmark_tools.h"
+#include "child_process.h"
 
 #include "../../test/Seamless_snapping/Height_field_surface.h"
 #include "../../test/Seamless_snapping/exact_seamless_check.h"
@@ -32,8 +33,6 @@
 #include <vector>
 
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace options = boost::program_options;
 
@@ -161,27 +160,10 @@ Measurement from_text(const std::string& text)
 // Returns a measurement of no faces if the child fails.
 Measurement measure_in_child(std::size_t faces, const Settings& settings)
 {
-  int ends[2];
-  if(pipe(ends) != 0)
-    return Measurement();
-  const pid_t child = fork();
-  if(child < 0)
-    return Measurement();
-  if(child == 0) {
-    close(ends[0]);
-    const std::string text = to_text(measure(faces, settings));
-    const bool complete = write(ends[1], text.data(), text.size()) == ssize_t(text.size());
-    _exit(complete ? 0 : 1);
-  }
-  close(ends[1]);
   std::string text;
-  char buffer[4096];
-  for(ssize_t size = 0; (size = read(ends[0], buffer, sizeof(buffer))) > 0;)
-    text.append(buffer, std::size_t(size));
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status == 0 ? from_text(text) : Measurement();
+  const auto end = benchmark::run_in_child([&] { return to_text(measure(faces, settings)); },
+                                           benchmark::Child_limits(), text);
+  return end == benchmark::Child_end::FINISHED ? from_text(text) : Measurement();
 }
 
 // --- the table -----------------------------------------------------------------------------------

@@ -1,0 +1,300 @@
+// Four ways to satisfy the constraints of a parametrization exactly (Sec. 6.1 of the paper), or to try,
+// on the reduced and the full systems of given OBJ files, or on systems from MatrixMarket files:
+//
+//   ours      snap_to_linear_constraints()
+//   textbook  the paper's Algorithms 1 to 5 as printed, dense, in integers of any length
+//   naive     constraint elimination in floating point
+//   QP        CGAL's quadratic programming solver in exact rationals, minimising the squared change
+//
+// All get the same rows and values, and start from them in the form that they want. Each runs in a process
+// of its own, which is stopped when the time or the memory is used up; times are the shortest of a few runs
+// where runs are short. A violation is that of the values as doubles, computed exactly. The solution of the
+// QP is exact until it is rounded: "rational".
+
+#include "benchmark_tools.h"
+#include "child_process.h"
+#include "compared_systems.h"
+
+#include "../../test/Seamless_snapping/naive_elimination.h"
+#include "../../test/Seamless_snapping/textbook_method.h"
+
+#include <CGAL/Exact_integer.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace options = boost::program_options;
+
+using compared_systems::Problem;
+using exact_reference::Integer;
+using exact_reference::Rational;
+using exact_reference::Rationals;
+
+struct Settings
+{
+  std::vector<std::string> files, methods;
+  benchmark::Child_limits limits;
+};
+
+// --- the methods ---------------------------------------------------------------------------------
+
+struct Result
+{
+  double seconds = 0, violation = 0, largest_change = 0, mean_change = 0;
+  std::string verdict; // without blanks
+  std::size_t bits = 0;
+};
+
+std::size_t bit_length(Integer n)
+{
+  std::size_t bits = 0;
+  for(; n != 0; n /= 2)
+    ++bits;
+  return bits;
+}
+
+// Repeats what takes less than a moment; f(x) changes a copy of the values.
+template <typename Function>
+double shortest_time(const std::vector<double>& xbar, std::vector<double>& x, const Function& f)
+{
+  double shortest = 0, total = 0;
+  for(int i = 0; i == 0 || (i < 20 && total < 0.2); ++i) {
+    x = xbar;
+    const double start = benchmark::seconds_now();
+    f(x);
+    const double seconds = benchmark::seconds_now() - start;
+    shortest = i == 0 ? seconds : (std::min)(shortest, seconds);
+    total += seconds;
+  }
+  return shortest;
+}
+
+void compare(const Problem& problem, const std::vector<double>& x, Result& result)
+{
+  const Rationals exact_x = exact_reference::to_rationals(x);
+  for(std::size_t r = 0; r < problem.system.rows.size(); ++r)
+    result.violation = (std::max)(
+      result.violation,
+      std::abs(CGAL::to_double(exact_reference::residual(problem.system, r, exact_x))));
+  for(std::size_t i = 0; i < x.size(); ++i) {
+    const double change = std::abs(x[i] - problem.xbar[i]);
+    result.largest_change = (std::max)(result.largest_change, change);
+    result.mean_change += change / double(x.size());
+  }
+  if(result.verdict.empty())
+    result.verdict = result.violation == 0 ? "yes" : "NO";
+}
+
+Result run_ours(const Problem& problem)
+{
+  const auto constraints = snap_in_any_form::linear_constraints<std::int64_t>(problem.system);
+  Result result;
+  CGAL::Seamless_snapping::Snapping_report report;
+  std::vector<double> x;
+  result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
+    report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, values);
+  });
+  result.bits = report.coefficient_bits;
+  compare(problem, x, result);
+  return result;
+}
+
+Result run_textbook(const Problem& problem)
+{
+  const auto system = textbook::dense_system<Integer>(problem.system);
+  Result result;
+  std::vector<double> x;
+  result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
+    const auto form = textbook::reduced_echelon_form(system);
+    result.bits = bit_length(form.largest);
+    if(textbook::algorithm_3(form, values) != textbook::Outcome::EXACT)
+      result.verdict = "fails";
+  });
+  compare(problem, x, result);
+  return result;
+}
+
+Result run_naive(const Problem& problem)
+{
+  const auto system = naive::dense_system(problem.system);
+  Result result;
+  std::vector<double> x;
+  result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
+    naive::eliminate(system, values);
+  });
+  result.bits = 53;
+  compare(problem, x, result);
+  return result;
+}
+
+Result run_quadratic_program(const Problem& problem)
+{
+  const Rationals xbar = exact_reference::to_rationals(problem.xbar);
+  Result result;
+  exact_reference::Optimum optimum;
+  std::vector<double> x;
+  result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>&) {
+    optimum = exact_reference::optimum_by_quadratic_program(problem.system, xbar);
+  });
+  x.clear();
+  for(const Rational& value : optimum.x) {
+    x.push_back(CGAL::to_double(value));
+    result.bits = (std::max)({ result.bits, bit_length(exact_reference::numerator(value)),
+                               bit_length(exact_reference::denominator(value)) });
+  }
+  if(!optimum.feasible)
+    result.verdict = "fails";
+  else if(exact_reference::exactly_satisfies(problem.system, optimum.x))
+    result.verdict = "rational";
+  compare(problem, x, result);
+  return result;
+}
+
+Result run(const std::string& method, const Problem& problem)
+{
+  if(method == "ours")
+    return run_ours(problem);
+  if(method == "textbook")
+    return run_textbook(problem);
+  if(method == "naive")
+    return run_naive(problem);
+  return run_quadratic_program(problem);
+}
+
+// --- a process for each --------------------------------------------------------------------------
+
+std::string to_text(const Result& r)
+{
+  std::ostringstream os;
+  os.precision(17);
+  os << r.seconds << ' ' << r.violation << ' ' << r.largest_change << ' ' << r.mean_change << ' '
+     << r.bits << ' ' << r.verdict;
+  return os.str();
+}
+
+Result from_text(const std::string& text)
+{
+  Result r;
+  std::istringstream is(text);
+  is >> r.seconds >> r.violation >> r.largest_change >> r.mean_change >> r.bits >> r.verdict;
+  return r;
+}
+
+void print_head()
+{
+  std::printf("| model | system | nodes | variables | rows | method | ms | ratio to ours | exact "
+              "| violation | bits | largest change | mean change |\n"
+              "|---|---|--:|--:|--:|---|--:|--:|---|--:|--:|--:|--:|\n");
+}
+
+void print_start(const Problem& problem, const std::string& method)
+{
+  std::printf("| %s | %s | %zu | %zu | %zu | %s |", problem.model.c_str(), problem.kind.c_str(),
+              problem.nodes, problem.xbar.size(), problem.system.rows.size(), method.c_str());
+}
+
+void print_end(benchmark::Child_end end, double seconds, double seconds_of_ours)
+{
+  if(end == benchmark::Child_end::TIME_IS_UP && seconds_of_ours > 0)
+    std::printf(" > %.0f | > %.0f | time is up | | | | |\n", 1e3 * seconds,
+                seconds / seconds_of_ours);
+  else
+    std::printf(" | | %s | | | | |\n", end == benchmark::Child_end::TIME_IS_UP ? "time is up"
+                : end == benchmark::Child_end::OUT_OF_MEMORY ? "out of memory" : "crash");
+}
+
+// Returns whether ours is exact.
+bool compare_methods(const Problem& problem, const Settings& settings)
+{
+  double seconds_of_ours = 0;
+  bool is_ours_exact = true;
+  for(const std::string& method : settings.methods) {
+    std::string text;
+    print_start(problem, method);
+    const auto end = benchmark::run_in_child([&] { return to_text(run(method, problem)); },
+                                             settings.limits, text);
+    if(end != benchmark::Child_end::FINISHED) {
+      print_end(end, settings.limits.seconds, seconds_of_ours);
+      is_ours_exact = is_ours_exact && method != "ours";
+      continue;
+    }
+    const Result r = from_text(text);
+    if(method == "ours") {
+      seconds_of_ours = r.seconds;
+      is_ours_exact = r.violation == 0;
+    }
+    std::printf(" %.3f | %.1f | %s | %.1e | %zu | %.2e | %.2e |\n", 1e3 * r.seconds,
+                seconds_of_ours > 0 ? r.seconds / seconds_of_ours : 1., r.verdict.c_str(),
+                r.violation, r.bits, r.largest_change, r.mean_change);
+    std::fflush(stdout);
+  }
+  return is_ours_exact;
+}
+
+// --- the command line ----------------------------------------------------------------------------
+
+bool read_command_line(int argc, char** argv, Settings& settings)
+{
+  const std::vector<std::string> all = { "ours", "textbook", "naive", "QP" };
+  options::options_description description("Options");
+  description.add_options()("help,h", "print this")(
+    "file", options::value(&settings.files), "OBJ or MatrixMarket files (may go without --file)")(
+    "methods", options::value(&settings.methods)->multitoken(), "of: ours textbook naive QP")(
+    "time-limit", options::value(&settings.limits.seconds)->default_value(600), "seconds a run")(
+    "memory-limit", options::value(&settings.limits.megabytes)->default_value(8000),
+    "megabytes a run");
+  options::positional_options_description positions;
+  positions.add("file", -1);
+  options::variables_map values;
+  options::store(
+    options::command_line_parser(argc, argv).options(description).positional(positions).run(),
+    values);
+  options::notify(values);
+  if(values.count("help") != 0 || settings.files.empty()) {
+    std::cout << "usage: exact_comparison [options] FILE...\n" << description;
+    return false;
+  }
+  if(settings.methods.empty())
+    settings.methods = all;
+  for(const std::string& method : settings.methods)
+    if(std::find(all.begin(), all.end(), method) == all.end())
+      throw options::error("no such method: " + method);
+  return true;
+}
+
+int main(int argc, char** argv)
+{
+  Settings settings;
+  try {
+    if(!read_command_line(argc, argv, settings))
+      return EXIT_SUCCESS;
+  } catch(const options::error& error) {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+  std::printf("Stopped after %g s or %zu MB a run.\n\n", settings.limits.seconds,
+              settings.limits.megabytes);
+  print_head();
+  bool ok = true;
+  for(const std::string& file : settings.files) {
+    try {
+      for(const Problem& problem : compared_systems::problems_of_file(file))
+        ok = compare_methods(problem, settings) && ok;
+    } catch(const std::exception& error) {
+      std::cerr << error.what() << std::endl;
+      ok = false;
+    }
+  }
+  return ok ? EXIT_SUCCESS : EXIT_FAILURE;
+}
