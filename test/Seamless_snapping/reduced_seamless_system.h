@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <stdexcept>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -21,7 +20,8 @@ namespace reduced_system {
 
 struct Values_and_system
 {
-  exact_reference::System system;
+  CGAL::Seamless_snapping::internal::Any_system own_system; // in the package's form
+  exact_reference::System system;                           // the same
   std::vector<double> xbar;
   std::size_t number_of_nodes = 0;
 };
@@ -77,8 +77,9 @@ Values_and_system reduced_seamless_system(const Graph& g, const UVMap& uv,
                                                        constraints, coordinates, grid);
 
   Values_and_system result;
+  result.own_system = reduced.system();
   result.system = std::visit([](const auto& system) { return to_reference(system); },
-                             reduced.system());
+                             result.own_system);
   for(const auto& value : reduced.point().values)
     result.xbar.push_back((static_cast<double>(value.base) + value.offset) * grid.step());
   for(const bool is_node : branches.is_node)
