@@ -8,8 +8,9 @@
 //
 // All get the same rows and values, and start from them in the form that they want. Each runs in a process
 // of its own, which is stopped when the time or the memory is used up; times are the shortest of a few runs
-// where runs are short. A violation is that of the values as doubles, computed exactly. The solution of the
-// QP is exact until it is rounded: "rational".
+// where runs are short. Violations are those of the values rounded to doubles, computed exactly: the
+// solution of the QP is exact as long as it is not rounded ("rational"). It gets the problem in integers,
+// which it solves 4 times as fast as in fractions.
 
 #include "benchmark_tools.h"
 #include "child_process.h"
@@ -31,6 +32,7 @@
 #include <exception>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -80,18 +82,31 @@ double shortest_time(const std::vector<double>& xbar, std::vector<double>& x, co
   return shortest;
 }
 
-void compare(const Problem& problem, const std::vector<double>& x, Result& result)
+double nearest_double(const Rational& value)
 {
-  const Rationals exact_x = exact_reference::to_rationals(x);
-  for(std::size_t r = 0; r < problem.system.rows.size(); ++r)
-    result.violation = (std::max)(
-      result.violation,
-      std::abs(CGAL::to_double(exact_reference::residual(problem.system, r, exact_x))));
+  const double guess = CGAL::to_double(value); // truncated, perhaps
+  double nearest = guess;
+  for(const double other : { std::nextafter(guess, -HUGE_VAL), std::nextafter(guess, HUGE_VAL) })
+    if(CGAL::abs(Rational(value - Rational(other)))
+       < CGAL::abs(Rational(value - Rational(nearest))))
+      nearest = other;
+  return nearest;
+}
+
+void measure_solution(const Problem& problem, const Rationals& x, Result& result)
+{
+  Rationals rounded;
   for(std::size_t i = 0; i < x.size(); ++i) {
-    const double change = std::abs(x[i] - problem.xbar[i]);
+    rounded.push_back(Rational(nearest_double(x[i])));
+    const double change =
+      std::abs(CGAL::to_double(Rational(x[i] - Rational(problem.xbar[i]))));
     result.largest_change = (std::max)(result.largest_change, change);
     result.mean_change += change / double(x.size());
   }
+  for(std::size_t r = 0; r < problem.system.rows.size(); ++r)
+    result.violation = (std::max)(
+      result.violation,
+      std::abs(CGAL::to_double(exact_reference::residual(problem.system, r, rounded))));
   if(result.verdict.empty())
     result.verdict = result.violation == 0 ? "yes" : "NO";
 }
@@ -106,7 +121,7 @@ Result run_ours(const Problem& problem)
     report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, values);
   });
   result.bits = report.coefficient_bits;
-  compare(problem, x, result);
+  measure_solution(problem, exact_reference::to_rationals(x), result);
   return result;
 }
 
@@ -121,7 +136,7 @@ Result run_textbook(const Problem& problem)
     if(textbook::algorithm_3(form, values) != textbook::Outcome::EXACT)
       result.verdict = "fails";
   });
-  compare(problem, x, result);
+  measure_solution(problem, exact_reference::to_rationals(x), result);
   return result;
 }
 
@@ -134,7 +149,7 @@ Result run_naive(const Problem& problem)
     naive::eliminate(system, values);
   });
   result.bits = 53;
-  compare(problem, x, result);
+  measure_solution(problem, exact_reference::to_rationals(x), result);
   return result;
 }
 
@@ -147,17 +162,14 @@ Result run_quadratic_program(const Problem& problem)
   result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>&) {
     optimum = exact_reference::optimum_by_quadratic_program(problem.system, xbar);
   });
-  x.clear();
-  for(const Rational& value : optimum.x) {
-    x.push_back(CGAL::to_double(value));
+  if(!optimum.feasible)
+    throw std::runtime_error("the quadratic program has no solution");
+  if(exact_reference::exactly_satisfies(problem.system, optimum.x))
+    result.verdict = "rational";
+  for(const Rational& value : optimum.x)
     result.bits = (std::max)({ result.bits, bit_length(exact_reference::numerator(value)),
                                bit_length(exact_reference::denominator(value)) });
-  }
-  if(!optimum.feasible)
-    result.verdict = "fails";
-  else if(exact_reference::exactly_satisfies(problem.system, optimum.x))
-    result.verdict = "rational";
-  compare(problem, x, result);
+  measure_solution(problem, optimum.x, result);
   return result;
 }
 

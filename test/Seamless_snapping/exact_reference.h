@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace exact_reference {
@@ -173,6 +174,20 @@ inline Row merged(Row row)
                               [](const Entry& e) { return e.coefficient == 0; }),
                result.end());
   return result;
+}
+
+// The multiples of the rows add up to 0 = c with c other than 0.
+inline bool is_contradiction(const System& system,
+                             const std::vector<std::pair<std::size_t, Integer> >& certificate)
+{
+  Row sum;
+  Rational b(0);
+  for(const auto& term : certificate) {
+    for(const auto& entry : system.rows.at(term.first))
+      sum.push_back({ entry.column, Rational(entry.coefficient * Rational(term.second)) });
+    b += Rational(term.second) * system.b[term.first];
+  }
+  return merged(sum).empty() && b != 0;
 }
 
 inline Integer_problem integer_problem(const System& system, const Rationals& xbar,

@@ -6,6 +6,7 @@
 #include "checking.h"
 #include "exact_seamless_check.h"
 #include "random_constraints.h"
+#include "reduced_seamless_system.h"
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -26,6 +27,7 @@
 namespace CS = CGAL::Seamless_snapping;
 namespace parameters = CGAL::Seamless_snapping::parameters;
 
+using Kernel = Parametrized_model::Kernel;
 using Mesh = Parametrized_model::Mesh;
 using Halfedge = Mesh::Halfedge_index;
 using Connection = CS::Connection_constraint<Mesh>;
@@ -180,6 +182,79 @@ void test_corner_constraints(const std::string& name)
                          parameters::corner_constraints(std::vector<Corner>(1, contradiction))));
 }
 
+// How u|component changes along a closed path without rotation, or 0 if the path turns it.
+double drift(const Model& model, const std::vector<Halfedge>& path, Halfedge corner, int component)
+{
+  exact_check::Exact_vector u = { Rational(model.uv[corner].x()), Rational(model.uv[corner].y()) };
+  exact_check::Exact_vector direction = { Rational(1), Rational(0) };
+  for(const Halfedge h : path)
+    random_constraints::cross(h, model.mesh, model.uv, model.transitions.rotation(h), u, direction);
+  if(direction[0] != 1)
+    return 0;
+  const double before = component == 0 ? model.uv[corner].x() : model.uv[corner].y();
+  return CGAL::to_double(u[std::size_t(component)]) - before;
+}
+
+// An aligned edge from q to p, a cycle at p, a connection along the same path from q to the third corner r,
+// and p - r = 1: no three of these contradict each other.
+void test_contradiction(const std::string& name, std::uint64_t seed)
+{
+  Model model(data_file(name));
+  random_constraints::Generator<Mesh> random(model.mesh, model.transitions, seed);
+  Halfedge p;
+  for(const Mesh::Edge_index e : model.mesh.edges())
+    if(model.is_aligned[e])
+      p = model.mesh.halfedge(e);
+  p = model.mesh.is_border(p) ? model.mesh.opposite(p) : p;
+  const Halfedge q = model.mesh.prev(p), r = model.mesh.next(p);
+  const Kernel::Vector_2 d = model.uv[p] - model.uv[q];
+  const int component = std::abs(d.x()) < std::abs(d.y()) ? 0 : 1;
+
+  std::vector<Halfedge> loop;
+  for(int i = 0; i < 1000 && std::abs(drift(model, loop, p, component)) < 0.01; ++i) {
+    const Cycle cycle = random.cycle();
+    loop = CS::shortest_face_path(model.mesh, p, cycle.corner);
+    const auto back = CS::shortest_face_path(model.mesh, cycle.corner, p);
+    loop.insert(loop.end(), cycle.path.begin(), cycle.path.end());
+    loop.insert(loop.end(), back.begin(), back.end());
+  }
+  CHECK(std::abs(drift(model, loop, p, component)) >= 0.01);
+  const std::vector<Connection> connections = { { q, r, component, loop } };
+  const std::vector<Cycle> cycles = { { p, component, loop } };
+  Corner difference = pin(p, component, Rational(1));
+  difference.terms.push_back({ r, component, Rational(-1) });
+  const std::vector<Corner> corners = { difference };
+
+  const auto np = parameters::edge_is_constrained_map(model.is_aligned)
+                             .connection_constraints(connections)
+                             .cycle_constraints(cycles)
+                             .corner_constraints(corners);
+  const auto values = model.values();
+  const auto reduced = reduced_system::reduced_seamless_system(model.mesh, model.uv, np);
+  const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
+  CHECK(report.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(exact_reference::is_contradiction(reduced.system, report.certificate));
+  for(const std::string constraint : { "connection constraint 0", "cycle constraint 0",
+                                       "corner constraint 0", "the alignment of " })
+    if(!CHECK(report.message.find(constraint) != std::string::npos))
+      std::cerr << report << std::endl;
+  CHECK(model.values() == values);
+
+  // Each three of them have a solution.
+  for(std::size_t left_out = 0; left_out < 4; ++left_out) {
+    Model three(data_file(name));
+    if(left_out == 3)
+      for(const Mesh::Edge_index e : three.mesh.edges())
+        three.is_aligned[e] = false;
+    CHECK(bool(CS::snap_to_seamless(
+      three.mesh, three.uv,
+      parameters::edge_is_constrained_map(three.is_aligned)
+                 .connection_constraints(left_out == 0 ? std::vector<Connection>() : connections)
+                 .cycle_constraints(left_out == 1 ? std::vector<Cycle>() : cycles)
+                 .corner_constraints(left_out == 2 ? std::vector<Corner>() : corners))));
+  }
+}
+
 void test_invalid_paths(const std::string& name)
 {
   Model model(data_file(name));
@@ -214,6 +289,8 @@ int main()
   test_files(SEAMLESS_SNAPPING_DATA_DIR);
   test_corner_constraints("genus0");
   test_corner_constraints("genus2");
+  for(std::uint64_t seed = 1; seed <= 10; ++seed)
+    test_contradiction("genus2_features", seed);
   test_invalid_paths("genus2");
   return report_checks();
 }

@@ -56,20 +56,6 @@ std::vector<bool> used_columns(const System& system)
   return result;
 }
 
-// The multiples of the rows add up to 0 = c with c other than 0.
-bool is_contradiction(const System& system,
-                      const std::vector<std::pair<std::size_t, CGAL::Exact_integer> >& certificate)
-{
-  exact_reference::Row sum;
-  Rational b(0);
-  for(const auto& term : certificate) {
-    for(const auto& entry : system.rows.at(term.first))
-      sum.push_back({ entry.column, Rational(entry.coefficient * Rational(term.second)) });
-    b += Rational(term.second) * system.b[term.first];
-  }
-  return exact_reference::merged(sum).empty() && b != 0;
-}
-
 // The coarsest grid that may be needed: its step is such that the largest value has all p bits.
 template <typename Number>
 double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
@@ -156,7 +142,7 @@ void check_system(Random& random, const System& system, const std::vector<Number
   if(!report || was_exact)
     CHECK(same_bits(before, after));
   if(report.status == CS::Snapping_status::INCONSISTENT)
-    CHECK(is_contradiction(system, report.certificate));
+    CHECK(exact_reference::is_contradiction(system, report.certificate));
   if(!optimum.feasible || was_exact)
     return;
 
@@ -250,6 +236,63 @@ void test_random_systems(const std::string& name, std::uint64_t first_seed, int 
         tally);
 }
 
+exact_reference::Integer random_long_integer(Random& random, int bits)
+{
+  exact_reference::Integer result(1);
+  for(int i = 1; i < bits; ++i)
+    result = exact_reference::Integer(result * 2) + static_cast<int>(random() % 2);
+  return random() % 2 == 0 ? result : exact_reference::Integer(-result);
+}
+
+// Coefficients and right-hand sides of hundreds of digits, and more rows than unknowns: the one solution
+// must come back from values close to it; with another right-hand side there is none. In `chain` the
+// coefficients get long during the elimination only.
+void test_long_numbers(std::uint64_t seed, int bits, bool chain)
+{
+  Random random(seed);
+  const std::size_t columns = 2 + random() % 5;
+  System system;
+  system.columns = columns;
+  for(std::size_t r = 0; r < columns; ++r) {
+    exact_reference::Row row;
+    for(std::size_t c = 0; c < columns; ++c)
+      if(!chain || c == r || c == (r + 1) % columns)
+        row.push_back({ c, chain && c == r ? Rational(1)
+                                           : Rational(random_long_integer(random, bits)) });
+    system.add_row(row);
+  }
+  random_systems::add_redundant_rows(random, system, 2);
+  std::vector<double> solution, x;
+  for(std::size_t c = 0; c < columns; ++c) {
+    solution.push_back(random_integer(random, -1000000, 1000000) / 1024.);
+    x.push_back(solution.back() + 1e-3 * random_real(random));
+  }
+  const Rationals exact_solution = exact_reference::to_rationals(solution);
+  for(std::size_t r = 0; r < system.rows.size(); ++r)
+    system.b[r] = exact_reference::residual(system, r, exact_solution) + system.b[r];
+
+  const std::vector<double> before = x;
+  const auto snap = [&] {
+    x = before;
+    return CS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system), x);
+  };
+  const CS::Snapping_report report = snap();
+  const std::size_t failed = checking::counts().failed;
+  CHECK(bool(report));
+  CHECK(report.multiprecision);
+  CHECK(report.coefficient_bits >= std::size_t(chain ? 129 : bits));
+  CHECK(x == solution);
+
+  system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
+  const CS::Snapping_report contradiction = snap();
+  CHECK(contradiction.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(exact_reference::is_contradiction(system, contradiction.certificate));
+  CHECK(same_bits(x, before));
+  if(failed != checking::counts().failed)
+    std::cerr << "    long numbers, seed " << seed << ", " << bits << " bits: " << report << "; "
+              << contradiction << std::endl;
+}
+
 // Seam systems and random ones of thousands of unknowns: for the references they are too big.
 void test_file(const std::string& path)
 {
@@ -305,6 +348,11 @@ int main(int argc, char** argv)
   test_random_systems<float>("up to 12 unknowns, float", seed + 30000, 400, 12);
   test_random_systems<double>("up to 40 unknowns", seed + 40000, 100, 40);
   test_random_systems<double>("up to 120 unknowns", seed + 50000, 10, 120);
+  for(const int bits : { 70, 140, 400, 1200 })
+    for(std::uint64_t i = 0; i < 10; ++i) {
+      test_long_numbers(seed + 60000 + i, bits, false);
+      test_long_numbers(seed + 70000 + i, bits, true);
+    }
   test_files();
   return report_checks();
 }
