@@ -72,7 +72,7 @@ Values_and_system reduced_seamless_system(const Graph& g, const UVMap& uv,
   const internal::Branches branches(sectors);
   const auto grid = internal::Grid::finest(internal::Number_format::of<double>(),
                                            sectors.largest_coordinate());
-  const auto coordinates = internal::sector_coordinates(sectors, uv, grid);
+  const internal::Sector_coordinates<Graph, UVMap> coordinates(sectors, uv, grid);
   const internal::Reduced_system<Graph, UVMap> reduced(sectors, branches, transitions, align_edges,
                                                        constraints, coordinates, grid);
 

@@ -276,7 +276,7 @@ int main(int argc, char** argv)
   double naive_violation = 0;
   for(const std::string name : { "genus0", "genus1", "genus2", "genus3", "genus0_border",
                                  "genus2_features", "genus2_features_border" })
-    for(const std::size_t connections : { 0, 20 })
+    for(const std::size_t connections : { 0u, 20u })
       naive_violation = (std::max)(naive_violation, test_reduced_system(name, connections));
   CHECK(naive_violation > 0);
   return report_checks();
