@@ -109,6 +109,8 @@ struct Snapping_report
   std::size_t number_of_constraints = 0;           ///< rows
   std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
   std::size_t number_of_non_unit_pivots = 0;       ///< independent rows that no pivot \f$ \pm 1 \f$ could be found for
+  std::size_t number_of_coefficients = 0;          ///< nonzero coefficients of the rows
+  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
   std::size_t coefficient_bits = 0;  ///< bits of the largest coefficient met during the elimination
   double largest_coefficient = 0;    ///< its absolute value, rounded
   double largest_pivot = 0;          ///< the largest absolute value of a pivot, rounded
@@ -121,8 +123,8 @@ struct Snapping_report
   double violation_before = 0;  ///< the largest violation of a constraint by the input
   double grid_step = 0;         ///< the spacing of the grid the constrained values were moved to
   double largest_change = 0;    ///< the largest absolute change of a value
-  double mean_change = 0;       ///< the mean absolute change, over the constrained values
-  double rms_change = 0;        ///< the root-mean-square change, over the constrained values
+  double mean_change = 0;       ///< the mean absolute change, over the constrained values (of each sector, for the surface function)
+  double rms_change = 0;        ///< the root-mean-square change, over the same values
   double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
   /// @}
 

@@ -92,6 +92,8 @@ public:
       m_core.is_whole() ? core_redundant : m_elimination.redundant_rows().size() + core_redundant;
     report.number_of_non_unit_pivots +=
       m_core.is_whole() ? core_rank - number_of_unit_pivots() : core_rank;
+    report.number_of_coefficients += m_system.number_of_entries();
+    report.number_of_eliminated_coefficients += m_elimination.number_of_coefficients();
     const Exact_integer largest = (std::max)(Exact_integer(m_elimination.largest_coefficient()),
                                              m_core.largest_coefficient());
     report.coefficient_bits = (std::max)(report.coefficient_bits, bit_length(largest));

@@ -160,6 +160,15 @@ public:
   { return m_right_hand_side[std::size_t(i)]; }
   const Integer& largest_coefficient() const { return m_largest_coefficient; }
 
+  // Of all rows together.
+  std::size_t number_of_coefficients() const
+  {
+    std::size_t result = 0;
+    for(const Row& row : m_rows)
+      result += row.size();
+    return result;
+  }
+
 private:
   enum State : char { WAITING, CORE, DONE };
 

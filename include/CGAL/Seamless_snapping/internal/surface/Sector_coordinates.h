@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 #include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -46,18 +47,26 @@ class Sector_coordinates
 
 public:
   Sector_coordinates(const Sectors& sectors, const HalfedgeUVMap& uv_map, const Grid& grid)
-    : m_sectors(sectors), m_grid(grid), m_means(sectors.number_of_mixed_sectors())
+    : m_sectors(sectors), m_grid(grid), m_means(sectors.number_of_mixed_sectors()),
+      m_squares(sectors.number_of_mixed_sectors())
   {
     if(!m_means.empty())
       for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
         if(!sectors.sector(Sector_index(s)).is_uniform())
-          m_means[std::size_t(sectors.sector(Sector_index(s)).mixed)] = mean(Sector_index(s), uv_map);
+          set_mean(Sector_index(s), uv_map);
   }
 
   Grid_uv operator[](const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
     return sector.is_uniform() ? split(sector.uv) : m_means[std::size_t(sector.mixed)];
+  }
+
+  // The mean squared distance of the corners from their mean, in units of the grid.
+  double squares_within(const Sector_index s) const
+  {
+    const Sector& sector = m_sectors.sector(s);
+    return sector.is_uniform() ? 0 : m_squares[std::size_t(sector.mixed)];
   }
 
 private:
@@ -67,25 +76,33 @@ private:
     return {{{u.base, v.base}}, {{u.offset, v.offset}}};
   }
 
-  Grid_uv mean(const Sector_index s, const HalfedgeUVMap& uv_map) const
+  void set_mean(const Sector_index s, const HalfedgeUVMap& uv_map)
   {
-    Grid_uv result = split(m_sectors.sector(s).uv);
+    Grid_uv& mean = m_means[std::size_t(m_sectors.sector(s).mixed)];
+    mean = split(m_sectors.sector(s).uv);
     Uv sum{{0, 0}};
+    double squares = 0;
     const auto first = m_sectors.corners_begin(s), last = m_sectors.corners_end(s);
     for(auto h = first; h != last; ++h) {
       const Grid_uv corner = split(get_uv(uv_map, *h));
-      for(std::size_t c = 0; c < 2; ++c)
-        sum[c] += static_cast<double>(corner.base[c] - result.base[c]) +
-                  (corner.offset[c] - result.offset[c]);
+      for(std::size_t c = 0; c < 2; ++c) {
+        const double d = static_cast<double>(corner.base[c] - mean.base[c]) + (corner.offset[c] - mean.offset[c]);
+        sum[c] += d;
+        squares += d * d;
+      }
     }
-    for(std::size_t c = 0; c < 2; ++c)
-      result.offset[c] += sum[c] / static_cast<double>(last - first);
-    return result;
+    const double count = static_cast<double>(last - first);
+    for(std::size_t c = 0; c < 2; ++c) {
+      mean.offset[c] += sum[c] / count;
+      squares -= sum[c] * sum[c] / count;
+    }
+    m_squares[std::size_t(m_sectors.sector(s).mixed)] = (std::max)(squares, 0.) / count;
   }
 
   const Sectors& m_sectors;
   Grid m_grid;
   std::vector<Grid_uv> m_means; // of mixed sectors
+  std::vector<double> m_squares;
 };
 
 // u- - R u+ - t for sectors beside a cut: exact in the bases.

@@ -183,7 +183,7 @@ private:
     if(!is_exact(sectors, transitions, align_edges, constraints, uv))
       return fail("the result failed its exact verification and was discarded; please report this");
     m_timer.finish("verification");
-    if(!write(sectors, repair.points(), uv, solution.grid))
+    if(!write(sectors, repair.points(), uv, solution.grid, snapped.optimal_squares()))
       return fail("the uv map does not keep what is written to it; each corner needs a place of its own, and the "
                   "full precision of the points' number type");
     m_timer.finish("writing");
@@ -206,7 +206,7 @@ private:
 
   // All or nothing.
   bool write(const Sectors& sectors, const typename Repair::Points& points, const Uv_state& uv,
-             const Grid& grid)
+             const Grid& grid, const double optimal_squares)
   {
     Change_statistics statistics(grid.step());
     Free_vertex_writer<typename Repair::Points, HalfedgeUVMap> free_vertices(points, m_uv_map);
@@ -215,7 +215,7 @@ private:
       free_vertices.take_back();
       return false;
     }
-    statistics.fill_in(m_report);
+    statistics.fill_in(m_report, optimal_squares);
     return true;
   }
 

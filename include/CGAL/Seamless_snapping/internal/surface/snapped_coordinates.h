@@ -55,6 +55,10 @@ public:
   // Whether all coordinates are numbers of the format; else a coarser grid is needed.
   bool fits() const { return m_fits; }
 
+  // The sum of the squared changes of all components, had they not been rounded to the grid: the least-squares
+  // optimum, in units of the grid.
+  double optimal_squares() const { return m_optimal_squares; }
+
   // Hands over the coordinates of all sectors.
   std::vector<Uv> take() { return std::move(m_uv); }
 
@@ -66,14 +70,27 @@ private:
       const Grid_uv mean = m_coordinates[s];
       for(std::size_t c = 0; c < 2; ++c)
         set(s, c, mean.base[c] + nearest_integer(mean.offset[c]));
+      m_optimal_squares += m_coordinates.squares_within(s);
     }
     const Column_index unknown = m_system.unknown(s);
     if(unknown < 0)
       return;
+    const Grid_uv u = m_coordinates[s];
     for(std::size_t c = 0; c < 2; ++c)
-      if(m_system.is_constrained(s, c))
+      if(m_system.is_constrained(s, c)) {
         set(s, c, m_solution.x[std::size_t(unknown) + c]);
+        m_optimal_squares += squared(optimal_change(u, c, unknown + Column_index(c)));
+      }
   }
+
+  // By how much the real-valued optimum of an unknown differs from a component of a sector.
+  double optimal_change(const Grid_uv& u, const std::size_t c, const Column_index unknown) const
+  {
+    const Grid_value& optimum = m_solution.target[std::size_t(unknown)];
+    return static_cast<double>(optimum.base - u.base[c]) + (optimum.offset - u.offset[c]);
+  }
+
+  static double squared(const double x) { return x * x; }
 
   void set(const Sector_index s, const std::size_t c, const std::int64_t x)
   {
@@ -92,16 +109,21 @@ private:
     const Rotation& r = rotation_matrix(k);
     const Rotation& inverse = rotation_matrix(inverse_rotation(k));
     const Grid_vector t{{m_solution.x[std::size_t(unknown)], m_solution.x[std::size_t(unknown) + 1]}};
+    const Grid_uv grid_t{t, {{0, 0}}};
+    const Uv rounding = inverse(Uv{{optimal_change(grid_t, 0, unknown), optimal_change(grid_t, 1, unknown + 1)}});
     for(const Directed_cut* d = first; d != last - 1; ++d) {
       const Sector_index plus = m_sectors.target_sector(*d);
       const Sector_index minus = m_sectors.source_sector(opposite_cut(*d));
       const Grid_uv a = m_coordinates[plus];
       const Grid_uv z = m_coordinates[minus];
       const double w_plus = m_sectors.sector(plus).weight, w_minus = m_sectors.sector(minus).weight;
+      const double share = w_minus / (w_plus + w_minus);
       const Uv gap = inverse(transition_gap(a, z, r, t));
       Grid_vector x;
-      for(std::size_t c = 0; c < 2; ++c)
-        x[c] = a.base[c] + nearest_integer(a.offset[c] + gap[c] * (w_minus / (w_plus + w_minus)));
+      for(std::size_t c = 0; c < 2; ++c) {
+        x[c] = a.base[c] + nearest_integer(a.offset[c] + gap[c] * share);
+        m_optimal_squares += squared(gap[c] - rounding[c]) * (squared(share) + squared(1 - share));
+      }
       const Grid_vector rotated = r(x);
       for(std::size_t c = 0; c < 2; ++c) {
         set(plus, c, x[c]);
@@ -116,8 +138,11 @@ private:
     if(unknown < 0)
       return;
     const std::size_t c = m_system.align_component(*first);
-    for(const std::int32_t* d = first; d != last - 1; ++d)
-      set(m_system.align_sector(*d, true), c, m_solution.x[std::size_t(unknown)]);
+    for(const std::int32_t* d = first; d != last - 1; ++d) {
+      const Sector_index s = m_system.align_sector(*d, true);
+      set(s, c, m_solution.x[std::size_t(unknown)]);
+      m_optimal_squares += squared(optimal_change(m_coordinates[s], c, unknown));
+    }
   }
 
   const Sectors& m_sectors;
@@ -125,6 +150,7 @@ private:
   const Coordinates& m_coordinates;
   const Grid_solution& m_solution;
   std::vector<Uv> m_uv; // per sector
+  double m_optimal_squares = 0;
   bool m_fits = true;
 };
 

@@ -61,32 +61,32 @@ class Change_statistics
 public:
   explicit Change_statistics(const double unit) : m_unit(unit) { } // keeps squares in range
 
-  void add(const Uv& before, const Uv& after, const std::size_t number_of_corners)
+  // Each sector counts once; its corners, where they differed, share its weight.
+  void add(const Uv& before, const Uv& after, const double weight = 1)
   {
-    const double count = static_cast<double>(number_of_corners);
     for(std::size_t c = 0; c < 2; ++c) {
       const double change = std::abs(after[c] - before[c]) / m_unit;
       m_largest = (std::max)(m_largest, change);
-      m_sum += count * change;
-      m_squares += count * change * change;
-      m_count += number_of_corners;
+      m_sum += weight * change;
+      m_squares += weight * change * change;
+      m_count += weight;
     }
   }
 
-  void fill_in(Snapping_report& report) const
+  // \param optimal_squares the sum of the squared changes that no exact solution can undercut, in units
+  void fill_in(Snapping_report& report, const double optimal_squares) const
   {
     if(m_count == 0)
       return;
-    const double count = static_cast<double>(m_count);
     report.largest_change = m_largest * m_unit;
-    report.mean_change = m_sum / count * m_unit;
-    report.rms_change = std::sqrt(m_squares / count) * m_unit;
+    report.mean_change = m_sum / m_count * m_unit;
+    report.rms_change = std::sqrt(m_squares / m_count) * m_unit;
+    report.optimal_rms_change = std::sqrt(optimal_squares / m_count) * m_unit;
   }
 
 private:
   double m_unit;
-  double m_largest = 0, m_sum = 0, m_squares = 0;
-  std::size_t m_count = 0;
+  double m_largest = 0, m_sum = 0, m_squares = 0, m_count = 0;
 };
 
 // Reads back what it writes: a map that does not keep values would void the check. Returns false, with
@@ -109,12 +109,12 @@ bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, c
     const Point new_point = point(uv);
     const auto first = sectors.corners_begin(s), last = sectors.corners_end(s);
     if(sectors.sector(s).is_uniform())
-      statistics.add(sectors.sector(s).uv, uv, std::size_t(last - first));
+      statistics.add(sectors.sector(s).uv, uv);
     for(auto h = first; h != last; ++h) {
       if(sectors.corners_end() - h > lookahead)
         prefetch(uv_map, h[lookahead]);
       if(!sectors.sector(s).is_uniform()) {
-        statistics.add(get_uv(uv_map, *h), uv, 1);
+        statistics.add(get_uv(uv_map, *h), uv, 1. / static_cast<double>(last - first));
         before.push_back(get(uv_map, *h));
       }
       put(uv_map, *h, new_point);

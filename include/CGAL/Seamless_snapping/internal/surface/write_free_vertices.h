@@ -47,7 +47,7 @@ public:
         if(before == uv)
           return;
         m_written.push_back({corner, get(m_uv_map, corner)});
-        statistics.add(before, uv, 1);
+        statistics.add(before, uv);
         put(m_uv_map, corner, point);
         kept = kept && get_uv(m_uv_map, corner) == uv;
       });
