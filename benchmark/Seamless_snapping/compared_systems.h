@@ -1,5 +1,5 @@
-// The constraint systems of a parametrization that solvers are compared on: the full one, Sec. 5.2, and the
-// reduced one, Sec. 5.3; and systems C x = 0 from MatrixMarket files.
+// The constraint systems of a parametrization that solvers are compared on: the full one, Sec. 5.2, per
+// corner or per sector, and the reduced one, Sec. 5.3; and systems C x = 0 from MatrixMarket files.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
 #define SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
@@ -62,23 +62,25 @@ inline Problem compressed(const std::string& model, const std::string& kind, std
   return result;
 }
 
-// The unknowns are the coordinates of sectors at cut and aligned edges; one equation (4) for each cut edge
-// and one equation (5) for each aligned edge.
+// Sec. 5.2: one equation (4) for each interior edge, one equation (5) for each aligned edge. Per corner, or
+// per sector between cut edges, which leaves the equations of cut and aligned edges.
 inline Problem full_problem(const Parametrized_model& model, const std::string& name,
-                            std::size_t nodes)
+                            std::size_t nodes, bool is_per_sector)
 {
   const auto transitions = CS::seam_transitions(model.mesh, model.uv);
   const auto full = exact_check::full_system(
     model.mesh, model.uv, [&](auto h) { return transitions.rotation(h); },
     [&](auto e) { return bool(model.is_aligned[e]); },
-    [&](auto e) { return transitions.is_cut(model.mesh.halfedge(e)); });
+    [&](auto e) { return !is_per_sector || transitions.is_cut(model.mesh.halfedge(e)); });
   std::vector<double> xbar;
   for(const auto& x : full.xbar)
     xbar.push_back(CGAL::to_double(x));
-  return compressed(name, "full", nodes, full.system, xbar);
+  return compressed(name, is_per_sector ? "sectors" : "corners", nodes, full.system, xbar);
 }
 
-inline std::vector<Problem> problems_of_model(const std::string& file)
+// Of the kinds: "reduced", "sectors", "corners".
+inline std::vector<Problem> problems_of_model(const std::string& file,
+                                              const std::vector<std::string>& kinds)
 {
   const std::string name = std::filesystem::path(file).stem().string();
   const Parametrized_model model(file);
@@ -86,8 +88,13 @@ inline std::vector<Problem> problems_of_model(const std::string& file)
     throw std::runtime_error(file + ": " + model.status.message);
   const auto reduced = reduced_system::reduced_seamless_system(
     model.mesh, model.uv, CS::parameters::edge_is_constrained_map(model.is_aligned));
-  return { compressed(name, "reduced", reduced.number_of_nodes, reduced.system, reduced.xbar),
-           full_problem(model, name, reduced.number_of_nodes) };
+  std::vector<Problem> result;
+  for(const std::string& kind : kinds)
+    result.push_back(
+      kind == "reduced"
+        ? compressed(name, kind, reduced.number_of_nodes, reduced.system, reduced.xbar)
+        : full_problem(model, name, reduced.number_of_nodes, kind == "sectors"));
+  return result;
 }
 
 // Values: random ones, snapped, with noise of 1e-8.
@@ -113,11 +120,12 @@ inline Problem problem_of_matrix(const std::string& file)
   return compressed(std::filesystem::path(file).stem().string(), "matrix", 0, system, x);
 }
 
-inline std::vector<Problem> problems_of_file(const std::string& file)
+inline std::vector<Problem> problems_of_file(const std::string& file,
+                                             const std::vector<std::string>& kinds)
 {
   if(std::filesystem::path(file).extension() == ".mtx")
     return { problem_of_matrix(file) };
-  return problems_of_model(file);
+  return problems_of_model(file, kinds);
 }
 
 } // namespace compared_systems

@@ -1,5 +1,6 @@
 // Four ways to satisfy the constraints of a parametrization exactly (Sec. 6.1 of the paper), or to try,
-// on the reduced and the full systems of given OBJ files, or on systems from MatrixMarket files:
+// on the reduced and the full systems of given OBJ files (the full ones in the coordinates of sectors or of
+// corners), or on systems from MatrixMarket files:
 //
 //   ours      snap_to_linear_constraints()
 //   textbook  the paper's Algorithms 1 to 5 as printed, dense, in integers of any length
@@ -45,7 +46,7 @@ using exact_reference::Rationals;
 
 struct Settings
 {
-  std::vector<std::string> files, methods;
+  std::vector<std::string> files, methods, systems;
   benchmark::Child_limits limits;
 };
 
@@ -256,13 +257,21 @@ bool compare_methods(const Problem& problem, const Settings& settings)
 
 // --- the command line ----------------------------------------------------------------------------
 
+void check_names(const std::vector<std::string>& names, const std::vector<std::string>& all)
+{
+  for(const std::string& name : names)
+    if(std::find(all.begin(), all.end(), name) == all.end())
+      throw options::error("unknown: " + name);
+}
+
 bool read_command_line(int argc, char** argv, Settings& settings)
 {
-  const std::vector<std::string> all = { "ours", "textbook", "naive", "QP" };
   options::options_description description("Options");
   description.add_options()("help,h", "print this")(
     "file", options::value(&settings.files), "OBJ or MatrixMarket files (may go without --file)")(
     "methods", options::value(&settings.methods)->multitoken(), "of: ours textbook naive QP")(
+    "systems", options::value(&settings.systems)->multitoken(),
+    "of: reduced sectors corners (default: the first two)")(
     "time-limit", options::value(&settings.limits.seconds)->default_value(600), "seconds a run")(
     "memory-limit", options::value(&settings.limits.megabytes)->default_value(8000),
     "megabytes a run");
@@ -278,10 +287,11 @@ bool read_command_line(int argc, char** argv, Settings& settings)
     return false;
   }
   if(settings.methods.empty())
-    settings.methods = all;
-  for(const std::string& method : settings.methods)
-    if(std::find(all.begin(), all.end(), method) == all.end())
-      throw options::error("no such method: " + method);
+    settings.methods = { "ours", "textbook", "naive", "QP" };
+  if(settings.systems.empty())
+    settings.systems = { "reduced", "sectors" };
+  check_names(settings.methods, { "ours", "textbook", "naive", "QP" });
+  check_names(settings.systems, { "reduced", "sectors", "corners" });
   return true;
 }
 
@@ -301,7 +311,7 @@ int main(int argc, char** argv)
   bool ok = true;
   for(const std::string& file : settings.files) {
     try {
-      for(const Problem& problem : compared_systems::problems_of_file(file))
+      for(const Problem& problem : compared_systems::problems_of_file(file, settings.systems))
         ok = compare_methods(problem, settings) && ok;
     } catch(const std::exception& error) {
       std::cerr << error.what() << std::endl;
