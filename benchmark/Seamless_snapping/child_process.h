@@ -1,5 +1,5 @@
-// Runs a function in a process of its own (POSIX): it can be stopped when its time is up, and neither its
-// memory nor a crash affects the caller.
+// Runs a function in a process of its own (POSIX): it can be stopped when its time is up, and
+// neither its memory nor a crash affects the caller.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_CHILD_PROCESS_H
 #define SEAMLESS_SNAPPING_BENCHMARK_CHILD_PROCESS_H

@@ -1,5 +1,6 @@
-// The constraint systems of a parametrization that solvers are compared on: the full one, Sec. 5.2, per
-// corner or per sector, and the reduced one, Sec. 5.3; and systems C x = 0 from MatrixMarket files.
+// The constraint systems of a parametrization that solvers are compared on: the full one, Sec. 5.2,
+// per corner or per sector, and the reduced one, Sec. 5.3; and systems C x = 0 from MatrixMarket
+// files.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
 #define SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
@@ -62,8 +63,8 @@ inline Problem compressed(const std::string& model, const std::string& kind, std
   return result;
 }
 
-// Sec. 5.2: one equation (4) for each interior edge, one equation (5) for each aligned edge. Per corner, or
-// per sector between cut edges, which leaves the equations of cut and aligned edges.
+// Sec. 5.2: one equation (4) for each interior edge, one equation (5) for each aligned edge. Per
+// corner, or per sector between cut edges, which leaves the equations of cut and aligned edges.
 inline Problem full_problem(const Parametrized_model& model, const std::string& name,
                             std::size_t nodes, bool is_per_sector)
 {

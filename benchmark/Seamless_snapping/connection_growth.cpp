@@ -1,10 +1,11 @@
 // How the elimination behaves when connections between random singular vertices are added to the
-// constraints of a parametrization, in the way of Table 3 and Fig. 2 of the paper: the largest coefficient
-// and pivot that occur, how many pivots are not 1 or -1, and the time against the number of nodes.
+// constraints of a parametrization, in the way of Table 3 and Fig. 2 of the paper: the largest
+// coefficient and pivot that occur, how many pivots are not 1 or -1, and the time against the
+// number of nodes.
 //
-// Feature and border edges that lie on isocurves are aligned. Each result is checked in exact arithmetic,
-// by code that shares nothing with the package. Times are those of the elimination of the reduced system,
-// the shortest of several runs.
+// Feature and border edges that lie on isocurves are aligned. Each result is checked in exact
+// arithmetic, by code that shares nothing with the package. Times are those of the elimination of
+// the reduced system, the shortest of several runs.
 
 #include "benchmark_tools.h"
 #include "log_log_plot.h"
@@ -126,9 +127,9 @@ Measurement measure(const std::string& file, std::size_t number_of_connections,
 
 void print_head(const Settings& settings)
 {
-  std::printf("Seed %llu, %zu random cycles. For each number of connections: the largest coefficient "
-              "that occurs%s, the largest pivot (number of pivots other than 1 and -1), and the "
-              "milliseconds of the elimination.\n\n| model | nodes |",
+  std::printf("Seed %llu, %zu random cycles. For each number of connections: the largest "
+              "coefficient that occurs%s, the largest pivot (number of pivots other than 1 and -1), "
+              "and the milliseconds of the elimination.\n\n| model | nodes |",
               static_cast<unsigned long long>(settings.seed), settings.cycles,
               settings.with_textbook ? " (in the textbook method's final matrix)" : "");
   for(const std::size_t n : settings.connections)

@@ -1,17 +1,17 @@
-// Four ways to satisfy the constraints of a parametrization exactly (Sec. 6.1 of the paper), or to try,
-// on the reduced and the full systems of given OBJ files (the full ones in the coordinates of sectors or of
-// corners), or on systems from MatrixMarket files:
+// Four ways to satisfy the constraints of a parametrization exactly (Sec. 6.1 of the paper), or to
+// try, on the reduced and the full systems of given OBJ files (the full ones in the coordinates of
+// sectors or of corners), or on systems from MatrixMarket files:
 //
 //   ours      snap_to_linear_constraints()
 //   textbook  the paper's Algorithms 1 to 5 as printed, dense, in integers of any length
 //   naive     constraint elimination in floating point
 //   QP        CGAL's quadratic programming solver in exact rationals, minimising the squared change
 //
-// All get the same rows and values, and start from them in the form that they want. Each runs in a process
-// of its own, which is stopped when the time or the memory is used up; times are the shortest of a few runs
-// where runs are short. Violations are those of the values rounded to doubles, computed exactly: the
-// solution of the QP is exact as long as it is not rounded ("rational"). It gets the problem in integers,
-// which it solves 4 times as fast as in fractions.
+// All get the same rows and values, and start from them in the form that they want. Each runs in a
+// process of its own, which is stopped when the time or the memory is used up; times are the
+// shortest of a few runs where runs are short. Violations are those of the values rounded to
+// doubles, computed exactly: the solution of the QP is exact as long as it is not rounded
+// ("rational"). It gets the problem in integers, which it solves 4 times as fast as in fractions.
 
 #include "benchmark_tools.h"
 #include "child_process.h"
@@ -224,7 +224,8 @@ void print_end(benchmark::Child_end end, double seconds, double seconds_of_ours)
                 seconds / seconds_of_ours);
   else
     std::printf(" | | %s | | | | |\n", end == benchmark::Child_end::TIME_IS_UP ? "time is up"
-                : end == benchmark::Child_end::OUT_OF_MEMORY ? "out of memory" : "crash");
+                : end == benchmark::Child_end::OUT_OF_MEMORY ? "out of memory"
+                                                             : "crash, or out of memory");
 }
 
 // Returns whether ours is exact.

@@ -1,4 +1,5 @@
-// A picture (SVG) of series of points in the plane with logarithmic axes, the decades as a square grid.
+// A picture (SVG) of series of points in the plane with logarithmic axes, the decades as a square
+// grid.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
 #define SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
@@ -78,9 +79,11 @@ private:
   {
     os << "<path fill=\"none\" stroke=\"#ddd\" d=\"";
     for(int x = m_low[0]; x <= m_high[0]; ++x)
-      write_points(os, { { double(x), double(m_low[1]) }, { double(x), double(m_high[1]) } }, m_view);
+      write_points(os, { { double(x), double(m_low[1]) }, { double(x), double(m_high[1]) } },
+                   m_view);
     for(int y = m_low[1]; y <= m_high[1]; ++y)
-      write_points(os, { { double(m_low[0]), double(y) }, { double(m_high[0]), double(y) } }, m_view);
+      write_points(os, { { double(m_low[0]), double(y) }, { double(m_high[0]), double(y) } },
+                   m_view);
     os << "\"/>\n";
     for(int x = m_low[0]; x <= m_high[0]; ++x) {
       const Vector_uv p = m_view({ double(x), double(m_low[1]) });

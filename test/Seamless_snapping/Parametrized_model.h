@@ -1,5 +1,5 @@
-// A parametrized mesh from an OBJ file, and those of its feature and border edges that lie on isocurves
-// up to noise: files mark others too.
+// A parametrized mesh from an OBJ file, and those of its feature and border edges that lie on
+// isocurves up to noise: files mark others too.
 
 #ifndef SEAMLESS_SNAPPING_TEST_PARAMETRIZED_MODEL_H
 #define SEAMLESS_SNAPPING_TEST_PARAMETRIZED_MODEL_H

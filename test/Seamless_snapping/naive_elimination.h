@@ -1,5 +1,6 @@
-// Constraint elimination in floating point, the comparison of Sec. 6.1: row reduction, free variables
-// kept, and Eq. (2') evaluated for the others, all in doubles. The values violate the constraints.
+// Constraint elimination in floating point, the comparison of Sec. 6.1: row reduction, free
+// variables kept, and Eq. (2') evaluated for the others, all in doubles. The values violate the
+// constraints.
 
 #ifndef SEAMLESS_SNAPPING_TEST_NAIVE_ELIMINATION_H
 #define SEAMLESS_SNAPPING_TEST_NAIVE_ELIMINATION_H

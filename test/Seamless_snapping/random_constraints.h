@@ -1,6 +1,6 @@
-// Random connections between singular vertices and random cycles, Eqs. (6) and (8), and an exact check
-// of them that composes the transitions along their paths in rational arithmetic and shares no code with
-// the package.
+// Random connections between singular vertices and random cycles, Eqs. (6) and (8), and an exact
+// check of them that composes the transitions along their paths in rational arithmetic and shares
+// no code with the package.
 
 #ifndef SEAMLESS_SNAPPING_TEST_RANDOM_CONSTRAINTS_H
 #define SEAMLESS_SNAPPING_TEST_RANDOM_CONSTRAINTS_H
@@ -91,11 +91,11 @@ private:
 using exact_check::Exact_vector;
 using exact_reference::Rational;
 
-// u and a direction in the chart of face(h), brought to the chart of the opposite face by k quarter turns.
-// False if the transition isn't exact.
+// u and a direction in the chart of face(h), brought to the chart of the opposite face by k quarter
+// turns. False if the transition isn't exact.
 template <typename Graph, typename UVMap>
-bool cross(typename boost::graph_traits<Graph>::halfedge_descriptor h, const Graph& g, const UVMap& uv,
-           int k, Exact_vector& u, Exact_vector& direction)
+bool cross(typename boost::graph_traits<Graph>::halfedge_descriptor h, const Graph& g,
+           const UVMap& uv, int k, Exact_vector& u, Exact_vector& direction)
 {
   const auto o = opposite(h, g);
   const auto from = get(uv, prev(h, g)), to = get(uv, o);

@@ -1,5 +1,5 @@
-// The reduced constraint system of a seamless parametrization, Sec. 5.3, as the package sets it up: for
-// exact_reference.h and other solvers.
+// The reduced constraint system of a seamless parametrization, Sec. 5.3, as the package sets it up:
+// for exact_reference.h and other solvers.
 
 #ifndef SEAMLESS_SNAPPING_TEST_REDUCED_SEAMLESS_SYSTEM_H
 #define SEAMLESS_SNAPPING_TEST_REDUCED_SEAMLESS_SYSTEM_H
@@ -52,7 +52,8 @@ void check(const Step& step)
     throw std::runtime_error(step.message());
 }
 
-// The parameters are those of snap_to_seamless(). Translations, which need not be doubles, are rounded.
+// The parameters are those of snap_to_seamless(). Translations, which need not be doubles, are
+// rounded.
 template <typename Graph, typename UVMap, typename NamedParameters>
 Values_and_system reduced_seamless_system(const Graph& g, const UVMap& uv,
                                           const NamedParameters& wrapped)

@@ -1,6 +1,6 @@
-// Connection, cycle, and corner constraints on surfaces: random ones on the meshes of the data folder,
-// checked by composing the transitions of their paths in rational arithmetic, which shares no code with
-// the library; contradictions, unreachable right-hand sides, and paths that are none.
+// Connection, cycle, and corner constraints on surfaces: random ones on the meshes of the data
+// folder, checked by composing the transitions of their paths in rational arithmetic, which shares
+// no code with the library; contradictions, unreachable right-hand sides, and paths that are none.
 
 #include "Parametrized_model.h"
 #include "checking.h"
@@ -195,8 +195,8 @@ double drift(const Model& model, const std::vector<Halfedge>& path, Halfedge cor
   return CGAL::to_double(u[std::size_t(component)]) - before;
 }
 
-// An aligned edge from q to p, a cycle at p, a connection along the same path from q to the third corner r,
-// and p - r = 1: no three of these contradict each other.
+// An aligned edge from q to p, a cycle at p, a connection along the same path from q to the third
+// corner r, and p - r = 1: no three of these contradict each other.
 void test_contradiction(const std::string& name, std::uint64_t seed)
 {
   Model model(data_file(name));

@@ -1,6 +1,6 @@
-// The methods that the package is compared with: the paper's Algorithms 1 to 5 as printed, against exact
-// verification on thousands of random systems and on the reduced systems of parametrizations; and
-// constraint elimination in floating point, which gets close and no more.
+// The methods that the package is compared with: the paper's Algorithms 1 to 5 as printed, against
+// exact verification on thousands of random systems and on the reduced systems of parametrizations;
+// and constraint elimination in floating point, which gets close and no more.
 
 #include "Parametrized_model.h"
 #include "checking.h"
@@ -53,8 +53,8 @@ bool is_reduced(const Echelon_form<Integer>& form)
   return true;
 }
 
-// Whether all rows of the system, with their right-hand sides, are combinations of those of the final
-// matrix: its pivots tell which.
+// Whether all rows of the system, with their right-hand sides, are combinations of those of the
+// final matrix: its pivots tell which.
 bool spans(const Echelon_form<Integer>& form, const System& system)
 {
   for(std::size_t r = 0; r < system.rows.size(); ++r) {
@@ -79,8 +79,8 @@ bool spans(const Echelon_form<Integer>& form, const System& system)
 
 // --- the result ----------------------------------------------------------------------------------
 
-// The free variables as Algorithm 4 sets them, the others by (2') in rational arithmetic. Whether all
-// right-hand sides are divisible by their pivots, and all values in range.
+// The free variables as Algorithm 4 sets them, the others by (2') in rational arithmetic. Whether
+// all right-hand sides are divisible by their pivots, and all values in range.
 struct Rational_evaluation
 {
   bool is_divisible = true, is_in_range = true;

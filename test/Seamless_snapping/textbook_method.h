@@ -2,13 +2,13 @@
 // function of its own. Shares no code with the package.
 //
 // Three things are not as printed. Pivots are sought in each column below the rows that have one
-// already, since Algorithm 1 skips a row together with a column that has no pivot, and then fails on
-// matrices of deficient rank. Eq. (2) is replaced by (2') of the addendum. And rows with a zero where
-// another row's pivot is are left alone: by the letter they would be multiplied by that pivot, and
-// divided by it right after.
+// already, since Algorithm 1 skips a row together with a column that has no pivot, and then fails
+// on matrices of deficient rank. Eq. (2) is replaced by (2') of the addendum. And rows with a zero
+// where another row's pivot is are left alone: by the letter they would be multiplied by that
+// pivot, and divided by it right after.
 //
-// What it claims: a solution of every homogeneous system, unless an implied value leaves the range of
-// the fixed point numbers (Sec. 7); of an inhomogeneous one if each right-hand side in the final
+// What it claims: a solution of every homogeneous system, unless an implied value leaves the range
+// of the fixed point numbers (Sec. 7); of an inhomogeneous one if each right-hand side in the final
 // matrix is divisible by its pivot (addendum B).
 
 #ifndef SEAMLESS_SNAPPING_TEST_TEXTBOOK_METHOD_H
