@@ -3,6 +3,7 @@
 
 #include "surface_checks.h"
 
+#include <limits>
 #include <random>
 #include <set>
 
@@ -338,6 +339,9 @@ void test_not_seamless()
       CHECK_IN(context, !SS::is_seamless(named.mesh, uv));
       expect_refusal(named.mesh, uv, SS::parameters::tolerance(error / 2).verbose(false),
                      Snapping_status::NOT_SEAMLESS, {}, context + ", tolerance / 2");
+      for(const double nonsense : { -1., std::numeric_limits<double>::quiet_NaN() })
+        expect_refusal(named.mesh, uv, SS::parameters::tolerance(nonsense),
+                       Snapping_status::INVALID_ARGUMENT, { "tolerance" }, context);
       if(error < 1e-3) {
         CHECK_IN(context, bool(SS::snap_to_seamless(named.mesh, uv,
                                                     SS::parameters::tolerance(4 * error))));

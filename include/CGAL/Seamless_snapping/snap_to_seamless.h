@@ -150,7 +150,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each other, or an
           edge that is given as no cut has a rotation;
-        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, or a corner has no face;
+        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, or the
+          tolerance is negative;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution of the corner constraints near by. This can't
           happen if their right-hand sides are zero.

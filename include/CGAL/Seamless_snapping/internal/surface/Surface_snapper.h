@@ -230,7 +230,9 @@ private:
   void explain(const System& system, const Constraint_list<TriangleMesh>& constraints)
   {
     if(m_report.status == Snapping_status::NOT_REPRESENTABLE) {
-      m_report.message = "the corner constraints have solutions, but none whose coordinates are multiples of "
+      m_report.message = constraints.corner_constraints().empty()
+        ? "the exact coordinates would exceed the largest number of their type; scale them down"
+        : "the corner constraints have solutions, but none whose coordinates are multiples of "
                          "one power of two that the number type can hold at the size of the coordinates; "
                          "round their right-hand sides to fewer bits";
       return;

@@ -147,6 +147,11 @@ public:
   Data run()
   {
     Data data;
+    if(!(m_tolerance >= 0)) {
+      data.status = Snapping_status::INVALID_ARGUMENT;
+      data.message = "the tolerance is " + short_number(m_tolerance) + "; it must not be negative";
+      return data;
+    }
     Uv_survey<TriangleMesh> survey =
       survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
                 [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
