@@ -76,7 +76,7 @@ public:
     long smallest_exponent = (std::numeric_limits<long>::max)();
     std::vector<double> row;
     for(int rounds_left = 3; rounds_left > 0; --rounds_left) {
-      const long exponent = to_scaled_row(difference, m_scale, row);
+      const long exponent = to_scaled_row(difference, m_scale, m_scale.size(), row);
       for(std::size_t i = 0; i < row.size(); ++i)
         row[i] += scaled_by_power(target[i].offset, -exponent) * m_scale[i];
       if(exponent < smallest_exponent) {

@@ -69,29 +69,29 @@ Real scaled_by_power(const Real a, const long exponent)
   return std::ldexp(a, static_cast<int>((std::max)(-5000L, (std::min)(5000L, exponent))));
 }
 
-// Writes v, each component times its scale, as `row` 2^(returned exponent).
+// Writes the first components of v, each times its scale, as `row` 2^(returned exponent).
 template <typename Real>
 long to_scaled_row(const std::vector<std::int64_t>& v, const std::vector<double>& scale,
-                   std::vector<Real>& row)
+                   const std::size_t dimension, std::vector<Real>& row)
 {
-  row.resize(v.size());
-  for(std::size_t i = 0; i < v.size(); ++i)
+  row.resize(dimension);
+  for(std::size_t i = 0; i < dimension; ++i)
     row[i] = static_cast<Real>(v[i]) * static_cast<Real>(scale[i]);
   return 0;
 }
 
 template <typename Real>
 long to_scaled_row(const std::vector<Exact_integer>& v, const std::vector<double>& scale,
-                   std::vector<Real>& row)
+                   const std::size_t dimension, std::vector<Real>& row)
 {
-  std::vector<Scaled_double> numbers(v.size());
+  std::vector<Scaled_double> numbers(dimension);
   long exponent = 0;
-  for(std::size_t i = 0; i < v.size(); ++i) {
+  for(std::size_t i = 0; i < dimension; ++i) {
     numbers[i] = to_scaled_double(v[i]);
     exponent = (std::max)(exponent, numbers[i].exponent);
   }
-  row.resize(v.size());
-  for(std::size_t i = 0; i < v.size(); ++i)
+  row.resize(dimension);
+  for(std::size_t i = 0; i < dimension; ++i)
     row[i] = scaled_by_power(numbers[i].mantissa, numbers[i].exponent - exponent) * scale[i];
   return exponent;
 }

@@ -145,7 +145,7 @@ public:
   // With an `exchange_limit` of 0, vectors are made shorter by multiples of earlier ones only.
   Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale,
                     const std::size_t exchange_limit = 1000000, const bool is_deep = false)
-    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size()), m_bounds(basis),
+    : m_basis(basis), m_scale(scale), m_frame(basis.size(), dimension_of(scale)), m_bounds(basis),
       m_errors(basis.size(), Real(0)),
       m_exchange_limit(exchange_limit), m_is_deep(is_deep)
   {
@@ -163,6 +163,15 @@ public:
   std::size_t number_of_exchanges() const { return m_number_of_exchanges; }
 
 private:
+  // Components of scale 0 at the end only keep track of what is done.
+  static std::size_t dimension_of(const std::vector<double>& scale)
+  {
+    std::size_t dimension = scale.size();
+    while(dimension > 0 && scale[dimension - 1] == 0)
+      --dimension;
+    return dimension;
+  }
+
   void reduce()
   {
     const std::size_t size = m_basis.size();
@@ -210,7 +219,7 @@ private:
   void set_rows(const std::size_t first, const std::size_t last)
   {
     for(std::size_t k = first; k <= last; ++k) {
-      const long exponent = to_scaled_row(m_basis[k], m_scale, m_row);
+      const long exponent = to_scaled_row(m_basis[k], m_scale, m_frame.dimension(), m_row);
       m_frame.set_row(k, m_row, exponent);
       m_errors[k] = error_when_set(k);
     }
