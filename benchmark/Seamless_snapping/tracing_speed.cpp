@@ -45,7 +45,7 @@ std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
   for(std::size_t v = 0; v < mesh.is_singular.size(); ++v)
     if(mesh.is_singular[v])
       for(const auto& ray : SS::internal::rays_from_vertex(mesh, v)) {
-        auto decisions = make_decisions(v);
+        auto decisions = make_decisions();
         Nothing nothing;
         SS::internal::Isocurve_walk<decltype(decisions), Nothing> walk(mesh, decisions, limits,
                                                                        nothing);
@@ -82,14 +82,15 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
 
   std::size_t crossings = 0, naive_crossings = 0, kept_crossings = 0;
   const double exact = speed(runs, crossings, [&] {
-    return walk_all(tracer, maximum_number, [&](std::size_t) {
+    return walk_all(tracer, maximum_number, [&] {
       return SS::internal::Exact_decisions(tracer.chart_mesh());
     });
   });
   const std::vector<char> nowhere(mesh.number_of_vertices(), false);
   const double naive = speed(runs, naive_crossings, [&] {
-    return walk_all(tracer, maximum_number, [&](const std::size_t v) {
-      return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere, v, 0);
+    return walk_all(tracer, maximum_number, [&] {
+      return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,
+                                                    SS::internal::no_index, 0, 0);
     });
   });
   const double kept = speed(runs, kept_crossings, [&] {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
@@ -105,6 +106,14 @@ inline bool is_proper_end(const Status status)
          status != Status::CONSTANT_ON_FACE;
 }
 
+// Ends properly, and is the same backwards.
+template <typename Mesh, typename UVMap>
+bool is_good(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Mesh>& curve,
+             const Mesh& mesh, const UVMap& uv)
+{
+  return is_proper_end(curve.status) && is_symmetric(tracer, curve, mesh, uv);
+}
+
 // How many curves ended in which way.
 using Counts = std::map<Status, std::size_t>;
 
@@ -151,6 +160,18 @@ void perturb_other_charts(Mesh& mesh, UVMap uv, const double size, const unsigne
   uv_noise::perturb(mesh, uv, size, seed);
   for(const auto& entry : kept)
     put(uv, entry.first, entry.second);
+}
+
+// The parametrizations of a folder that are meant to be snapped; none if there is no such folder.
+inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  if(!folder.empty() && std::filesystem::is_directory(folder))
+    for(const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if(entry.path().extension() == ".obj" && entry.path().parent_path().filename() != "refused")
+        files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 } // namespace tracing_checks

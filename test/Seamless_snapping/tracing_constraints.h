@@ -29,10 +29,11 @@ struct Near_pass
 inline int constant_component(const Direction direction) { return int(direction) % 2 == 0 ? 1 : 0; }
 
 // The first place where a curve passes by a corner for which is_wanted(corner, direction of the
-// curve in its chart) holds, closer than `near`. Everything behind it is removed from the curve.
+// curve in its chart) holds, closer than `near`. There the curve gets the status, and ends.
 template <typename Mesh, typename UVMap, typename IsWanted>
 bool find_near_pass(const SS::Isocurve<Mesh>& curve, const Mesh& mesh, const UVMap& uv,
-                    const double near, const IsWanted& is_wanted, Near_pass<Mesh>& result)
+                    const double near, const Status status, const IsWanted& is_wanted,
+                    Near_pass<Mesh>& result)
 {
   const auto& points = curve.points;
   for(std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -46,8 +47,8 @@ bool find_near_pass(const SS::Isocurve<Mesh>& curve, const Mesh& mesh, const UVM
        is_wanted(apex, behind.direction())) {
       result.corner = apex;
       result.curve = curve;
-      result.curve.points.resize(i + 2);
-      result.curve.status = Status::MAXIMUM_NUMBER;
+      result.curve.points.resize(i + 1);
+      result.curve.status = status;
       return true;
     }
   }
@@ -87,29 +88,6 @@ bool is_unfolded(const Mesh& mesh, const UVMap& uv, const Halfedge<Mesh> at)
                                                 get(uv, next(h, mesh))) != CGAL::LEFT_TURN)
       return false;
   return true;
-}
-
-// A curve from a vertex, on another map of the same mesh. Where it ran along an edge, it may now
-// leave the vertex beside the corner where it did before.
-template <typename Mesh>
-std::pair<SS::Isocurve_start<Mesh>, Direction>
-same_start(const SS::Isocurve_tracer<Mesh>& tracer, const Mesh& mesh,
-           const SS::Seam_transitions<Mesh>& seams, const SS::Isocurve<Mesh>& curve)
-{
-  const auto h = curve.start.halfedge;
-  const auto turned = [&](const auto across)
-  { return Direction((int(curve.direction) + seams.rotation(across)) % 4); };
-  std::map<Halfedge<Mesh>, Direction> near = {{h, curve.direction}};
-  if(!is_border(opposite(h, mesh), mesh))
-    near.emplace(prev(opposite(h, mesh), mesh), turned(h));
-  if(!is_border(opposite(next(h, mesh), mesh), mesh))
-    near.emplace(opposite(next(h, mesh), mesh), turned(next(h, mesh)));
-  for(const auto& [start, direction] : tracer.outgoing(target(h, mesh))) {
-    const auto found = near.find(start.halfedge);
-    if(found != near.end() && found->second == direction)
-      return {start, direction};
-  }
-  return {curve.start, curve.direction};
 }
 
 // Noise that opens the seams. Corners of a vertex that have the same coordinates move together.

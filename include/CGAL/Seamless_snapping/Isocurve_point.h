@@ -89,10 +89,9 @@ struct Isocurve_start
   std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
 
   /*!
-  the target of `h`. The direction refers to the chart of `face(h)`. The curve leaves along the ray
-  of this direction that is met first in counterclockwise order, beginning with the corner of
-  `face(h)`, when the direction is carried around the vertex; around a regular vertex there is only
-  one.
+  the target of `h`. The direction refers to the chart of `face(h)`. The curve need not leave through
+  this face: it takes the ray of this direction that is nearest to it, when the direction is carried
+  around the vertex; around a regular vertex there is only one.
   \pre `h` has a face
   */
   static Isocurve_start at_vertex(const halfedge_descriptor h)
@@ -143,11 +142,11 @@ public:
   Isocurve_place place() const { return m_place; }
 
   /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
-  /// that points to it, of a face that the curve has come through or along; for a face one of its
-  /// halfedges.
+  /// that points to it, of a face that the curve has come through or along or, where it starts, that
+  /// it goes through or along; for a face one of its halfedges.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 
-  /// returns the direction in which the curve arrives, in the chart of `face(halfedge())`.
+  /// returns the direction of the curve in the chart of `face(halfedge())`.
   Isocurve_direction direction() const { return Isocurve_direction(m_direction); }
 
   /// returns the coordinate that is constant along the curve, in this chart, exactly.
@@ -259,74 +258,6 @@ isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& 
     t = 0;
   }
   return Point_3(p + FT(s) * (q - p) + FT(t) * (r - p));
-}
-
-namespace internal {
-
-// Appends the edges between two corners of a vertex: counterclockwise, or clockwise where the
-// border is in the way.
-template <typename TriangleMesh, typename Halfedge>
-void turn_around_vertex(const TriangleMesh& tmesh, const Halfedge from, const Halfedge to,
-                        std::vector<Halfedge>& path)
-{
-  const std::size_t n = path.size();
-  Halfedge h = from;
-  while(h != to && !is_border(opposite(h, tmesh), tmesh)) {
-    path.push_back(h);
-    h = prev(opposite(h, tmesh), tmesh);
-  }
-  if(h == to)
-    return;
-  path.resize(n);
-  for(h = from; h != to; h = opposite(path.back(), tmesh))
-    path.push_back(next(h, tmesh));
-}
-
-// The corner of the face of `h` at a vertex.
-template <typename TriangleMesh, typename Halfedge, typename Vertex>
-Halfedge corner_at(const TriangleMesh& tmesh, Halfedge h, const Vertex v)
-{
-  while(target(h, tmesh) != v)
-    h = next(h, tmesh);
-  return h;
-}
-
-} // namespace internal
-
-/*!
-\ingroup PkgSeamlessSnappingRef
-
-returns the edges that a curve crosses, as the path of a `Connection_constraint` or
-`Cycle_constraint`: `h` leads from `face(h)` to `face(opposite(h))`. The path begins in the face of
-the first point of the curve and ends in that of its last point; that of a closed curve ends where
-it began. It leads around the vertices that the curve passes.
-
-\param tmesh the mesh
-\param curve a curve with its points, traced on `tmesh`
-
-\par Complexity
-Linear in the number of points of the curve and of faces around the vertices that it passes.
-*/
-template <typename TriangleMesh>
-std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
-isocurve_face_path(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
-{
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> path;
-  const auto go_on = [&](const Isocurve_point<TriangleMesh>& from, const auto to) {
-    const auto h = from.halfedge();
-    if(face(h, tmesh) == face(to, tmesh))
-      return;
-    if(from.place() == Isocurve_place::VERTEX)
-      internal::turn_around_vertex(tmesh, h, internal::corner_at(tmesh, to, target(h, tmesh)),
-                                   path);
-    else
-      path.push_back(h);
-  };
-  for(std::size_t i = 1; i < curve.points.size(); ++i)
-    go_on(curve.points[i - 1], curve.points[i].halfedge());
-  if(curve.status == Isocurve_status::CLOSED)
-    go_on(curve.points.back(), curve.points.front().halfedge());
-  return path;
 }
 
 } // namespace Seamless_snapping

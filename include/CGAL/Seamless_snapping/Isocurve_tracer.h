@@ -212,7 +212,7 @@ private:
     const bool at_vertex = start.place == Isocurve_place::VERTEX;
     internal::Floating_point_decisions decisions(
       m_mesh, options.is_expected,
-      at_vertex ? m_mesh.vertex(m_builder.corner(start.halfedge)) : m_mesh.is_border.size(),
+      at_vertex ? m_builder.corner(start.halfedge) : internal::no_index, int(direction),
       options.near);
     return trace_with(decisions, start, direction, options);
   }
@@ -264,11 +264,13 @@ private:
     state.direction = direction;
     switch(start.place) {
     case Isocurve_place::VERTEX: {
-      state.level = Level(m_mesh.uv(state.halfedge)[c]);
+      internal::Vertex_ray ray{state.halfedge, direction, internal::Ray_kind::THROUGH_FACE};
+      const bool leaves = internal::find_ray(m_mesh, state.halfedge, direction, ray);
+      state.halfedge = ray.corner;
+      state.direction = ray.direction;
+      state.level = Level(m_mesh.uv(ray.corner)[internal::constant_component(ray.direction)]);
       collector.vertex(state);
-      internal::Vertex_ray ray{};
-      return internal::find_ray(m_mesh, state.halfedge, direction, ray) ? walk.run_from_vertex(ray)
-                                                                        : Isocurve_status::BORDER;
+      return leaves ? walk.run_from_vertex(ray) : Isocurve_status::BORDER;
     }
     case Isocurve_place::EDGE: {
       state.level = level_on_edge<Level>(state.halfedge, start.parameter, c);

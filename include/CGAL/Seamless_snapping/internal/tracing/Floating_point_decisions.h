@@ -38,11 +38,12 @@ public:
   using Level = double;
   using State = Walk_state<Level>;
 
-  // `is_expected` marks the vertices that a curve which comes closer than `near` is meant to meet;
-  // `start_vertex` is the one a loop should return to, if any.
+  // `is_expected` marks the vertices that a curve which comes closer than `near` is meant to meet. A
+  // loop should return to `start`, in this direction, unless that is no_index.
   Floating_point_decisions(const Chart_mesh& mesh, const std::vector<char>& is_expected,
-                           const std::size_t start_vertex, const double near)
-    : m_mesh(mesh), m_is_expected(is_expected), m_start_vertex(start_vertex), m_near(near)
+                           const Corner_index start, const int start_direction, const double near)
+    : m_mesh(mesh), m_is_expected(is_expected), m_start(start),
+      m_start_direction(start_direction), m_near(near)
   { }
 
   // The translation and the sum are rounded.
@@ -142,14 +143,27 @@ private:
       std::abs(m_mesh.uv(apex)[constant_component(state.direction)] - state.level);
     if(distance == 0 || distance > m_near)
       return Isocurve_status::CONTINUES;
-    if(v == m_start_vertex && !m_mesh.is_singular[v])
+    if(!m_mesh.is_singular[v] && is_start(apex, state.direction))
       return Isocurve_status::SPIRALS;
     return m_is_expected[v] ? Isocurve_status::MISSED_TARGET : Isocurve_status::CONTINUES;
   }
 
+  // Whether the curve started from the vertex of this corner, in this direction.
+  bool is_start(Corner_index corner, int direction) const
+  {
+    if(m_start == no_index || m_mesh.vertex(corner) != m_mesh.vertex(m_start))
+      return false;
+    while(corner != m_start && m_mesh.opposite(corner) != no_index) {
+      direction = turned(direction, m_mesh.rotation(corner));
+      corner = m_mesh.counterclockwise(corner);
+    }
+    return corner == m_start && direction == m_start_direction;
+  }
+
   const Chart_mesh& m_mesh;
   const std::vector<char>& m_is_expected;
-  std::size_t m_start_vertex;
+  Corner_index m_start;
+  int m_start_direction;
   double m_near;
   Isocurve_status m_failure = Isocurve_status::CONTINUES;
 };

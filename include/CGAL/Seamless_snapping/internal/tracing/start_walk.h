@@ -28,32 +28,33 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The ray from a vertex that is met first when the direction is carried counterclockwise around it,
-// starting with the corner; at the border, also clockwise. Every direction occurs within a full
-// turn, which around a cone takes several rounds.
+// The ray from a vertex that is the fewest corners away when the direction is carried around it, both
+// ways, starting with the corner. Every direction occurs within a full turn, which around a cone
+// takes several rounds.
 inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const int direction,
                      Vertex_ray& ray)
 {
   bool found = false;
-  const auto keep = [&](const Vertex_ray& r) {
-    ray = r;
-    found = true;
+  const auto look_at = [&](const Corner_index c, const int d) {
+    if(c != no_index && !found)
+      for_ray_at_corner(mesh, c, d, [&](const Vertex_ray& r) { ray = r; found = true; });
   };
-  int d = direction;
-  int rounds = 0;
-  for(Corner_index c = corner; c != no_index && !found && rounds < number_of_rotations; ) {
-    for_ray_at_corner(mesh, c, d, keep);
-    d = turned(d, mesh.rotation(c));
-    c = mesh.counterclockwise(c);
-    rounds += (c == corner) ? 1 : 0;
-  }
-  d = direction;
-  for(Corner_index c = corner; mesh.is_border[mesh.vertex(corner)] && !found; ) {
-    d = turned(d, mesh.rotation(Chart_mesh::next(c)));
-    c = mesh.clockwise(c);
-    if(c == no_index)
-      break;
-    for_ray_at_corner(mesh, c, d, keep);
+  Corner_index left = corner, right = corner;
+  int left_direction = direction, right_direction = direction;
+  look_at(corner, direction);
+  for(int rounds = 0; !found && rounds < number_of_rotations &&
+                      (left != no_index || right != no_index);) {
+    if(left != no_index) {
+      left_direction = turned(left_direction, mesh.rotation(left));
+      left = mesh.counterclockwise(left);
+      look_at(left, left_direction);
+      rounds += (left == corner) ? 1 : 0;
+    }
+    if(right != no_index) {
+      right_direction = turned(right_direction, mesh.rotation(Chart_mesh::next(right)));
+      right = mesh.clockwise(right);
+      look_at(right, right_direction);
+    }
   }
   return found;
 }
