@@ -2,15 +2,15 @@
 // the map as it is, and exactly on the snapped one. Prints how the curves end, and writes them as
 // polylines and pictures, among them one with an example of each failure.
 
-#include "tracing_failure_panel.h"
+#include "tracing_constraint_figure.h"
+#include "tracing_failure_figure.h"
 #include "tracing_overview.h"
+#include "tracing_types.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/program_options.hpp>
 
@@ -25,31 +25,6 @@
 #include <vector>
 
 namespace po = boost::program_options;
-namespace SS = CGAL::Seamless_snapping;
-namespace parameters = CGAL::Seamless_snapping::parameters;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Halfedge = Mesh::Halfedge_index;
-using Vertex = Mesh::Vertex_index;
-using UV_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
-using Curve = SS::Isocurve<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
-
-// The curves from all singular vertices, or from all vertices.
-std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const bool from_all_vertices,
-                         const std::size_t maximum_number, const bool exactly,
-                         const double tolerance)
-{
-  const auto how = parameters::maximum_number(maximum_number).decide_exactly(exactly);
-  std::vector<Curve> curves;
-  for(const Vertex v : mesh.vertices())
-    if(from_all_vertices || tracer.is_singular(v))
-      for(const auto& [start, direction] : tracer.outgoing(v))
-        curves.push_back(tolerance > 0 ? tracer.trace(start, direction, how.tolerance(tolerance))
-                                       : tracer.trace(start, direction, how));
-  return curves;
-}
 
 void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after)
 {
@@ -64,22 +39,6 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
     std::cout << std::left << std::setw(22) << SS::to_string(status) << std::right << std::setw(10)
               << count.first << std::setw(10) << count.second << "\n";
   std::cout << std::flush;
-}
-
-void write_head(std::ostream& os, double width, double height)
-{
-  os << std::fixed << std::setprecision(2)
-     << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' '
-     << height << "\" font-family=\"sans-serif\" font-size=\"17\" fill=\"#333\">\n"
-        "<defs><marker id=\"arrow\" viewBox=\"0 0 10 10\" refX=\"8\" refY=\"5\" markerWidth=\"6\" "
-        "markerHeight=\"6\" orient=\"auto\"><path d=\"M0 0L10 5L0 10Z\" fill=\"#c62828\"/></marker>"
-        "</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-}
-
-void write_text(std::ostream& os, double x, double y, const std::string& text,
-                const std::string& style)
-{
-  os << "<text x=\"" << x << "\" y=\"" << y << "\" " << style << ">" << text << "</text>\n";
 }
 
 using Overview = Tracing_overview<Mesh, UV_map>;
@@ -102,101 +61,8 @@ void write_overview(const std::string& filename, const Overview& before, const O
   os << "</svg>\n";
 }
 
-const char* explanation(const SS::Isocurve_status status)
-{
-  switch(status) {
-  case SS::Isocurve_status::STUCK_AT_CUT:
-    return "Stuck at a cut: behind it, the direction points back onto the edge.";
-  case SS::Isocurve_status::FELL_INTO_GAP:
-    return "Fallen into the gap: behind the cut, the place lies beside the edge.";
-  case SS::Isocurve_status::NO_WAY_OUT:
-    return "No way out of a regular vertex on a cut.";
-  case SS::Isocurve_status::SEVERAL_WAYS_OUT:
-    return "Several ways out of a regular vertex on a cut.";
-  case SS::Isocurve_status::FELL_OFF_BORDER:
-    return "Fallen off an aligned border.";
-  case SS::Isocurve_status::MISSED_TARGET:
-    return "Missed connection: the curve passes beside the vertex it should meet.";
-  default:
-    return "Helix instead of a cycle: the curve returns beside its start.";
-  }
-}
-
-// The two maps of a comparison.
-struct Pair_of_maps
-{
-  const Mesh& mesh;
-  UV_map inexact, exact;
-  double tolerance;
-};
-
-// A failure at the left, the same curve on the exact map at the right.
-void write_failure(std::ostream& os, const Pair_of_maps& maps, const Curve& curve,
-                   const Curve& same, const double x, const double y)
-{
-  const auto inexact = SS::seam_transitions(maps.mesh, maps.inexact,
-                                            parameters::tolerance(maps.tolerance));
-  const auto exact = SS::seam_transitions(maps.mesh, maps.exact);
-  write_text(os, x, y, explanation(curve.status), "");
-  const bool spirals = curve.status == SS::Isocurve_status::SPIRALS;
-  const bool has_expected = spirals || curve.status == SS::Isocurve_status::MISSED_TARGET;
-  const Halfedge end = curve.points.back().halfedge();
-  Vertex expected = maps.mesh.target(curve.start.halfedge);
-  if(!spirals && has_expected)
-    expected = maps.mesh.target(maps.mesh.next(maps.mesh.opposite(end)));
-  Tracing_failure_panel<Mesh, UV_map>(maps.mesh, maps.inexact, inexact, end)
-    .write(os, curve, has_expected ? &expected : nullptr, x + 150, y + 170, 150);
-  Tracing_failure_panel<Mesh, UV_map>(maps.mesh, maps.exact, exact, end)
-    .write(os, same, has_expected ? &expected : nullptr, x + 470, y + 170, 150);
-}
-
-void write_legend(std::ostream& os, const double y)
-{
-  os << "<path stroke-width=\"3\" stroke=\"#1f4fd0\" d=\"M40 " << y
-     << "h26\"/><path stroke-width=\"3\" stroke=\"#e08a00\" d=\"M190 " << y
-     << "h26\"/><path stroke-width=\"3\" stroke=\"#222\" d=\"M390 " << y
-     << "h26\"/><circle cx=\"516\" cy=\"" << y << "\" r=\"6\" fill=\"#1b7f3b\"/>"
-     << "<circle cx=\"716\" cy=\"" << y
-     << "\" r=\"5\" fill=\"#fff\" stroke=\"#c62828\" stroke-width=\"2.5\"/>\n";
-  write_text(os, 76, y + 6, "isocurve", "");
-  write_text(os, 226, y + 6, "cut, both sides", "");
-  write_text(os, 426, y + 6, "border", "");
-  write_text(os, 532, y + 6, "vertex to be met", "");
-  write_text(os, 732, y + 6, "failure, and the direction in which the isocurve should go on", "");
-}
-
-// The shortest curve of each kind of failure, two in a row.
-void write_failures(const std::string& filename, const Pair_of_maps& maps,
-                    const std::vector<Curve>& before, const Tracer& exact_tracer)
-{
-  std::map<SS::Isocurve_status, const Curve*> shortest;
-  for(const Curve& curve : before)
-    if(SS::is_failure(curve.status) && curve.points.size() > 1) {
-      const Curve*& best = shortest[curve.status];
-      if(best == nullptr || curve.points.size() < best->points.size())
-        best = &curve;
-    }
-  std::ofstream os(filename);
-  const double height = 390 * double((shortest.size() + 1) / 2);
-  write_head(os, 1400, height + 130);
-  for(const double x : {40., 740.}) {
-    const std::string style = "font-size=\"22\" text-anchor=\"middle\" fill=";
-    write_text(os, x + 150, 44, "inexact", style + "\"#b3261e\"");
-    write_text(os, x + 470, 44, "exact", style + "\"#1b7f3b\"");
-  }
-  std::size_t i = 0;
-  for(const auto& [status, curve] : shortest) {
-    const Curve same = exact_tracer.trace(curve->start, curve->direction,
-                                          parameters::maximum_number(10000));
-    write_failure(os, maps, *curve, same, i % 2 == 0 ? 40 : 740, 86 + 390 * double(i / 2));
-    ++i;
-  }
-  write_legend(os, height + 95);
-  os << "</svg>\n";
-}
-
 bool read(const std::string& filename, Mesh& mesh, UV_map uv_map,
-          Mesh::Property_map<Mesh::Edge_index, bool> is_feature)
+          Feature_map is_feature)
 {
   const auto status =
     SS::IO::read_OBJ(filename, mesh, uv_map, parameters::edge_is_constrained_map(is_feature));
@@ -221,24 +87,38 @@ bool read_map(const std::string& filename, const Mesh& mesh, UV_map uv_map)
   return true;
 }
 
-int main(int argc, char* argv[])
+struct Options
 {
   // without arguments: small meshes with every failure, whose seams are so far off that it shows
-  const bool is_demo = argc == 1;
-  std::string input = is_demo ? "data/isocurves.obj" : "";
-  std::string exact_input = is_demo ? "data/isocurves_exact.obj" : "", output = "traced";
+  explicit Options(const bool is_demo)
+    : input(is_demo ? "data/isocurves.obj" : ""),
+      exact_input(is_demo ? "data/isocurves_exact.obj" : ""), tolerance(is_demo ? 0.5 : 1e-4),
+      near(is_demo ? 0.008 : 0), starts_at_all_vertices(is_demo)
+  { }
+
+  std::string input, exact_input, output = "traced";
   std::size_t maximum_number = 500;
-  double tolerance = is_demo ? 0.5 : 1e-4, near = is_demo ? 0.008 : 0;
+  double tolerance, near;
+  bool features = false, border = false, constrain = false, starts_at_all_vertices;
+};
+
+// Returns whether there is something to do.
+bool parse(int argc, char* argv[], Options& o, int& exit_code)
+{
   po::options_description options("Options");
-  options.add_options()("help", "print this")("input", po::value(&input), "the mesh (OBJ)")(
-    "exact", po::value(&exact_input), "the same mesh with an exact map, instead of snapping")(
-    "output,o", po::value(&output), "how the names of the files written begin")(
-    "maximum-number", po::value(&maximum_number), "crossings per curve (default 500)")(
-    "tolerance", po::value(&tolerance), "relative violation that is accepted (default 1e-4)")(
-    "near", po::value(&near), "relative distance at which a target counts as missed")(
-    "features", "align the l elements, as far as the exact map goes")(
-    "border", "align the border likewise")(
-    "all", "start at all vertices, not only at the singular ones");
+  options.add_options()("help", "print this")("input", po::value(&o.input), "the mesh (OBJ)")(
+    "exact", po::value(&o.exact_input), "the same mesh with an exact map, instead of snapping")(
+    "output,o", po::value(&o.output), "how the names of the files written begin")(
+    "maximum-number", po::value(&o.maximum_number), "crossings per curve (default 500)")(
+    "tolerance", po::value(&o.tolerance), "relative violation that is accepted (default 1e-4)")(
+    "near", po::value(&o.near), "relative distance at which a target counts as missed")(
+    "features", po::bool_switch(&o.features), "align the l elements, as far as the exact map goes")(
+    "border", po::bool_switch(&o.border), "align the border likewise")(
+    "constrain", po::bool_switch(&o.constrain),
+    "snap with what fails as constraints: curves that miss a vertex as connections, curves that "
+    "spiral as cycles")(
+    "all", po::bool_switch(&o.starts_at_all_vertices)->default_value(o.starts_at_all_vertices),
+    "start at all vertices, not only at the singular ones");
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map given;
@@ -248,51 +128,100 @@ int main(int argc, char* argv[])
     po::notify(given);
   } catch(const po::error& e) {
     std::cerr << e.what() << "\n" << options;
-    return EXIT_FAILURE;
+    exit_code = EXIT_FAILURE;
+    return false;
   }
-  if(given.count("help") != 0 || input.empty()) {
-    std::cout << "usage: trace_obj [options] IN.obj\n" << options;
-    return input.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
-  }
+  if(given.count("help") == 0 && !o.input.empty())
+    return true;
+  std::cout << "usage: trace_obj [options] IN.obj\n" << options;
+  exit_code = given.count("help") != 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return false;
+}
+
+// The curves from all singular vertices, or from all vertices.
+std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Options& options,
+                         const bool exactly)
+{
+  const auto how = parameters::maximum_number(options.maximum_number).decide_exactly(exactly);
+  std::vector<Curve> curves;
+  for(const Vertex v : mesh.vertices())
+    if(options.starts_at_all_vertices || tracer.is_singular(v))
+      for(const auto& [start, direction] : tracer.outgoing(v))
+        curves.push_back(options.near > 0
+                           ? tracer.trace(start, direction, how.tolerance(options.near))
+                           : tracer.trace(start, direction, how));
+  return curves;
+}
+
+SS::Snapping_report snap(const Mesh& mesh, UV_map uv_map, const Feature_map& is_feature,
+                         const std::vector<Curve>& failures, const Options& options)
+{
+  std::vector<SS::Connection_constraint<Mesh> > connections;
+  std::vector<SS::Cycle_constraint<Mesh> > cycles;
+  for(const Curve& curve : failures)
+    if(curve.status == SS::Isocurve_status::MISSED_TARGET)
+      connections.push_back(SS::connection_along_isocurve(mesh, curve));
+    else if(curve.status == SS::Isocurve_status::SPIRALS)
+      cycles.push_back(SS::cycle_along_isocurve(mesh, curve));
+  const auto report = SS::snap_to_seamless(
+    mesh, uv_map, parameters::edge_is_constrained_map(is_feature).align_border(options.border)
+                             .tolerance(options.tolerance).connection_constraints(connections)
+                             .cycle_constraints(cycles));
+  std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
+            << " cycles: " << report << ", largest change " << report.largest_change << std::endl;
+  return report;
+}
+
+void write_polylines(const std::string& name, const Overview& overview)
+{
+  std::ofstream obj(name + ".obj"), ply(name + ".ply");
+  overview.write_OBJ(obj);
+  overview.write_PLY(ply);
+}
+
+int main(int argc, char* argv[])
+{
+  Options options(argc == 1);
+  int exit_code = EXIT_SUCCESS;
+  if(!parse(argc, argv, options, exit_code))
+    return exit_code;
 
   Mesh mesh;
   UV_map uv_map = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   UV_map exact_map = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:exact_uv").first;
-  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  if(!read(input, mesh, uv_map, is_feature) ||
-     (!exact_input.empty() && !read_map(exact_input, mesh, exact_map)))
+  Feature_map is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  if(!read(options.input, mesh, uv_map, is_feature) ||
+     (!options.exact_input.empty() && !read_map(options.exact_input, mesh, exact_map)))
     return EXIT_FAILURE;
-  if(exact_input.empty())
+  if(options.exact_input.empty())
     for(const Halfedge h : mesh.halfedges())
       exact_map[h] = uv_map[h];
-  if(given.count("features") == 0)
+  if(!options.features)
     for(const auto e : mesh.edges())
       is_feature[e] = false;
-  const auto report = SS::snap_to_seamless(
-    mesh, exact_map, parameters::edge_is_constrained_map(is_feature)
-                                .align_border(given.count("border") != 0).tolerance(tolerance));
-  std::cout << "snapping: " << report << std::endl;
-  if(!report)
-    return EXIT_FAILURE;
 
-  const bool from_all = is_demo || given.count("all") != 0;
-  const Tracer inexact_tracer(mesh, uv_map, parameters::tolerance(tolerance));
+  const Tracer inexact_tracer(mesh, uv_map, parameters::tolerance(options.tolerance));
+  if(!inexact_tracer) {
+    std::cerr << options.input << ": not seamless up to the tolerance" << std::endl;
+    return EXIT_FAILURE;
+  }
+  const auto before = trace(mesh, inexact_tracer, options, false);
+  if(!snap(mesh, exact_map, is_feature, options.constrain ? before : std::vector<Curve>(), options))
+    return EXIT_FAILURE;
   const Tracer exact_tracer(mesh, exact_map);
-  const auto before = trace(mesh, inexact_tracer, from_all, maximum_number, false, near);
-  const auto after = trace(mesh, exact_tracer, from_all, maximum_number, true, near);
+  const auto after = trace(mesh, exact_tracer, options, true);
   print_table(before, after);
 
   const Overview overview_before(mesh, uv_map, before), overview_after(mesh, exact_map, after);
-  write_overview(output + "_overview.svg", overview_before, overview_after);
-  write_failures(output + "_failures.svg", Pair_of_maps{mesh, uv_map, exact_map, tolerance}, before,
-                 exact_tracer);
-  std::ofstream before_obj(output + "_curves_inexact.obj"), after_obj(output + "_curves_exact.obj");
-  std::ofstream before_ply(output + "_curves_inexact.ply"), after_ply(output + "_curves_exact.ply");
-  overview_before.write_OBJ(before_obj);
-  overview_after.write_OBJ(after_obj);
-  overview_before.write_PLY(before_ply);
-  overview_after.write_PLY(after_ply);
-  std::cout << "written: " << output << "_{overview,failures}.svg, " << output
+  const Pair_of_maps maps{mesh, uv_map, exact_map, options.tolerance};
+  write_overview(options.output + "_overview.svg", overview_before, overview_after);
+  write_failures(options.output + "_failures.svg", maps, before, exact_tracer);
+  if(options.constrain)
+    Constraint_figure(options.output + "_constraints.svg", maps, inexact_tracer, exact_tracer)
+      .write(before);
+  write_polylines(options.output + "_curves_inexact", overview_before);
+  write_polylines(options.output + "_curves_exact", overview_after);
+  std::cout << "written: " << options.output << "_*.svg, " << options.output
             << "_curves_{inexact,exact}.{obj,ply}" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
@@ -23,13 +24,15 @@ class Tracing_overview
 {
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using Curve = CGAL::Seamless_snapping::Isocurve<Mesh>;
   using Vector = Uv_vector;
   using Segment = Uv_segment;
 
 public:
-  Tracing_overview(const Mesh& mesh, UVMap uv_map, const std::vector<Curve>& curves)
-    : m_mesh(mesh), m_uv_map(uv_map), m_curves(curves)
+  Tracing_overview(const Mesh& mesh, UVMap uv_map, const std::vector<Curve>& curves,
+                   const double line_width = 1.6)
+    : m_mesh(mesh), m_uv_map(uv_map), m_curves(curves), m_line_width(line_width)
   { }
 
   // The triangles of the domain, and the pieces of the curves in each.
@@ -68,22 +71,34 @@ public:
         pieces[face(curve.points[i].halfedge(), m_mesh)].push_back(
           {{flat(a), flat(b)}, CGAL::Seamless_snapping::is_failure(curve.status)});
       }
-    CGAL::Bbox_2 box;
     std::vector<std::pair<double, Face> > order;
+    const bool is_closed = CGAL::is_closed(m_mesh);
     for(const Face f : faces(m_mesh)) {
+      if(is_closed && !is_visible(halfedge(f, m_mesh)))
+        continue;
       double sum = 0;
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-        const auto p = get(points, target(h, m_mesh));
-        const Vector q = flat(p);
-        box += CGAL::Bbox_2(q[0], q[1], q[0], q[1]);
-        sum += depth(p);
-      }
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        sum += depth(get(points, target(h, m_mesh)));
       order.emplace_back(sum, f);
     }
     std::sort(order.begin(), order.end());
-    const auto place = fit(box, x, y, size);
+    const auto place = fit(projected_box(), x, y, size);
+    os << "<g stroke=\"#aeb8c3\" stroke-width=\"0.4\">\n";
     for(const auto& [unused, f] : order)
       write_face(os, f, pieces[f], place);
+    os << "</g>\n";
+  }
+
+  // Whether the face of a halfedge is turned to the viewer.
+  bool is_visible(const Halfedge h) const { return depth(normal(h)) > 0; }
+
+  // A dot on such a projection.
+  void write_vertex(std::ostream& os, Vertex v, const char* style, double x, double y,
+                    double size) const
+  {
+    const auto place = fit(projected_box(), x, y, size);
+    const Vector p = place(flat(get(get(CGAL::vertex_point, m_mesh), v)));
+    os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" " << style << "/>\n";
   }
 
   // `v` and `l` statements of OBJ.
@@ -133,13 +148,40 @@ private:
                                                      get(CGAL::vertex_point, m_mesh));
   }
 
+  CGAL::Bbox_2 projected_box() const
+  {
+    CGAL::Bbox_2 box;
+    for(const auto v : vertices(m_mesh)) {
+      const Vector q = flat(get(get(CGAL::vertex_point, m_mesh), v));
+      box += CGAL::Bbox_2(q[0], q[1], q[0], q[1]);
+    }
+    return box;
+  }
+
   // Seen from (1, -2, 1), roughly.
   template <typename Point_3>
   static Vector flat(const Point_3& p)
   { return {{0.894 * p.x() + 0.447 * p.y(), 0.913 * p.z() - 0.183 * p.x() + 0.365 * p.y()}}; }
-  template <typename Point_3>
-  static double depth(const Point_3& p)
+  template <typename Point_or_vector_3>
+  static double depth(const Point_or_vector_3& p)
   { return 0.408 * p.x() - 0.816 * p.y() + 0.408 * p.z(); }
+
+  auto normal(const Halfedge h) const
+  {
+    const auto points = get(CGAL::vertex_point, m_mesh);
+    const auto a = get(points, source(h, m_mesh)), b = get(points, target(h, m_mesh)),
+               c = get(points, target(next(h, m_mesh), m_mesh));
+    return CGAL::cross_product(b - a, c - a);
+  }
+
+  // Of a face lit from above.
+  int brightness(const Face f) const
+  {
+    const auto n = normal(halfedge(f, m_mesh));
+    const double length = std::sqrt(CGAL::to_double(n.squared_length()));
+    const double light = (0.2 * n.x() - 0.4 * n.y() + 0.9 * n.z()) / (std::max)(length, 1e-300);
+    return 205 + int(42 * (std::max)(light, 0.));
+  }
 
   static auto fit(const CGAL::Bbox_2& box, double x, double y, double size)
   {
@@ -179,19 +221,22 @@ private:
     std::vector<Vector> corners;
     for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
       corners.push_back(place(flat(get(points, target(h, m_mesh)))));
-    os << "<path fill=\"#eef1f5\" stroke=\"#c3cbd4\" stroke-width=\"0.4\" d=\"M" << corners[0][0]
-       << ' ' << corners[0][1] << 'L' << corners[1][0] << ' ' << corners[1][1] << 'L'
-       << corners[2][0] << ' ' << corners[2][1] << "Z\"/>\n";
+    const int gray = brightness(f);
+    os << "<path fill=\"#" << std::hex << gray - 8 << gray - 4 << gray << std::dec << "\" d=\"M"
+       << corners[0][0] << ' ' << corners[0][1] << 'L' << corners[1][0] << ' ' << corners[1][1]
+       << 'L' << corners[2][0] << ' ' << corners[2][1] << "Z\"/>\n";
     for(const auto& [segment, failed] : pieces) {
       const Vector p = place(segment.first), q = place(segment.second);
-      os << "<path stroke-width=\"1.6\" stroke=\"" << color(failed) << "\" d=\"M" << p[0] << ' '
-         << p[1] << 'L' << q[0] << ' ' << q[1] << "\"/>\n";
+      os << "<path stroke-width=\"" << m_line_width << "\" stroke-linecap=\"round\" stroke=\""
+         << color(failed) << "\" d=\"M" << p[0] << ' ' << p[1] << 'L' << q[0] << ' ' << q[1]
+         << "\"/>\n";
     }
   }
 
   const Mesh& m_mesh;
   UVMap m_uv_map;
   const std::vector<Curve>& m_curves;
+  double m_line_width;
 };
 
 #endif // SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
