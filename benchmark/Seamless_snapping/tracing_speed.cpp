@@ -1,5 +1,6 @@
 // How fast isocurves are traced: crossings per second of all separatrices of a parametrization,
-// exactly and in floating point, with and without keeping the points of the curves.
+// exactly and in floating point, with and without keeping the points of the curves; kept also by
+// several threads, where TBB is linked.
 
 #include "benchmark_tools.h"
 
@@ -9,6 +10,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <boost/program_options.hpp>
 
@@ -55,6 +57,16 @@ std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
   return crossings;
 }
 
+template <typename ConcurrencyTag>
+std::size_t keep_all(const Tracer& tracer, const std::size_t maximum_number)
+{
+  std::size_t crossings = 0;
+  for(const auto& curve : tracer.separatrices<ConcurrencyTag>(
+        SS::parameters::maximum_number(maximum_number)))
+    crossings += curve.number_of_crossings;
+  return crossings;
+}
+
 // Million crossings per second, of the fastest of several runs.
 template <typename Run>
 double speed(const int runs, std::size_t& crossings, const Run& run)
@@ -80,28 +92,28 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
   const Tracer tracer(mesh, uv);
   const double preparation = benchmark::seconds_now() - start;
 
-  std::size_t crossings = 0, naive_crossings = 0, kept_crossings = 0;
+  std::size_t crossings = 0, other_crossings = 0;
   const double exact = speed(runs, crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
       return SS::internal::Exact_decisions(tracer.chart_mesh());
     });
   });
   const std::vector<char> nowhere(mesh.number_of_vertices(), false);
-  const double naive = speed(runs, naive_crossings, [&] {
+  const double naive = speed(runs, other_crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
       return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,
                                                     SS::internal::no_index, 0, 0);
     });
   });
-  const double kept = speed(runs, kept_crossings, [&] {
-    std::size_t n = 0;
-    for(const auto& curve : tracer.separatrices(SS::parameters::maximum_number(maximum_number)))
-      n += curve.number_of_crossings;
-    return n;
+  const double kept = speed(runs, other_crossings, [&] {
+    return keep_all<CGAL::Sequential_tag>(tracer, maximum_number);
+  });
+  const double threaded = speed(runs, other_crossings, [&] {
+    return keep_all<CGAL::Parallel_if_available_tag>(tracer, maximum_number);
   });
   std::cout << std::setw(10) << mesh.number_of_faces() << std::setw(12) << crossings
             << std::setw(12) << 1000 * preparation << std::setw(12) << exact << std::setw(12)
-            << kept << std::setw(12) << naive << "  " << file.substr(file.find_last_of('/') + 1)
+            << kept << std::setw(12) << threaded << std::setw(12) << naive << "  " << file.substr(file.find_last_of('/') + 1)
             << std::endl;
 }
 
@@ -131,7 +143,7 @@ int main(int argc, char* argv[])
     return files.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
   }
   std::cout << std::fixed << std::setprecision(1)
-            << "     faces   crossings     prep/ms     exact/s      kept/s     naive/s"
+            << "     faces   crossings     prep/ms     exact/s      kept/s  threaded/s     naive/s"
                "  (million crossings per second)" << std::endl;
   for(const std::string& file : files)
     measure(file, runs, maximum_number);

@@ -182,7 +182,7 @@ void test_synthetic_meshes()
     }
 }
 
-// --- limits, data structures, threads ------------------------------------------------------------
+// --- limits, data structures ---------------------------------------------------------------------
 
 void test_limits()
 {
@@ -270,23 +270,6 @@ void test_polyhedron(const test_meshes::Named_mesh<Kernel>& named)
   CHECK(a == b);
 }
 
-// As many threads as there are give the order of one.
-void test_threads(const Mesh& mesh, const UV_map& uv)
-{
-  std::vector<SS::Isocurve<Mesh> > one, many;
-  SS::trace_all_separatrices(mesh, uv, std::back_inserter(one));
-  SS::trace_all_separatrices<CGAL::Parallel_if_available_tag>(mesh, uv, std::back_inserter(many));
-  CHECK_EQUAL(one.size(), many.size());
-  bool same = true;
-  for(std::size_t i = 0; i < one.size(); ++i) {
-    same = same && one[i].status == many[i].status && one[i].points.size() == many[i].points.size();
-    for(std::size_t j = 0; same && j < one[i].points.size(); ++j)
-      same = one[i].points[j].halfedge() == many[i].points[j].halfedge() &&
-             one[i].points[j].level() == many[i].points[j].level();
-  }
-  CHECK(same);
-}
-
 // --- parametrizations that solvers made ----------------------------------------------------------
 
 void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact)
@@ -335,10 +318,8 @@ int main()
   test_limits();
   test_stops();
   test_floats();
-  for(auto& named : test_meshes::all_meshes<Kernel>()) {
+  for(const auto& named : test_meshes::all_meshes<Kernel>())
     test_polyhedron(named);
-    test_threads(named.mesh, test_meshes::uv_map(named.mesh));
-  }
   test_files(SEAMLESS_SNAPPING_PACKAGE_DATA_DIR);
   test_files(SEAMLESS_SNAPPING_DATA_DIR);
   return report_checks();
