@@ -7,9 +7,12 @@
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
 
 #include <CGAL/Exact_integer.h>
+#include <CGAL/Linear_algebraHd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <random>
 #include <vector>
@@ -487,8 +490,65 @@ void test_growth(const unsigned int seed, const std::size_t m, const std::size_t
   CHECK(again.values == second.values);
 }
 
+// ---- reduction of a given basis ----
+
+// The basis vectors (e_i, a_i) tell afterwards by which matrix they were combined: that of their first
+// components. It must be of determinant +-1, and explain the last ones. (Where fplll is there, it reduces the
+// multiprecision bases, and numbers that are long from the start.)
+template <typename Integer>
+void test_basis(const std::size_t size, const int bits, const bool is_weighted, const unsigned int seed)
+{
+  std::mt19937_64 random(seed);
+  std::vector<Integer> a(size);
+  std::vector<std::vector<Integer> > basis(size, std::vector<Integer>(size + 1, Integer(0)));
+  for(std::size_t i = 0; i < size; ++i) {
+    a[i] = Integer(0);
+    for(int b = 0; b < bits; ++b)
+      a[i] = Integer(a[i] * 2 + Integer(static_cast<int>(random() % 2)));
+    basis[i][i] = Integer(1);
+    basis[i][size] = a[i];
+  }
+  std::vector<double> scale(size + 1, 1.);
+  for(std::size_t j = 0; is_weighted && j < size; ++j)
+    scale[j] = 0.25 + double(random() % 1000) / 500;
+  reduce_basis(basis, scale);
+
+  using Algebra = CGAL::Linear_algebraHd<Exact_integer>;
+  const int n = static_cast<int>(size);
+  Algebra::Matrix combination(n, n);
+  double longest = 0;
+  for(std::size_t i = 0; i < size; ++i) {
+    Exact_integer sum(0);
+    double length = 0;
+    for(std::size_t j = 0; j < size; ++j) {
+      combination(int(i), int(j)) = Exact_integer(basis[i][j]);
+      sum += Exact_integer(Exact_integer(basis[i][j]) * Exact_integer(a[j]));
+      length += std::pow(CGAL::to_double(basis[i][j]), 2);
+    }
+    CHECK(sum == Exact_integer(basis[i][size]));
+    longest = (std::max)(longest, std::sqrt(length));
+  }
+  const Exact_integer determinant = Algebra::determinant(combination);
+  CHECK(determinant == 1 || determinant == -1);
+  CHECK(longest < std::exp2(double(bits) / double(size) + 5)); // unreduced: 2^bits for such numbers
+}
+
+void test_bases(unsigned int seed)
+{
+  for(const bool is_weighted : {false, true}) {
+    test_basis<std::int64_t>(20, 40, is_weighted, ++seed);
+    test_basis<Exact_integer>(20, 40, is_weighted, ++seed);
+    test_basis<std::int64_t>(80, 40, is_weighted, ++seed);
+#ifdef CGAL_USE_FPLLL
+    test_basis<Exact_integer>(20, 200, is_weighted, ++seed);
+    test_basis<Exact_integer>(80, 200, is_weighted, ++seed);
+#endif
+  }
+}
+
 int main()
 {
+  test_bases(100);
   test_addendum();
   test_random_systems(4711);
   test_nearness(815);

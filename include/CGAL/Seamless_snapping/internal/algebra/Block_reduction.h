@@ -16,6 +16,7 @@
 
 // Reduction of a basis of hundreds of vectors.
 
+#include <CGAL/Seamless_snapping/internal/algebra/fplll_reduction.h>
 #include <CGAL/Seamless_snapping/internal/algebra/lattice_reduction.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -182,6 +184,11 @@ template <typename Integer>
 Orthogonal_frame<double> reduce_basis(std::vector<std::vector<Integer> >& basis,
                                       const std::vector<double>& scale)
 {
+#ifdef CGAL_USE_FPLLL
+  if constexpr(std::is_same<Integer, Exact_integer>::value) // for 64 bits what follows is faster
+    if(reduce_by_fplll(basis, scale))
+      return std::move(Lattice_reduction<Integer>(basis, scale, 0).frame());
+#endif
   if(basis.size() <= Block_reduction<Integer>::block_size)
     return std::move(Lattice_reduction<Integer>(basis, scale).frame());
   return std::move(Block_reduction<Integer>(basis, scale).frame());

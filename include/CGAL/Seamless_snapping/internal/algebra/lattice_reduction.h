@@ -260,7 +260,8 @@ private:
   void size_reduce(const std::size_t k)
   {
     subtract_earlier_vectors(k);
-    while(is_inaccurate(k)) {
+    // Each round gains some 40 bits, unless the vectors are too nearly dependent for this arithmetic.
+    for(int round = 0; round < 100 && is_inaccurate(k); ++round) {
       std::size_t first = k;
       for(std::size_t j = k; j-- > 0;)
         if(is_inaccurate(j))
