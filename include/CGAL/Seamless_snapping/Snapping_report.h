@@ -125,6 +125,7 @@ struct Snapping_report
   double largest_change = 0;    ///< the largest absolute change of a value
   double mean_change = 0;       ///< the mean absolute change, over the constrained values (of each sector, for the surface function)
   double rms_change = 0;        ///< the root-mean-square change, over the same values
+  double largest_change_before_repair = 0; ///< the largest change before orientations were repaired (surface function only)
   double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
   /// @}
 
@@ -134,6 +135,8 @@ struct Snapping_report
   /// faces of positive orientation that the closest solution turned or made degenerate, before repair
   std::size_t number_of_lost_faces = 0;
   std::size_t number_of_faces_repaired_by_moves = 0; ///< those that moves of single vertices made positive again
+  std::size_t number_of_faces_repaired_by_weights = 0; ///< those that a target which spares slivers did
+  std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
   std::vector<std::size_t> lost_faces; ///< those that remain
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;

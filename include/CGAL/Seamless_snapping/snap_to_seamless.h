@@ -51,8 +51,9 @@ success; on failure nothing has changed.
 
 Faces of positive orientation keep it where an exactly seamless parametrization near by allows this. The
 orientations are decided exactly. If the closest solution turns a face over or makes it degenerate, one of
-its vertices, with all its sectors, is moved into the kernel of its 1-ring. The report counts such faces,
-and lists those that could not be saved.
+its vertices, with all its sectors, is moved into the kernel of its 1-ring; if this is not possible, the
+closest exact solution that keeps the face is searched for. `Snapping_report` counts such faces, and lists
+those that could not be saved.
 
 Charts may be arranged in any way; cuts, rotations, and singular vertices are read off the coordinates (see
 `seam_transitions()`) unless they are given. The mesh may have any number of components of any genus, with

@@ -83,6 +83,24 @@ public:
     return m_elimination.contradictory_rows().empty() && m_core.is_consistent();
   }
 
+  // Rows of which all others are combinations.
+  std::vector<Row_index> independent_rows() const
+  {
+    if(m_core.is_whole())
+      return m_core.independent_rows();
+    std::vector<bool> is_independent(m_system.number_of_rows(), false);
+    for(const Row_index row : m_core.independent_rows())
+      is_independent[std::size_t(row)] = true;
+    for(const auto& pivot : m_elimination.pivots())
+      if(m_elimination.is_original_row(pivot.row))
+        is_independent[std::size_t(pivot.row)] = true;
+    std::vector<Row_index> rows;
+    for(std::size_t i = 0; i < is_independent.size(); ++i)
+      if(is_independent[i])
+        rows.push_back(Row_index(i));
+    return rows;
+  }
+
   // Adds to the figures of other systems.
   void fill_in(Snapping_report& report) const
   {
@@ -160,23 +178,6 @@ private:
   {
     return std::size_t(std::count_if(m_elimination.pivots().begin(), m_elimination.pivots().end(),
                                      [&](const auto& p) { return m_elimination.is_original_row(p.row); }));
-  }
-
-  std::vector<Row_index> independent_rows() const
-  {
-    if(m_core.is_whole())
-      return m_core.independent_rows();
-    std::vector<bool> is_independent(m_system.number_of_rows(), false);
-    for(const Row_index row : m_core.independent_rows())
-      is_independent[std::size_t(row)] = true;
-    for(const auto& pivot : m_elimination.pivots())
-      if(m_elimination.is_original_row(pivot.row))
-        is_independent[std::size_t(pivot.row)] = true;
-    std::vector<Row_index> rows;
-    for(std::size_t i = 0; i < is_independent.size(); ++i)
-      if(is_independent[i])
-        rows.push_back(Row_index(i));
-    return rows;
   }
 
   // The targets of the elimination's new unknowns.

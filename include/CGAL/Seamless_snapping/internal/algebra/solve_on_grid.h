@@ -15,8 +15,10 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The one door into the algebra: runs the snapper in 64-bit integers and, where one of them overflows,
-// from the start in multiprecision; says in the report what came of it.
+// from the start in multiprecision; says in the report what came of it. And how the solution's target follows
+// that of the unknowns.
 
+#include <CGAL/Seamless_snapping/internal/algebra/Difference_projection.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Grid_solver.h>
 #include <CGAL/Seamless_snapping/internal/algebra/contradiction_certificate.h>
 
@@ -52,6 +54,19 @@ bool solve_on_grid(const Integer_system<Integer>& system, const Grid_point& poin
     return solve_with(system, point, solution, report, timer);
   } catch(const Integer_overflow&) { // only from 64-bit integers
     return solve_with(to_multiprecision(system), point, solution, report, timer);
+  }
+}
+
+// How the least-squares target answers to changes of the values.
+template <typename Integer>
+Difference_projection difference_projection(const Integer_system<Integer>& system,
+                                            const std::vector<double>& weights)
+{
+  try {
+    return Difference_projection(system, Grid_solver<Integer>(system).independent_rows(), weights);
+  } catch(const Integer_overflow&) { // only from 64-bit integers
+    const Integer_system<Exact_integer> big = to_multiprecision(system);
+    return Difference_projection(big, Grid_solver<Exact_integer>(big).independent_rows(), weights);
   }
 }
 

@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -77,12 +78,13 @@ public:
   { }
 
   // Returns the faces that remain.
-  std::vector<Watched> repair(std::vector<Watched> faces, Uv_state& state) const
+  // \param reach the largest change of a coordinate, from the input
+  std::vector<Watched> repair(std::vector<Watched> faces, const double reach, Uv_state& state) const
   {
     for(std::size_t before = faces.size() + 1; !faces.empty() && faces.size() < before;) {
       before = faces.size(); // a move can make room for another
       faces.erase(std::remove_if(faces.begin(), faces.end(),
-                                 [&](const Watched& w) { return repair(w, state); }), faces.end());
+                                 [&](const Watched& w) { return repair(w, reach, state); }), faces.end());
     }
     return faces;
   }
@@ -92,7 +94,7 @@ private:
   struct Ring_face
   {
     Face face;
-    bool is_target, was_positive, is_positive;
+    bool is_target, is_wanted, is_positive;
     double area, wanted;
     Uv gradient; // of the area, by the displacement
   };
@@ -105,7 +107,7 @@ private:
     Uv displacement;
   };
 
-  bool repair(const Watched& target, Uv_state& state) const
+  bool repair(const Watched& target, const double reach, Uv_state& state) const
   {
     if(orientation(m_points.uv(state, target.face)) == CGAL::POSITIVE)
       return true; // by another face's move
@@ -116,10 +118,12 @@ private:
       if(plan.move.is_possible() && collect_ring(target, state, plan))
         plans.push_back(std::move(plan));
     }
+    // Flips of the input are repaired by the kernel of the whole ring only: a face less flipped among others
+    // would be no gain. Where snapping turned several faces, some may have to wait for another move.
     for(const double margin : area_margins)
-      for(const bool all : {true, false}) // whether faces of the ring that were lost too must come back
-        if(apply_shortest(plans, margin, all, state))
-          return true;
+      if(apply_shortest(plans, margin, true, reach, state) ||
+         (target.was_positive && apply_shortest(plans, margin, false, reach, state)))
+        return true;
     return false;
   }
 
@@ -154,28 +158,32 @@ private:
     result.is_target = std::find(f.corners.begin(), f.corners.end(), target.face.corners[0]) !=
                        f.corners.end();
     const Uv_triangle input = m_points.input(f), now = m_points.uv(state, f);
-    result.was_positive = orientation(input) == CGAL::POSITIVE;
+    const bool was_positive = orientation(input) == CGAL::POSITIVE;
+    result.is_wanted = was_positive || !target.was_positive;
     result.is_positive = orientation(now) == CGAL::POSITIVE;
     result.area = twice_area(now, unit);
-    result.wanted = wanted_area(input, result.was_positive, unit);
+    result.wanted = wanted_area(input, was_positive, unit);
     const Uv normal{{(now[1][1] - now[2][1]) / unit, (now[2][0] - now[1][0]) / unit}};
     result.gradient = rotation_matrix(inverse_rotation(rotation))(normal);
     return result;
   }
 
   // Faces that are positive stay so.
+  // \param all whether the other faces of the ring that want to become positive must
   bool apply_shortest(std::vector<Plan>& plans, const double margin, const bool all,
-                      Uv_state& state) const
+                      const double reach, Uv_state& state) const
   {
     std::vector<std::pair<double, const Plan*> > found;
     for(Plan& plan : plans) {
       Half_planes kernel(plan.move.is_fixed);
+      for(const Vertex_move::Member& member : plan.move.members)
+        add_reach(member, reach, plan.unit, state, kernel);
       for(const Ring_face& f : plan.ring) {
         const double one_step = std::sqrt(dot(f.gradient, f.gradient)); // what rounding can cost
         const double bound = (std::max)(margin * f.wanted, one_step);
         if(f.is_positive)
           kernel.add(f.gradient, (std::min)(bound, f.area / 2) - f.area);
-        else if(f.is_target || (all && f.was_positive))
+        else if(f.is_target || (all && f.is_wanted))
           kernel.add(f.gradient, bound - f.area);
       }
       if(kernel.find_shortest(plan.displacement))
@@ -183,11 +191,35 @@ private:
     }
     std::sort(found.begin(), found.end());
     return std::any_of(found.begin(), found.end(),
-                       [&](const auto& f) { return apply(*f.second, state); });
+                       [&](const auto& f) { return apply(*f.second, all, state); });
+  }
+
+  // The box around the input, or as far as the point has gone already.
+  void add_reach(const Vertex_move::Member& member, const double reach, const double unit,
+                 const Uv_state& state, Half_planes& kernel) const
+  {
+    const Uv u = m_points.uv(state, member.point);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Uv low{{-infinity, -infinity}}, high{{infinity, infinity}};
+    m_points.for_each_corner(member.point, [&](const Halfedge corner) {
+      const Uv input = m_points.input(corner);
+      for(std::size_t c = 0; c < 2; ++c) {
+        low[c] = (std::max)(low[c], input[c] - reach - u[c]);
+        high[c] = (std::min)(high[c], input[c] + reach - u[c]);
+      }
+    });
+    const Rotation& back = rotation_matrix(inverse_rotation(member.rotation));
+    for(std::size_t c = 0; c < 2 && std::isfinite(reach); ++c) {
+      Uv axis{{0, 0}};
+      axis[c] = 1;
+      kernel.add(back(axis), (std::min)(low[c], 0.) / unit);
+      axis[c] = -1;
+      kernel.add(back(axis), (std::min)(-high[c], 0.) / unit);
+    }
   }
 
   // Takes the first displacement in whole grid steps, of those around the plan's, that the exact check accepts.
-  bool apply(const Plan& plan, Uv_state& state) const
+  bool apply(const Plan& plan, const bool all, Uv_state& state) const
   {
     constexpr double largest = 4503599627370496.; // 2^52
     if(!(std::abs(plan.displacement[0]) < largest && std::abs(plan.displacement[1]) < largest))
@@ -202,13 +234,13 @@ private:
       }
     std::sort(candidates.begin(), candidates.end());
     return std::any_of(candidates.begin(), candidates.end(),
-                       [&](const auto& c) { return try_displacement(plan, c.second, state); });
+                       [&](const auto& c) { return try_displacement(plan, c.second, all, state); });
   }
 
-  bool try_displacement(const Plan& plan, const Uv& d, Uv_state& state) const
+  bool try_displacement(const Plan& plan, const Uv& d, const bool all, Uv_state& state) const
   {
     std::vector<Uv> before;
-    bool is_exact = true;
+    bool is_exact = true, is_finite = true;
     for(const Vertex_move::Member& member : plan.move.members) {
       const Uv u = m_points.uv(state, member.point);
       const Uv steps = rotation_matrix(member.rotation)(d);
@@ -218,13 +250,14 @@ private:
         const double by = steps[c] * plan.unit;
         moved[c] = static_cast<double>(static_cast<Number>(u[c] + by));
         const Exact_difference difference(moved[c], u[c]);
+        is_finite = is_finite && std::isfinite(moved[c]);
         is_exact = is_exact && difference.rounded == by && difference.error == 0;
       }
       m_points.set_uv(state, member.point, moved);
     }
-    if((is_exact || !plan.move.is_on_grid) &&
+    if(is_finite && (is_exact || !plan.move.is_on_grid) &&
        std::all_of(plan.ring.begin(), plan.ring.end(), [&](const Ring_face& f) {
-         return !(f.is_positive || f.is_target) ||
+         return !(f.is_positive || f.is_target || (all && f.is_wanted)) ||
                 orientation(m_points.uv(state, f.face)) == CGAL::POSITIVE;
        }))
       return true;

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -56,10 +57,23 @@ public:
           set_mean(Sector_index(s), uv_map);
   }
 
+  // In steps of the grid; adds to earlier shifts.
+  void shift(const Sector_index s, const Uv& by)
+  {
+    Uv& sum = m_shifts[s];
+    sum = {{sum[0] + by[0], sum[1] + by[1]}};
+  }
+
   Grid_uv operator[](const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
-    return sector.is_uniform() ? split(sector.uv) : m_means[std::size_t(sector.mixed)];
+    Grid_uv result = sector.is_uniform() ? split(sector.uv) : m_means[std::size_t(sector.mixed)];
+    if(m_shifts.empty())
+      return result;
+    const auto found = m_shifts.find(s);
+    for(std::size_t c = 0; c < 2 && found != m_shifts.end(); ++c)
+      result.offset[c] += found->second[c];
+    return result;
   }
 
   // The mean squared distance of the corners from their mean, in units of the grid.
@@ -103,6 +117,7 @@ private:
   Grid m_grid;
   std::vector<Grid_uv> m_means; // of mixed sectors
   std::vector<double> m_squares;
+  std::unordered_map<Sector_index, Uv> m_shifts;
 };
 
 // u- - R u+ - t for sectors beside a cut: exact in the bases.

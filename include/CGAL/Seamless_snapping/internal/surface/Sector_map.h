@@ -67,6 +67,15 @@ public:
                  indexed_ends(tmesh, node_corners, vertex_indices), vertex_indices)
   { }
 
+  // The same sectors with other weights.
+  Sector_map with_weights(const std::vector<double>& weights) const
+  {
+    Sector_map result(*this);
+    for(std::size_t s = 0; s < weights.size(); ++s)
+      result.m_sectors[s].weight = weights[s];
+    return result;
+  }
+
   // The sectors of the corners that the constructor was given.
   const std::vector<Sector_index>& node_corner_sectors() const { return m_node_corner_sectors; }
 

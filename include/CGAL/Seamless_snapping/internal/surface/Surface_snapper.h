@@ -170,7 +170,9 @@ private:
     }
     m_timer.finish("coordinates");
 
-    Repair repair(sectors, transitions, align_edges, m_uv_map, m_vertex_indices, solution.grid,
+    const typename Repair::Solution solve_again(branches, transitions, align_edges, constraints, m_uv_map,
+                                                solution.grid);
+    Repair repair(sectors, transitions, align_edges, m_uv_map, m_vertex_indices, solve_again,
                   m_repairs_flips);
     Uv_state uv = m_was_exact ? repair.points().input_of_sectors() : snapped.take();
     repair.run(uv, m_report);

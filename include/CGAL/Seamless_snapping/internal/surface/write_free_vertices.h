@@ -42,12 +42,14 @@ public:
     for(std::size_t i = m_points.sectors().number_of_sectors(); i < state.size(); ++i) {
       const Uv& uv = state[i];
       const Point point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
+      double count = 0;
+      m_points.for_each_corner(Point_index(i), [&](const auto) { count += 1; });
       m_points.for_each_corner(Point_index(i), [&](const auto corner) {
         const Uv before = get_uv(m_uv_map, corner);
         if(before == uv)
           return;
         m_written.push_back({corner, get(m_uv_map, corner)});
-        statistics.add(before, uv);
+        statistics.add(before, uv, 1 / count); // each vertex counts once
         put(m_uv_map, corner, point);
         kept = kept && get_uv(m_uv_map, corner) == uv;
       });
