@@ -6,9 +6,11 @@
 #include "exact_reference.h"
 #include "full_seamless_system.h"
 
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Timer.h>
 
 #include <random>
+#include <sstream>
 
 using namespace surface_checks;
 using test_meshes::Named_mesh;
@@ -105,8 +107,13 @@ void test_against_optimum(const Named_mesh<Kernel>& original, unsigned int seed,
     std::sqrt(CGAL::to_double(exact_reference::squared_distance(values, full.xbar)));
   // rounding to the grid adds a step or so to each unknown
   const double rounding = snapped.report.grid_step * std::sqrt(double(full.system.columns));
-  worst = (std::max)(worst, (found - 1.01 * best) / rounding);
-  CHECK_IN(context, found <= 1.01 * best + 2 * rounding);
+  if(snapped.report.number_of_lost_faces > 0)
+    return; // repairs cost distance
+  worst = (std::max)(worst, (found - 1.001 * best) / rounding);
+  CHECK_IN(context, found <= 1.001 * best + 2 * rounding);
+  const double step = snapped.report.grid_step, optimal = snapped.report.optimal_rms_change;
+  CHECK_IN(context, snapped.report.rms_change <= 1.001 * optimal + 2 * step);
+  CHECK_IN(context, snapped.report.rms_change >= optimal - 1e-6 * optimal - step / 1024);
 }
 
 void test_optimality()
@@ -123,8 +130,82 @@ void test_optimality()
     }
   }
   std::cout << "optima: seeds 1 to " << seed << ", up to " << worst
-            << " grid steps per unknown above 1.01 times the optimum, " << timer.time() << " s"
+            << " grid steps per unknown above 1.001 times the optimum, " << timer.time() << " s"
             << std::endl;
+}
+
+// A part that nothing links to the rest is snapped on a grid of its own, however small: as if it were alone, but
+// for the last bits, which floating point may choose otherwise. (The common grid is up to 2^12 times as coarse.)
+void test_local_grids()
+{
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  std::vector<Mesh> inputs, alone;
+  std::vector<double> steps;
+  unsigned int seed = 0;
+  for(Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
+    const auto uv = test_meshes::uv_map(named.mesh);
+    const Truth<Mesh, std::decay_t<decltype(uv)> > truth(named.mesh, uv);
+    uv_noise::perturb(named.mesh, uv, 0x1p-44 * truth.extent, ++seed);
+    for(const auto h : named.mesh.halfedges()) // 1 down to 2^-12
+      uv[h] = Kernel::Point_2(std::ldexp(uv[h].x(), -int(4 * (seed % 4))), std::ldexp(uv[h].y(), -int(4 * (seed % 4))));
+    inputs.push_back(named.mesh);
+    alone.push_back(named.mesh);
+    const auto report = SS::snap_to_seamless(alone.back(), test_meshes::uv_map(alone.back()));
+    CHECK_IN(named.name, bool(report));
+    steps.push_back(report.grid_step);
+  }
+  for(std::size_t i = 0; i + 1 < inputs.size(); ++i) {
+    Mesh together = inputs[i];
+    together += inputs[i + 1];
+    const auto uv = test_meshes::uv_map(together);
+    const auto report = SS::snap_to_seamless(together, uv);
+    CHECK_IN("parts " + std::to_string(i), bool(report));
+    CHECK_IN("parts " + std::to_string(i), exact_check::check_edges(together, uv).is_exact());
+    double largest = 0; // in steps of the part
+    for(const auto h : together.halfedges()) {
+      const Mesh::size_type n = inputs[i].number_of_halfedges(), index = h.idx();
+      const std::size_t part = index < n ? i : i + 1;
+      const Mesh::Halfedge_index other(index < n ? index : index - n);
+      const auto p = test_meshes::uv_map(alone[part])[other];
+      largest = (std::max)({largest, std::abs(uv[h].x() - p.x()) / steps[part],
+                            std::abs(uv[h].y() - p.y()) / steps[part]});
+    }
+    CHECK_IN("parts " + std::to_string(i) + ", by " + std::to_string(largest) + " steps", largest <= 64);
+  }
+}
+
+// Files with 32-bit coordinates keep seams that are exact in float. PLY in binary, with u and v per halfedge.
+void test_float_files()
+{
+  using Mesh = CGAL::Surface_mesh<Float_kernel::Point_3>;
+  unsigned int seed = 0;
+  for(Named_mesh<Float_kernel>& named : test_meshes::all_meshes<Float_kernel>()) {
+    Mesh& mesh = named.mesh;
+    const auto uv = test_meshes::uv_map(mesh);
+    const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
+    uv_noise::perturb(mesh, uv, 1e-6 * truth.extent, ++seed);
+    CHECK_IN(named.name, bool(SS::snap_to_seamless(mesh, uv)));
+    auto u = mesh.add_property_map<Mesh::Halfedge_index, float>("h:u").first;
+    auto v = mesh.add_property_map<Mesh::Halfedge_index, float>("h:v").first;
+    for(const auto h : mesh.halfedges()) {
+      u[h] = uv[h].x();
+      v[h] = uv[h].y();
+    }
+    std::stringstream file;
+    CGAL::IO::set_binary_mode(file);
+    CHECK_IN(named.name, CGAL::IO::write_PLY(file, mesh));
+    Mesh read;
+    std::string comments;
+    CHECK_IN(named.name, CGAL::IO::read_PLY(file, read, comments));
+    u = read.property_map<Mesh::Halfedge_index, float>("h:u").first;
+    v = read.property_map<Mesh::Halfedge_index, float>("h:v").first;
+    const auto read_uv = read.add_property_map<Mesh::Halfedge_index, Float_kernel::Point_2>("h:read").first;
+    for(const auto h : read.halfedges())
+      read_uv[h] = Float_kernel::Point_2(u[h], v[h]);
+    CHECK_EQUAL(read.number_of_faces(), mesh.number_of_faces());
+    CHECK_IN(named.name, SS::is_seamless(read, read_uv));
+    CHECK_IN(named.name, exact_check::check_edges(read, read_uv).is_exact());
+  }
 }
 
 // A translation of 1e-9 beside noise of 1e-17 is a cut; beside noise of its own size it is none.
@@ -156,6 +237,8 @@ void test_tiny_translation()
 
 int main()
 {
+  test_local_grids();
+  test_float_files();
   std::cout.precision(3);
   test_random_noise<Kernel>(400, -15, -6, "noise");
   test_random_noise<Float_kernel>(100, -7, -5.3, "noise on floats");

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -39,7 +40,7 @@ struct Grid_uv
   Uv offset;
 };
 
-// Sectors whose corners differ are represented by their mean. All others are computed when asked for, which
+// In steps of the sector's own grid. Sectors whose corners differ are represented by their mean. All others are computed when asked for, which
 // is cheaper than to store them.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 class Sector_coordinates
@@ -57,17 +58,18 @@ public:
           set_mean(Sector_index(s), uv_map);
   }
 
-  // In steps of the grid; adds to earlier shifts.
+  // In steps of the grid of the largest coordinates; adds to earlier shifts.
   void shift(const Sector_index s, const Uv& by)
   {
     Uv& sum = m_shifts[s];
-    sum = {{sum[0] + by[0], sum[1] + by[1]}};
+    for(std::size_t c = 0; c < 2; ++c)
+      sum[c] += std::ldexp(by[c], m_sectors.sector(s).magnification);
   }
 
   Grid_uv operator[](const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
-    Grid_uv result = sector.is_uniform() ? split(sector.uv) : m_means[std::size_t(sector.mixed)];
+    Grid_uv result = sector.is_uniform() ? split(sector.uv, sector.magnification) : m_means[std::size_t(sector.mixed)];
     if(m_shifts.empty())
       return result;
     const auto found = m_shifts.find(s);
@@ -76,7 +78,7 @@ public:
     return result;
   }
 
-  // The mean squared distance of the corners from their mean, in units of the grid.
+  // The mean squared distance of the corners from their mean, in steps of the sector's grid.
   double squares_within(const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
@@ -84,21 +86,24 @@ public:
   }
 
 private:
-  Grid_uv split(const Uv& uv) const
+  Grid_uv split(Uv uv, const int magnification) const
   {
+    for(std::size_t c = 0; c < 2 && magnification != 0; ++c)
+      uv[c] = std::ldexp(uv[c], magnification);
     const Grid_value u = m_grid.split(uv[0]), v = m_grid.split(uv[1]);
     return {{{u.base, v.base}}, {{u.offset, v.offset}}};
   }
 
   void set_mean(const Sector_index s, const HalfedgeUVMap& uv_map)
   {
-    Grid_uv& mean = m_means[std::size_t(m_sectors.sector(s).mixed)];
-    mean = split(m_sectors.sector(s).uv);
+    const Sector& sector = m_sectors.sector(s);
+    Grid_uv& mean = m_means[std::size_t(sector.mixed)];
+    mean = split(sector.uv, sector.magnification);
     Uv sum{{0, 0}};
     double squares = 0;
     const auto first = m_sectors.corners_begin(s), last = m_sectors.corners_end(s);
     for(auto h = first; h != last; ++h) {
-      const Grid_uv corner = split(get_uv(uv_map, *h));
+      const Grid_uv corner = split(get_uv(uv_map, *h), sector.magnification);
       for(std::size_t c = 0; c < 2; ++c) {
         const double d = static_cast<double>(corner.base[c] - mean.base[c]) + (corner.offset[c] - mean.offset[c]);
         sum[c] += d;
@@ -110,7 +115,7 @@ private:
       mean.offset[c] += sum[c] / count;
       squares -= sum[c] * sum[c] / count;
     }
-    m_squares[std::size_t(m_sectors.sector(s).mixed)] = (std::max)(squares, 0.) / count;
+    m_squares[std::size_t(sector.mixed)] = (std::max)(squares, 0.) / count;
   }
 
   const Sectors& m_sectors;

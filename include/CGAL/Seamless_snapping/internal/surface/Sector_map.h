@@ -46,6 +46,7 @@ struct Sector
   std::size_t first_corner; // the others follow up to the first corner of the next sector
   double weight;            // in the least-squares target
   std::int32_t mixed;       // the number of the sector among those whose corners differ, or -1
+  std::int32_t magnification; // the sector's grid is 2^magnification times as fine as that of the largest coordinates
 
   bool is_uniform() const { return mixed < 0; }
 };
@@ -66,6 +67,13 @@ public:
     : Sector_map(tmesh, uv_map, transitions, align_edges,
                  indexed_ends(tmesh, node_corners, vertex_indices), vertex_indices)
   { }
+
+  // Of all sectors of a vertex.
+  void magnify(const Vertex_index v, const int magnification)
+  {
+    for(Sector_index s = first_sector(v); s != first_sector(v + 1); ++s)
+      m_sectors[std::size_t(s)].magnification = magnification;
+  }
 
   // The same sectors with other weights.
   Sector_map with_weights(const std::vector<double>& weights) const
@@ -320,7 +328,7 @@ private:
   {
     const Uv uv = cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h);
     m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
-    m_sectors.push_back({uv, m_corners.size(), 1., -1});
+    m_sectors.push_back({uv, m_corners.size(), 1., -1, 0});
   }
 
   void compare_with_first(const Halfedge h)

@@ -28,6 +28,7 @@
 #include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 #include <CGAL/Seamless_snapping/internal/surface/Snapped_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/surface/local_grids.h>
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/surface/snapped_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/surface/write_coordinates.h>
@@ -90,7 +91,7 @@ public:
     if(m_was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))
       return m_report;
 
-    const Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges, constraints.corners(),
+    Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges, constraints.corners(),
                           m_vertex_indices);
     m_timer.finish("sectors");
 
@@ -101,6 +102,8 @@ public:
 
     Grid grid = Grid::finest(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
                              sectors.largest_coordinate());
+    if(constraints.empty()) // these may link anything
+      magnify_small_parts(sectors, grid);
     while(!snap_on(grid, transitions, align_edges, constraints, sectors, branches))
       grid = Grid(grid.format(), grid.exponent() + 1);
     return m_report;

@@ -56,7 +56,7 @@ public:
   bool fits() const { return m_fits; }
 
   // The sum of the squared changes of all components, had they not been rounded to the grid: the least-squares
-  // optimum, in units of the grid.
+  // optimum, in steps of the grid of the largest coordinates.
   double optimal_squares() const { return m_optimal_squares; }
 
   // Hands over the coordinates of all sectors.
@@ -70,7 +70,7 @@ private:
       const Grid_uv mean = m_coordinates[s];
       for(std::size_t c = 0; c < 2; ++c)
         set(s, c, mean.base[c] + nearest_integer(mean.offset[c]));
-      m_optimal_squares += m_coordinates.squares_within(s);
+      add_optimal_change(s, std::sqrt(m_coordinates.squares_within(s)));
     }
     const Column_index unknown = m_system.unknown(s);
     if(unknown < 0)
@@ -79,7 +79,7 @@ private:
     for(std::size_t c = 0; c < 2; ++c)
       if(m_system.is_constrained(s, c)) {
         set(s, c, m_solution.x[std::size_t(unknown) + c]);
-        m_optimal_squares += squared(optimal_change(u, c, unknown + Column_index(c)));
+        add_optimal_change(s, optimal_change(u, c, unknown + Column_index(c)));
       }
   }
 
@@ -90,12 +90,21 @@ private:
     return static_cast<double>(optimum.base - u.base[c]) + (optimum.offset - u.offset[c]);
   }
 
-  static double squared(const double x) { return x * x; }
+  // \param change in steps of the sector's grid
+  void add_optimal_change(const Sector_index s, double change)
+  {
+    if(const int magnification = m_sectors.sector(s).magnification)
+      change = std::ldexp(change, -magnification);
+    m_optimal_squares += change * change;
+  }
 
   void set(const Sector_index s, const std::size_t c, const std::int64_t x)
   {
     m_fits = m_fits && m_solution.grid.is_representable(x);
-    m_uv[std::size_t(s)][c] = m_solution.grid.value(x);
+    double& u = m_uv[std::size_t(s)][c];
+    u = m_solution.grid.value(x);
+    if(const int magnification = m_sectors.sector(s).magnification)
+      u = std::ldexp(u, -magnification);
   }
 
   // Given t, the pair of sectors takes the grid point nearest to its optimum: u+ the one nearest to the
@@ -122,7 +131,8 @@ private:
       Grid_vector x;
       for(std::size_t c = 0; c < 2; ++c) {
         x[c] = a.base[c] + nearest_integer(a.offset[c] + gap[c] * share);
-        m_optimal_squares += squared(gap[c] - rounding[c]) * (squared(share) + squared(1 - share));
+        add_optimal_change(plus, (gap[c] - rounding[c]) * share);
+        add_optimal_change(minus, (gap[c] - rounding[c]) * (1 - share));
       }
       const Grid_vector rotated = r(x);
       for(std::size_t c = 0; c < 2; ++c) {
@@ -141,7 +151,7 @@ private:
     for(const std::int32_t* d = first; d != last - 1; ++d) {
       const Sector_index s = m_system.align_sector(*d, true);
       set(s, c, m_solution.x[std::size_t(unknown)]);
-      m_optimal_squares += squared(optimal_change(m_coordinates[s], c, unknown));
+      add_optimal_change(s, optimal_change(m_coordinates[s], c, unknown));
     }
   }
 
