@@ -386,6 +386,32 @@ void test_other_types()
   CHECK(tally.lost > 0 && tally.remaining == 0);
 }
 
+// A component whose coordinates are much smaller, down to its slivers, is treated on a grid of its own.
+void test_small_component()
+{
+  const std::string context = "small component";
+  Tally tally;
+  for(unsigned int seed = 1; seed <= 8; ++seed) {
+    square_complex::Square_complex complex = test_meshes::torus(3, 3);
+    complex.append(test_meshes::torus(3, 3));
+    Mesh mesh = test_meshes::make_mesh<Kernel>(complex, 2);
+    const auto uv = test_meshes::uv_map(mesh);
+    const Known<Kernel> known(mesh, uv);
+    slivers::make_slivers(mesh, uv, sliver_height, 1, seed,
+                          [](const auto&, const auto&) { return true; });
+    uv_noise::perturb(mesh, uv, 3 * sliver_height, seed);
+    for(const auto f : mesh.faces())
+      for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+        if(2 * std::size_t(f) >= mesh.number_of_faces())
+          uv[h] = Kernel::Point_2(0x1p-34 * uv[h].x(), 0x1p-34 * uv[h].y());
+    tally.add(snap(mesh, uv, SS::parameters::edge_is_cut_map(known.edge_is_cut)
+                               .halfedge_rotation_map(known.rotations),
+                   exact_check::No_edge_aligned(), context));
+  }
+  tally.print(context);
+  CHECK(tally.lost > 0 && tally.remaining == 0);
+}
+
 // A map that forgets what is written to one corner.
 struct Forgetful_map
 {
@@ -458,6 +484,7 @@ int main()
   test_mirrored_map();
   test_flips_with_noise();
   test_other_types();
+  test_small_component();
   test_forgetful_map();
   return report_checks();
 }

@@ -114,7 +114,7 @@ private:
     std::vector<Plan> plans;
     for(const Point_index p : target.face.points) {
       Plan plan{m_find_move(p), 0, {}, {}};
-      plan.unit = plan.move.is_on_grid ? m_grid.step() : local_step(target, state);
+      plan.unit = m_points.spacing(state, p, m_grid);
       if(plan.move.is_possible() && collect_ring(target, state, plan))
         plans.push_back(std::move(plan));
     }
@@ -125,15 +125,6 @@ private:
          (target.was_positive && apply_shortest(plans, margin, false, reach, state)))
         return true;
     return false;
-  }
-
-  // Off the grid, the spacing of numbers near by.
-  double local_step(const Watched& target, const Uv_state& state) const
-  {
-    double largest = 0;
-    for(const Uv& u : m_points.uv(state, target.face))
-      largest = (std::max)({largest, std::abs(u[0]), std::abs(u[1])});
-    return Grid::finest(m_grid.format(), largest).step();
   }
 
   // Returns false if a face has several corners that move.

@@ -113,6 +113,8 @@ private:
     };
     best = repaired_by_moves(best.state, m_reach);
     count(report.number_of_faces_repaired_by_moves);
+    if(m_reach > largest_reach * report.extent)
+      return;
     if(remaining > largest_program)
       repair_by_weights(best);
     count(report.number_of_faces_repaired_by_weights);
@@ -212,8 +214,9 @@ private:
       active.insert(active.end(), best.flips.begin(), best.flips.end());
     Uv_state at = m_optimum.state, next;
     Eigen::VectorXd forces;
-    for(int idle = 0; idle < 4 && !active.empty(); ++idle) {
-      active.resize((std::min)(active.size(), largest_program));
+    active.resize((std::min)(active.size(), largest_program));
+    for(int idle = 0; idle < 4 && !active.empty() && m_work < largest_work; ++idle) {
+      m_work += active.size();
       if(!program.solve(active, margin, at, next, forces))
         return;
       if(!is_near(next, reach)) { // the conditions exclude each other: without the one that asks for most
@@ -231,7 +234,7 @@ private:
       if(best.lost.empty() && (best.flips.empty() || !with_flips))
         return;
       for(const Watched& w : attempt.lost)
-        if(!contains(active, w) && !contains(given_up, w)) {
+        if(active.size() < largest_program && !contains(active, w) && !contains(given_up, w)) {
           active.push_back(w);
           has_changed = true;
         }
@@ -276,7 +279,10 @@ private:
   }
 
   static constexpr double far = 4; // times the violation or, where that is larger, the optimum's largest change
-  static constexpr std::size_t largest_program = 1000; // faces; the time grows with the cube
+  // Of the extent. Where constraints ask for larger changes, linearized orientations mean nothing.
+  static constexpr double largest_reach = 0.01;
+  // Faces of one program, and of all together: what takes some seconds.
+  static constexpr std::size_t largest_program = 1000, largest_work = 4000;
 
   Points m_points;
   const HalfedgeUVMap& m_uv_map;
@@ -286,6 +292,7 @@ private:
   Kernel_moves<Points, typename Uv_number<HalfedgeUVMap>::type> m_move;
   bool m_repair_flips;
   Optimum m_optimum;
+  std::size_t m_work = 0;
   double m_reach = 0, m_far = 0; // the largest change, and that which repairs may make
 };
 

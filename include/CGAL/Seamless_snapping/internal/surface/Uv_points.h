@@ -17,11 +17,13 @@
 // The points of the domain whose coordinates repairs of orientations may change: sectors, and vertices that
 // belong to none. Joins the two under one kind of index, and finds the points of a face's corners.
 
+#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 #include <CGAL/Seamless_snapping/internal/surface/orientation.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -115,6 +117,16 @@ public:
   Uv_triangle uv(const Uv_state& state, const Face& f) const
   {
     return {{uv(state, f.points[0]), uv(state, f.points[1]), uv(state, f.points[2])}};
+  }
+
+  // The distance of neighboring numbers that the point can take: those of its grid or, off all grids, of its
+  // coordinates' type.
+  double spacing(const Uv_state& state, const Point_index p, const Grid& grid) const
+  {
+    if(is_sector(p))
+      return std::ldexp(grid.step(), -m_sectors.sector(p).magnification);
+    const Uv u = uv(state, p);
+    return Grid::finest(grid.format(), (std::max)(std::abs(u[0]), std::abs(u[1]))).step();
   }
 
   void set_uv(Uv_state& state, const Point_index p, const Uv& u) const
