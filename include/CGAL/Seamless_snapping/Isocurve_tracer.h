@@ -168,8 +168,8 @@ private:
     using CGAL::parameters::get_parameter;
     namespace np_tags = CGAL::internal_np;
     Options result;
-    result.limits.maximum_number = choose_parameter(get_parameter(np, np_tags::maximum_number),
-                                                    m_mesh.corners.size());
+    result.limits.maximum_number = static_cast<std::size_t>(
+      choose_parameter(get_parameter(np, np_tags::maximum_number), m_mesh.corners.size()));
     result.limits.maximum_length = choose_parameter(get_parameter(np, np_tags::maximum_length),
                                                     result.limits.maximum_length);
     result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
