@@ -84,7 +84,7 @@ struct Column
 const std::vector<Column> columns = {
   {"#F", 0}, {"#N", 0}, {"#B", 0}, {"elimination ms", 2}, {"target ms", 2}, {"evaluation ms", 2}, {"total ms", 2},
   {"density %", 4}, {"after %", 4}, {"violation", -1}, {"mean change", -1}, {"rms / optimum", 6},
-  {"largest change", -1}, {"flips", 1}, {"lost", 1}, {"still lost", 1}, {"flips after", 1}};
+  {"largest change", -1}, {"/ unrepaired", 4}, {"flips", 1}, {"lost", 1}, {"still lost", 1}, {"flips after", 1}};
 
 // Returns no values if the model can't be read or snapped.
 std::vector<double> measure(const std::filesystem::path& file, const Settings& settings)
@@ -125,7 +125,9 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
           density(report.number_of_coefficients), density(report.number_of_eliminated_coefficients),
           report.violation_before / extent, report.mean_change / extent,
           report.optimal_rms_change > 0 ? report.rms_change / report.optimal_rms_change : 1,
-          report.largest_change / extent, double(before.number_of_flipped_faces),
+          report.largest_change / extent,
+          report.largest_change_before_repair > 0 ? report.largest_change / report.largest_change_before_repair : 1,
+          double(before.number_of_flipped_faces),
           double(report.number_of_lost_faces), double(report.lost_faces.size()), double(after.number_of_flipped_faces)};
 }
 

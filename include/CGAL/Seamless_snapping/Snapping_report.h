@@ -125,8 +125,8 @@ struct Snapping_report
   double largest_change = 0;    ///< the largest absolute change of a value
   double mean_change = 0;       ///< the mean absolute change, over the constrained values (of each sector, for the surface function)
   double rms_change = 0;        ///< the root-mean-square change, over the same values
-  double largest_change_before_repair = 0; ///< the largest change before orientations were repaired (surface function only)
   double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
+  double largest_change_before_repair = 0; ///< the largest change before orientations were repaired (surface function only)
   /// @}
 
   /// \name Orientation (Surface Function Only)
