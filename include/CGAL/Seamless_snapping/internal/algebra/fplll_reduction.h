@@ -59,10 +59,13 @@ inline void assign(const mpz_t& a, Exact_integer& result)
 }
 
 // Reduces `basis` in place with respect to the norm |scale_i v_i|. Returns false, with the basis as it was, if
-// fplll gives up. The lattice stays the same: what is applied is one matrix of integers of determinant +-1.
+// fplll gives up or there is nothing to reduce. The lattice stays the same: what is applied is one matrix of
+// integers of determinant +-1.
 template <typename Integer>
 bool reduce_by_fplll(std::vector<std::vector<Integer> >& basis, const std::vector<double>& scale)
 {
+  if(basis.size() < 2)
+    return false;
   const int rows = static_cast<int>(basis.size()), columns = static_cast<int>(scale.size());
   // Scales become integers of 20 bits or more: they only tell which vectors count as short.
   const double smallest = *std::min_element(scale.begin(), scale.end());
