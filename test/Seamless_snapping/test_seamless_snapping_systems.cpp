@@ -293,6 +293,151 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
               << contradiction << std::endl;
 }
 
+// --- particular systems --------------------------------------------------------------------------
+
+template <typename Constraints, typename Values>
+CS::Snapping_report snap_and_check(const std::string& name, const Constraints& constraints, Values& x,
+                                   const System& system)
+{
+  const Values before = x;
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(constraints, x);
+  const bool is_exact = exact_reference::exactly_satisfies(system, x);
+  if(!CHECK_EQUAL(bool(report), is_exact) || !CHECK(bool(report) || same_bits(before, x)))
+    std::cerr << "    " << name << ": " << report << std::endl;
+  return report;
+}
+
+// One row per element: terms, and the right-hand side.
+using Rows = std::vector<std::pair<std::vector<std::pair<std::size_t, Rational> >, Rational> >;
+
+// Must succeed, with values close to those that are expected.
+template <typename Number>
+CS::Snapping_report test_rows(const std::string& name, const Rows& rows, std::vector<Number> x,
+                              const std::vector<double>& expected, const double relative)
+{
+  System system;
+  system.columns = x.size();
+  CS::Linear_constraints<Rational> constraints(x.size());
+  for(const auto& [terms, b] : rows) {
+    exact_reference::Row row;
+    for(const auto& [column, coefficient] : terms)
+      row.push_back({column, coefficient});
+    system.add_row(row);
+    system.b.back() = b;
+    constraints.add_constraint(terms, b);
+  }
+  const CS::Snapping_report report = snap_and_check(name, constraints, x, system);
+  bool is_close = bool(report);
+  for(std::size_t i = 0; i < x.size(); ++i)
+    is_close = is_close && std::abs(double(x[i]) - expected[i]) <= relative * std::abs(expected[i]);
+  if(!CHECK(is_close)) {
+    std::cerr << "    " << name << ": " << report << "; ";
+    for(const Number value : x)
+      std::cerr << " " << value;
+    std::cerr << std::endl;
+  }
+  return report;
+}
+
+// Right-hand sides much smaller or larger than the values, or of parts of the system only.
+void test_right_hand_sides_of_other_sizes()
+{
+  const double close = 1e-14;
+  test_rows<double>("two parts", {{{{0, 1}, {1, -1}}, 0x1p-40}, {{{2, 1}, {3, -1}}, 0}}, {1, 2, 3, 4},
+                    {1.5, 1.5, 3.5, 3.5}, 1e-9);
+  test_rows<double>("small pin", {{{{0, 1}}, 1e-6}}, {0.5}, {1e-6}, 0);
+  test_rows<double>("small difference", {{{{0, 1}, {1, -1}}, 1e-6}}, {0.5, -0.5}, {5e-7, -5e-7}, 1e-9);
+  test_rows<double>("smaller pin", {{{{0, 1}}, 0.1}}, {1000}, {0.1}, 0);
+  test_rows<double>("smallest pin", {{{{0, 1}}, 1e-30}}, {1}, {1e-30}, 0);
+  test_rows<double>("large pin", {{{{0, 1}}, 1e19}}, {1.1e19}, {1e19}, 0);
+  test_rows<double>("larger pin", {{{{0, 1}}, 1e300}}, {1}, {1e300}, 0);
+  test_rows<double>("pin of 0", {{{{0, 1}}, 1e300}}, {0}, {1e300}, 0);
+  test_rows<float>("float", {{{{0, 1}, {1, -1}}, 1e8}}, {1e8f, 3.f}, {1e8, 1.5}, 4);
+  test_rows<double>("powers", {{{{0, 1}, {1, -1}}, 0x1p60}}, {0x1p60 + 256, 100}, {0x1p60, 178}, 0.5);
+  test_rows<double>("both", {{{{0, 1}}, 1e-300}, {{{1, 1}}, 1e300}}, {1, 1}, {1e-300, 1e300}, 0);
+  test_rows<double>("sum of both", {{{{0, 1}}, 0x1p-30}, {{{0, 1}, {1, 1}}, 0x1p20}}, {1, 1},
+                    {0x1p-30, 0x1p20}, close);
+}
+
+// Products and sums that exceed the range of the number type, though there are solutions within.
+void test_large_numbers()
+{
+  const Rational huge(std::ldexp(1., 600)), tiny(std::ldexp(1., -600));
+  test_rows<double>("1e300 to 1", {{{{0, 1e300}, {1, -1}}, 0}}, {1, 1}, {0, 0}, 0);
+  test_rows<double>("2^1200", {{{{0, huge}, {1, -tiny}}, 0}}, {1, 1}, {0, 0}, 0);
+  test_rows<double>("large value", {{{{0, 1}}, 0.1}}, {1e300}, {0.1}, 0);
+  test_rows<double>("three", {{{{0, 1}, {1, -1}, {2, -1}, {3, -1}}, 0}},
+                    {1.797e308, 9.4e307, 9.4e307, 9.4e307},
+                    {1.797e308, 6e307, 6e307, 6e307}, 0.1);
+  test_rows<double>("two", {{{{0, 1}, {1, -1}, {2, -1}}, 0}}, {1.7e308, 1.7e308, 1.7e308},
+                    {1.797e308, 0.9e308, 0.9e308}, 0.01);
+  test_rows<float>("two, float", {{{{0, 1}, {1, -1}, {2, -1}}, 0}}, {3.4e38f, 3.4e38f, 3.4e38f},
+                   {3.4e38, 1.7e38, 1.7e38}, 0.01);
+}
+
+// Images of equal logarithm whose doubled rests exceed 64 bits, in the lattice.
+void test_large_images()
+{
+  const std::int64_t large = std::int64_t(1) << 62, half = large / 2;
+  CS::Linear_constraints<> constraints(5);
+  constraints.add_constraint({{0, 1}, {1, -1}});
+  constraints.add_constraint({{2, 1}, {3, -1}});
+  constraints.add_constraint({{3, 1}, {4, -1}});
+  constraints.add_constraint({{0, large}, {1, large - 5}, {2, large}, {3, half}, {4, half - 9}});
+  System system;
+  system.columns = 5;
+  for(std::size_t i = 0; i < constraints.number_of_constraints(); ++i) {
+    exact_reference::Row row;
+    for(auto term = constraints.begin(i); term != constraints.end(i); ++term)
+      row.push_back({term->first, Rational(static_cast<long>(term->second))});
+    system.add_row(row);
+  }
+  std::vector<double> x = {1, 2, 3, 4, 5};
+  CHECK(bool(snap_and_check("large images", constraints, x, system)));
+}
+
+// 2 x0 = x1 in the types that coefficients may have.
+template <typename Coefficient>
+void test_coefficient_type(const std::string& name)
+{
+  System system;
+  system.columns = 2;
+  system.add_row({{0, 2}, {1, 3}});
+  CS::Linear_constraints<Coefficient> constraints(2);
+  constraints.add_constraint({{0, Coefficient(2)}, {1, Coefficient(3)}});
+  std::vector<double> x = {1, 2};
+  CHECK(bool(snap_and_check(name, constraints, x, system)));
+  Eigen::SparseMatrix<Coefficient> matrix(1, 2);
+  matrix.insert(0, 0) = Coefficient(2);
+  matrix.insert(0, 1) = Coefficient(3);
+  std::vector<float> y = {1, 2};
+  CHECK(bool(snap_and_check(name, matrix, y, system)));
+  const std::vector<long long> b = {1};
+  CHECK(bool(CS::snap_to_linear_constraints(matrix, b, y)));
+  CHECK(2 * y[0] + 3 * y[1] == 1);
+}
+
+void test_figures()
+{
+  CS::Snapping_report report =
+    test_rows<double>("violation", {{{{0, 0.25}, {1, -0.75}}, 0}}, {3 + 1e-7, 1}, {3, 1}, 1e-6);
+  CHECK(report.violation_before > 2.4e-8 && report.violation_before < 2.6e-8);
+  report = test_rows<double>("coefficient", {{{{0, 1}, {1, -1000}}, 0}}, {1000, 1.5}, {1000, 1}, 0.5);
+  CHECK_EQUAL(report.largest_coefficient, 1000.);
+  CHECK(report.optimal_rms_change > 0 && report.optimal_rms_change <= report.rms_change * (1 + 1e-9));
+
+  CS::Linear_constraints<> constraints(2);
+  constraints.add_constraint({{0, 1}, {1, -1}});
+  for(const std::vector<double>& weights :
+      {std::vector<double>{1e300, 1e-320}, {1e-320, 1e-320}, {1e308, 1e308}, {1, 1}}) {
+    std::vector<double> x = {1, 2};
+    CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::weights(weights))));
+    CHECK(x[0] == x[1] && x[0] == (weights[0] == weights[1] ? 1.5 : 1.));
+  }
+}
+
+// --- files ---------------------------------------------------------------------------------------
+
 // Seam systems and random ones of thousands of unknowns: for the references they are too big.
 void test_file(const std::string& path)
 {
@@ -342,6 +487,17 @@ void test_files()
 int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
+  test_right_hand_sides_of_other_sizes();
+  test_large_numbers();
+  test_large_images();
+  test_coefficient_type<short>("short");
+  test_coefficient_type<unsigned int>("unsigned int");
+  test_coefficient_type<unsigned long long>("unsigned long long");
+  test_coefficient_type<long long>("long long");
+  test_coefficient_type<float>("float");
+  test_coefficient_type<double>("double");
+  test_coefficient_type<Rational>("rational");
+  test_figures();
   test_random_systems<double>("up to 4 unknowns", seed, 600, 4);
   test_random_systems<float>("up to 4 unknowns, float", seed + 10000, 400, 4);
   test_random_systems<double>("up to 12 unknowns", seed + 20000, 900, 12);

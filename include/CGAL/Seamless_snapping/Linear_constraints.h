@@ -62,7 +62,7 @@ public:
   \param terms the pairs \f$ (j_k, a_k) \f$ in any order; terms with equal indices add up
   \param right_hand_side \f$ b \f$, by default 0; converts exactly from integers and from `double`
 
-  \pre all indices are below `number_of_unknowns()`
+  \pre all indices are below `number_of_unknowns()`, and all numbers are finite
   */
   std::size_t add_constraint(const std::vector<Term>& terms,
                              const CGAL::Exact_rational& right_hand_side = CGAL::Exact_rational(0))

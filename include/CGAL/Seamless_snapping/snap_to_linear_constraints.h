@@ -26,8 +26,10 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -75,6 +77,16 @@ std::vector<double> read_weights(const Weights& range, std::size_t)
   return weights;
 }
 
+// Only ratios matter. Their squares must not overflow, so no weight is less than 2^-400 times the largest.
+inline void normalize(std::vector<double>& weights)
+{
+  int exponent = (std::numeric_limits<int>::min)();
+  for(const double w : weights)
+    exponent = (std::max)(exponent, std::ilogb(w));
+  for(double& w : weights)
+    w = (std::max)(std::ldexp(w, -exponent), std::ldexp(1., -400));
+}
+
 template <typename Constraints, typename RightHandSide, typename Values, typename NamedParameters>
 Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b,
                                            Values& values, const NamedParameters& np)
@@ -92,7 +104,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
-  const std::vector<double> weights =
+  std::vector<double> weights =
     read_weights(get_parameter_reference(np, CGAL::internal_np::weights), x.size());
 
   if(x.size() != number_of_columns(c))
@@ -110,6 +122,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
     if(!(weights[j] > 0) || !std::isfinite(weights[j]))
       return refused(Snapping_status::INVALID_ARGUMENT,
                      "weight " + std::to_string(j) + " is not a positive number");
+  normalize(weights);
 
   Scaled_system system;
   std::string problem;
@@ -146,7 +159,7 @@ pivots first, and a least-squares target.
 
 \tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer type,
         `double` (every `double` is a rational number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`
-\tparam RightHandSide a range of numbers that convert exactly to `CGAL::Exact_rational`: integers,
+\tparam RightHandSide a random access range of numbers that convert exactly to `CGAL::Exact_rational`: integers,
         `float`, `double`, `CGAL::Exact_integer`, `CGAL::Exact_rational`
 \tparam Values a random access range of `float` or `double`, for example `std::vector<double>` or
         `Eigen::VectorXd`
@@ -161,7 +174,8 @@ pivots first, and a least-squares target.
 \cgalNamedParamsBegin
   \cgalParamNBegin{weights}
     \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
-    \cgalParamType{a range of positive numbers of type `double`, one per unknown}
+    \cgalParamType{a random access range of positive numbers of type `double`, one per unknown; ratios
+                   beyond \f$ 2^{400} \f$ count as that}
     \cgalParamDefault{all 1}
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd
@@ -174,7 +188,8 @@ pivots first, and a least-squares target.
 
 \return the status and figures; converts to `true` if and only if \f$ C x = b \f$ holds exactly. On
         failure, `Snapping_report::status` is
-        - `INVALID_ARGUMENT`: sizes do not match, a weight is not positive, or a coefficient is not finite;
+        - `INVALID_ARGUMENT`: sizes do not match, an index is out of range, a weight is not positive, or a
+          coefficient or right-hand side is not finite;
         - `NOT_FINITE`: a value is NaN or infinite;
         - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
           that contradict each other;
@@ -182,8 +197,11 @@ pivots first, and a least-squares target.
           the number type has at the size of the values. This can't happen for \f$ b = 0 \f$.
 
 \par Complexity
-In general cubic in the number of constraints in the worst case. For sparse systems such as those of
-seamless parametrizations nearly linear in the number of nonzero coefficients.
+Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless
+parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. Constraints
+without one take a dense integer lattice: time cubic, and memory quadratic, in the number of unknowns
+that they link. A single constraint with arbitrary real coefficients on 1,000 unknowns takes seconds, on
+20,000 of them hours.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

@@ -41,12 +41,12 @@ public:
     m_start = now;
     const auto same = std::find_if(m_report.step_times.begin(), m_report.step_times.end(),
                                    [&](const auto& other) { return other.first == step; });
-    if(same != m_report.step_times.end()) {
+    const bool is_new = same == m_report.step_times.end();
+    if(is_new)
+      m_report.step_times.emplace_back(step, seconds);
+    else
       same->second += seconds; // made again, for another part or on another grid
-      return;
-    }
-    m_report.step_times.emplace_back(step, seconds);
-    if(m_verbose)
+    if(m_verbose && (is_new || seconds > 0.1))
       std::cerr << "  " << step << ": " << seconds * 1e3 << " ms" << std::endl;
   }
 

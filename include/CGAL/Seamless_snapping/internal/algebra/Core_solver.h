@@ -69,25 +69,31 @@ public:
   const Exact_integer& largest_coefficient() const { return m_largest_coefficient; }
   Exact_integer largest_pivot() const { return m_lattice.largest_pivot(); }
 
+  // What is near, for `nearest()`: dear, so made once for all grids.
+  Lattice_metric metric(const std::vector<double>& weights) const
+  {
+    std::vector<double> core_weights;
+    for(const Column_index column : m_columns)
+      core_weights.push_back(weights[std::size_t(column)]);
+    return m_lattice.metric(core_weights);
+  }
+
   // Sets the core's columns of `x` to a solution near the target, for right-hand sides that are doubled
   // `shift` times. Returns false if a value exceeds 2^62.
   // \pre shift >= *right_hand_shift()
   bool nearest(const std::size_t shift, const std::vector<Grid_value>& target,
-               const std::vector<double>& weights, std::vector<std::int64_t>& x) const
+               const Lattice_metric& metric, std::vector<std::int64_t>& x) const
   {
     if(m_columns.empty())
       return true;
     std::vector<Grid_value> core_target;
-    std::vector<double> core_weights;
-    for(const Column_index column : m_columns) {
+    for(const Column_index column : m_columns)
       core_target.push_back(target[std::size_t(column)]);
-      core_weights.push_back(weights[std::size_t(column)]);
-    }
     std::vector<Exact_integer> b(m_right_hand_side);
     const Exact_integer factor = power_of_two(shift);
     for(Exact_integer& value : b)
       value = Exact_integer(value * factor);
-    const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, core_weights);
+    const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, metric);
     CGAL_assertion(solution.solvability == Solvability::SOLVABLE);
     for(std::size_t j = 0; j < m_columns.size(); ++j) {
       if(!fits_64_bits(solution.values[j]))

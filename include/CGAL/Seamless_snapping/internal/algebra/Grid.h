@@ -83,7 +83,7 @@ public:
   int exponent() const { return m_exponent; }
   double step() const { return m_step; }
 
-  // \pre |x| <= 2^62 step(); this split is exact
+  // \pre |x| <= 2^62 step(); exact, but for values that are subnormal numbers in units of the step
   Grid_value split(const double x) const
   {
     const double scaled = (x * m_half_inverse) * m_other_half_inverse; // 1 / step() may overflow
@@ -138,18 +138,19 @@ inline void rescale(Grid_value& v, const int shift)
 {
   const double bound = 4611686018427387904.; // 2^62
   const double size = std::ldexp(static_cast<double>(v.base) + v.offset, -shift);
-  if(!(std::abs(size) < bound) || !(std::abs(v.offset) < bound) || shift >= 62) {
-    v = {0, size};
-  } else if(shift <= 0) {
-    const double offset = std::ldexp(v.offset, -shift);
+  const double offset = std::ldexp(v.offset, -shift);
+  if(shift > 0 && shift < 62 && std::abs(v.offset) < bound) {
+    const std::int64_t unit = std::int64_t(1) << shift;
+    v.offset = std::ldexp(static_cast<double>(v.base % unit) + v.offset, -shift);
+    v.base /= unit;
+  } else if(shift <= 0 && std::ldexp(std::abs(static_cast<double>(v.base)), -shift) < bound &&
+            std::abs(offset) < bound) {
     const double whole = std::nearbyint(offset);
     v.base = (v.base == 0 ? 0 : v.base * (std::int64_t(1) << -shift)) +
              static_cast<std::int64_t>(whole);
     v.offset = offset - whole;
   } else {
-    const std::int64_t unit = std::int64_t(1) << shift;
-    v.offset = std::ldexp(static_cast<double>(v.base % unit) + v.offset, -shift);
-    v.base /= unit;
+    v = {0, size};
   }
 }
 

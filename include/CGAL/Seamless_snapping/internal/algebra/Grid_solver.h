@@ -123,15 +123,16 @@ public:
 
   // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from the
   // finest that fits the values on. Returns false if there is no solution on any grid that the number
-  // type has for values of this size: impossible for homogeneous systems.
+  // type has for values of this size: impossible for homogeneous systems, which 0 solves.
   bool solve(const Grid_point& point, Grid_solution& solution, Step_timer& timer) const
   {
     const Number_format& format = point.grid.format();
-    int coarsest = format.maximum_exponent;
+    int coarsest = format.maximum_exponent - 1;
     if(!m_is_homogeneous) {
       if(!m_core.right_hand_shift())
         return false;
-      coarsest = -static_cast<int>(m_system.right_hand_scale() + *m_core.right_hand_shift());
+      coarsest = (std::min)(coarsest, -m_system.right_hand_scale() -
+                                        static_cast<int>(*m_core.right_hand_shift()));
     }
     int exponent = (std::min)(point.grid.exponent(), coarsest);
     if(exponent < format.minimum_exponent)
@@ -142,20 +143,33 @@ public:
     project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
                          point.weights, solution.target);
     if(exponent != point.grid.exponent()) { // right-hand sides want a finer grid
-      if(!rescale_target(exponent - point.grid.exponent(), solution))
-        return false;
+      rescale_target(exponent - point.grid.exponent(), solution);
       solution.grid = Grid(format, exponent);
-      project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
-                           point.weights, solution.target);
+      double size = largest_target(solution), previous = 0;
+      do { // where values shrink by much, each round makes up for the rounding errors of the last one
+        previous = size;
+        project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
+                             point.weights, solution.target);
+        size = largest_target(solution);
+      } while(size >= largest_sum && size < previous / 2);
+      if(!(size < largest_sum))
+        return false;
     }
+    if(m_is_homogeneous)
+      pull_into_range(solution);
     add_definitions(solution.target);
     std::vector<double> weights(point.weights);
     weights.resize(solution.target.size(), 1.);
+    const Lattice_metric metric = m_core.metric(weights);
     timer.finish("least-squares target");
 
-    for(int excess = 0; (excess = evaluate(point, weights, solution)) > 0;) {
-      if(exponent == coarsest)
-        return false;
+    for(int excess = 0; (excess = evaluate(point, metric, solution)) > 0;) {
+      if(exponent == coarsest) {
+        if(!m_is_homogeneous)
+          return false;
+        solution.x.assign(solution.x.size(), 0);
+        break;
+      }
       excess = (std::min)(excess, coarsest - exponent);
       exponent += excess;
       solution.grid = Grid(format, exponent);
@@ -168,10 +182,12 @@ public:
   }
 
 private:
+  static constexpr double largest_sum = 4611686018427387904.; // 2^62
+
   // How often right-hand sides are doubled on a grid.
   int right_hand_shift(const Grid& grid) const
   {
-    return -static_cast<int>(m_system.right_hand_scale()) - grid.exponent();
+    return -m_system.right_hand_scale() - grid.exponent();
   }
 
   std::size_t number_of_unit_pivots() const
@@ -180,48 +196,69 @@ private:
                                      [&](const auto& p) { return m_elimination.is_original_row(p.row); }));
   }
 
+  // An optimum beyond the largest number is replaced by the solution on its way to 0 that is not.
+  static void pull_into_range(Grid_solution& solution)
+  {
+    const Number_format& format = solution.grid.format();
+    const double limit = std::ldexp(1., format.maximum_exponent - solution.grid.exponent());
+    const double largest = largest_target(solution);
+    if(!(largest >= limit))
+      return;
+    const double factor = limit / largest * (1 - std::ldexp(1., 4 - format.digits));
+    for(Grid_value& v : solution.target)
+      v = {0, (static_cast<double>(v.base) + v.offset) * factor};
+  }
+
   // The targets of the elimination's new unknowns.
   void add_definitions(std::vector<Grid_value>& target) const
   {
     for(const Definition<Integer>& definition : m_elimination.definitions()) {
       Grid_value sum;
       for(const Entry<Integer>& e : definition.sum) {
+        const double sign = e.coefficient > 0 ? 1 : -1;
         const Grid_value& v = target[std::size_t(e.column)];
-        sum.base += e.coefficient > 0 ? v.base : -v.base; // at most 128 of 2^54
-        sum.offset += e.coefficient > 0 ? v.offset : -v.offset;
+        const std::int64_t base = e.coefficient > 0 ? v.base : -v.base;
+        if(std::abs(static_cast<double>(sum.base) + static_cast<double>(base)) < largest_sum)
+          sum.base += base;
+        else
+          sum.offset += static_cast<double>(base);
+        sum.offset += sign * v.offset;
       }
       target.push_back(sum);
     }
   }
 
-  // To a grid 2^shift times as coarse. Returns whether all values are within 2^62.
-  bool rescale_target(const int shift, Grid_solution& solution) const
+  // To a grid 2^shift times as coarse.
+  static void rescale_target(const int shift, Grid_solution& solution)
   {
-    bool fits = true;
-    for(Grid_value& v : solution.target) {
+    for(Grid_value& v : solution.target)
       rescale(v, shift);
-      fits = fits && std::abs(static_cast<double>(v.base) + v.offset) < 4611686018427387904.;
-    }
-    return fits;
+  }
+
+  static double largest_target(const Grid_solution& solution)
+  {
+    double largest = 0;
+    for(const Grid_value& v : solution.target)
+      largest = (std::max)(largest, std::abs(static_cast<double>(v.base) + v.offset));
+    return largest;
   }
 
   // Chooses the core and the free columns near the target, and computes the implied ones. Returns 0 if
   // all fit, else by how many bits the grid must be coarser.
-  int evaluate(const Grid_point& point, const std::vector<double>& weights,
-               Grid_solution& solution) const
+  int evaluate(const Grid_point& point, const Lattice_metric& metric, Grid_solution& solution) const
   {
     constexpr int many = 10; // for numbers of unknown size beyond 2^62
     // negative only if all right-hand sides are zero
     const std::size_t shift = std::size_t((std::max)(right_hand_shift(solution.grid), 0));
     std::vector<std::int64_t>& x = solution.x;
     x.assign(solution.target.size(), 0);
-    if(!m_core.nearest(shift, solution.target, weights, x))
+    if(!m_core.nearest(shift, solution.target, metric, x))
       return many;
+    if(m_core.is_whole())
+      return excess_of(point, solution);
     for(std::size_t j = 0; j < x.size(); ++j)
       if(m_is_free[j] && !solution.grid.nearest(solution.target[j], x[j]))
         return many;
-    if(m_core.is_whole())
-      return excess_of(point, solution);
     for(auto pivot = m_elimination.pivots().rbegin(); pivot != m_elimination.pivots().rend(); ++pivot)
       if(!back_substitute(*pivot, shift, x))
         return many;

@@ -62,16 +62,18 @@ class Integer_lattice
 public:
   using Vector = Sparse_vector<Exact_integer>;
 
-  // The right-hand sides of the system play no role.
+  // The right-hand sides of the system, all 0, play no role.
   template <typename Integer>
   explicit Integer_lattice(const Integer_system<Integer>& system)
     : m_system(to_multiprecision(system))
   {
     try {
-      take(Kernel_lattice<std::int64_t>(to_machine_integers(m_system)));
-    } catch(const Integer_overflow&) {
-      take(Kernel_lattice<Exact_integer>(m_system));
-    }
+      if(const auto small = to_machine_integers(m_system)) {
+        take(Kernel_lattice<std::int64_t>(*small));
+        return;
+      }
+    } catch(const Integer_overflow&) { }
+    take(Kernel_lattice<Exact_integer>(m_system));
   }
 
   std::size_t number_of_columns() const { return m_system.number_of_columns(); }
@@ -183,23 +185,6 @@ private:
     Vector result;
     for(const Entry<Integer>& e : vector)
       result.push_back({e.column, Exact_integer(e.coefficient)});
-    return result;
-  }
-
-  static Integer_system<std::int64_t>
-  to_machine_integers(const Integer_system<Exact_integer>& system)
-  {
-    Integer_system<std::int64_t> result(system.number_of_columns());
-    std::vector<Entry<std::int64_t> > row;
-    for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
-      row.clear();
-      for(const Entry<Exact_integer>* e = system.begin(i); e != system.end(i); ++e) {
-        if(!fits_64_bits(e->coefficient))
-          throw Integer_overflow();
-        row.push_back({e->column, to_64_bits(e->coefficient)});
-      }
-      result.add_row(row, 0);
-    }
     return result;
   }
 

@@ -21,6 +21,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -86,12 +88,12 @@ public:
 
   const Integer& right_hand_side(const std::size_t row) const { return m_right_hand_side[row]; }
 
-  std::size_t right_hand_scale() const { return m_right_hand_scale; }
-  void set_right_hand_scale(const std::size_t scale) { m_right_hand_scale = scale; }
+  int right_hand_scale() const { return m_right_hand_scale; }
+  void set_right_hand_scale(const int scale) { m_right_hand_scale = scale; }
 
 private:
   std::size_t m_number_of_columns;
-  std::size_t m_right_hand_scale = 0;
+  int m_right_hand_scale = 0;
   std::vector<Entry<Integer> > m_entries;
   std::vector<std::size_t> m_row_begin;
   std::vector<Integer> m_right_hand_side;
@@ -108,6 +110,27 @@ inline Integer_system<Exact_integer> to_multiprecision(const Integer_system<std:
     for(const Entry<std::int64_t>* e = system.begin(i); e != system.end(i); ++e)
       row.push_back({e->column, Exact_integer(e->coefficient)});
     result.add_row(row, Exact_integer(system.right_hand_side(i)));
+  }
+  return result;
+}
+
+// The same system in 64-bit integers, if they are large enough.
+inline std::optional<Integer_system<std::int64_t> >
+to_machine_integers(const Integer_system<Exact_integer>& system)
+{
+  Integer_system<std::int64_t> result(system.number_of_columns());
+  result.set_right_hand_scale(system.right_hand_scale());
+  std::vector<Entry<std::int64_t> > row;
+  for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
+    row.clear();
+    for(const Entry<Exact_integer>* e = system.begin(i); e != system.end(i); ++e) {
+      if(!fits_64_bits(e->coefficient))
+        return std::nullopt;
+      row.push_back({e->column, to_64_bits(e->coefficient)});
+    }
+    if(!fits_64_bits(system.right_hand_side(i)))
+      return std::nullopt;
+    result.add_row(row, to_64_bits(system.right_hand_side(i)));
   }
   return result;
 }

@@ -230,8 +230,8 @@ private:
     Integer quotient(image.value / divisor.value);
     const Integer rest = difference_with_product(image.value, quotient, divisor.value);
     // to the nearest quotient
-    const Integer twice(rest + rest);
-    if(CGAL::abs(twice) > CGAL::abs(divisor.value))
+    const Integer size(CGAL::abs(rest));
+    if(size > Integer(CGAL::abs(divisor.value) - size)) // without a sum that might overflow
       quotient = Integer(quotient + ((rest > 0) == (divisor.value > 0) ? 1 : -1));
     image.value = difference_with_product(image.value, quotient, divisor.value);
     if(image.value != 0)

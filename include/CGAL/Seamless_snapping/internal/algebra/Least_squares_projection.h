@@ -20,8 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Seamless_snapping/internal/algebra/Orthogonal_frame.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -30,21 +29,43 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// C (base + offset) - b 2^right_hand_shift for one row: exact in the bases, so that violations below one
-// ulp of the values are still seen.
+// The power of two by which a row is divided before it becomes one of doubles: 0 unless these overflow.
+template <typename Integer>
+long row_exponent(const Integer_system<Integer>& system, const std::size_t row)
+{
+  constexpr long large = 200; // sums of products with grid values stay far from the limit
+  long largest = 0;
+  if constexpr(!std::is_same<Integer, std::int64_t>::value)
+    for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e)
+      largest = (std::max)(largest, to_scaled_double(e->coefficient).exponent);
+  return largest > large ? largest : 0;
+}
+
+inline double divided_by_power(const std::int64_t a, long) { return static_cast<double>(a); }
+inline double divided_by_power(const Exact_integer& a, const long exponent)
+{
+  const Scaled_double scaled = to_scaled_double(a);
+  return scaled_by_power(scaled.mantissa, scaled.exponent - exponent);
+}
+
+// C (base + offset) - b 2^right_hand_shift for one row, divided by 2^row_exponent: exact in the bases, so
+// that violations below one ulp of the values are still seen.
 template <typename Integer>
 double row_violation(const Integer_system<Integer>& system, const std::size_t row,
                      const int right_hand_shift, const std::vector<Grid_value>& values)
 {
+  const long exponent = row_exponent(system, row);
   double offset = 0;
   for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e)
-    offset += CGAL::to_double(e->coefficient) * values[std::size_t(e->column)].offset;
+    offset += divided_by_power(e->coefficient, exponent) * values[std::size_t(e->column)].offset;
   try {
     std::int64_t sum = 0;
     if(system.right_hand_side(row) != 0)
@@ -66,7 +87,7 @@ double row_violation(const Integer_system<Integer>& system, const std::size_t ro
                          Exact_integer(values[std::size_t(e->column)].base));
   sum = Exact_integer(Exact_integer(sum * power_of_two(down)) -
                       Exact_integer(Exact_integer(system.right_hand_side(row)) * power_of_two(up)));
-  return std::ldexp(CGAL::to_double(sum), -static_cast<int>(down)) + offset;
+  return divided_by_power(sum, exponent + static_cast<long>(down)) + offset;
 }
 
 // The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as the columns of a matrix.
@@ -83,10 +104,11 @@ Eigen::SparseMatrix<double> scaled_rows(const Integer_system<Integer>& system,
   for(std::size_t i = 0; i < rows.size(); ++i) {
     const Entry<Integer>* const first = system.begin(std::size_t(rows[i]));
     const Entry<Integer>* const last = system.end(std::size_t(rows[i]));
+    const long exponent = row_exponent(system, std::size_t(rows[i]));
     row.clear();
     double largest = 0;
     for(const Entry<Integer>* e = first; e != last; ++e) {
-      row.push_back(CGAL::to_double(e->coefficient) * scales[std::size_t(e->column)]);
+      row.push_back(divided_by_power(e->coefficient, exponent) * scales[std::size_t(e->column)]);
       largest = (std::max)(largest, std::abs(row.back()));
     }
     double squares = 0; // of c / largest: c^2 may overflow

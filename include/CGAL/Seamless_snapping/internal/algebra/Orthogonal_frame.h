@@ -127,7 +127,6 @@ public:
       m_r(number_of_rows * number_of_rows), m_exponents(number_of_rows, 0)
   { }
 
-  std::size_t number_of_rows() const { return m_number_of_rows; }
   std::size_t dimension() const { return m_dimension; }
   Real* r(const std::size_t k) { return m_r.data() + k * m_number_of_rows; }
   const Real* r(const std::size_t k) const { return m_r.data() + k * m_number_of_rows; }

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -109,13 +110,16 @@ public:
 private:
   Any_system take_system()
   {
-    std::size_t scale = 0;
+    std::optional<int> finest;
     for(const Large_row& row : m_large_rows)
-      scale = (std::max)(scale, row.right_hand_scale);
+      if(row.right_hand_side != 0)
+        finest = finest ? (std::max)(*finest, row.right_hand_scale) : row.right_hand_scale;
+    const int scale = finest ? *finest : 0;
     bool small = true;
     for(Large_row& row : m_large_rows) {
-      row.right_hand_side = Exact_integer(row.right_hand_side *
-                                          power_of_two(scale - row.right_hand_scale));
+      if(row.right_hand_side != 0)
+        row.right_hand_side = Exact_integer(row.right_hand_side *
+                                            power_of_two(std::size_t(scale - row.right_hand_scale)));
       small = small && fits_64_bits(row.right_hand_side) &&
               std::all_of(row.entries.begin(), row.entries.end(),
                           [](const Entry<Exact_integer>& e) { return fits_64_bits(e.coefficient); });
@@ -132,8 +136,8 @@ private:
   {
     std::size_t index;
     std::vector<Entry<Exact_integer> > entries;
-    Exact_integer right_hand_side; // times 2^-right_hand_scale
-    std::size_t right_hand_scale;
+    Exact_integer right_hand_side; // times 2^-right_hand_scale; odd, or 0
+    int right_hand_scale;
   };
 
   template <typename Coefficient>
@@ -183,25 +187,23 @@ private:
     Exact_integer factor(0);
     for(const Entry<Exact_integer>& e : row.entries)
       factor = greatest_common_divisor(factor, e.coefficient);
-    Exact_integer odd(factor);
-    std::size_t twos = 0;
-    for(; odd != 0 && Exact_integer(odd % Exact_integer(2)) == 0; ++twos)
-      odd = exact_quotient(odd, Exact_integer(2));
-    const Exact_integer common = greatest_common_divisor(odd, row.right_hand_side);
     if(factor != 0) {
-      const Exact_integer divisor(common * power_of_two(twos));
+      const int twos = number_of_halvings(factor);
+      const Exact_integer odd = exact_quotient(factor, power_of_two(std::size_t(twos)));
+      const Exact_integer common = greatest_common_divisor(odd, row.right_hand_side);
+      const Exact_integer divisor(common * power_of_two(std::size_t(twos)));
       m_scales[m_rows.number_of_rows()] = Exact_rational(multiple) / Exact_rational(divisor);
       for(Entry<Exact_integer>& e : row.entries)
         e.coefficient = exact_quotient(e.coefficient, divisor);
       row.right_hand_side = exact_quotient(row.right_hand_side, common);
-      row.right_hand_scale = row.right_hand_side == 0 ? 0 : twos;
-      while(row.right_hand_scale > 0 &&
-            Exact_integer(row.right_hand_side % Exact_integer(2)) == 0) {
-        row.right_hand_side = exact_quotient(row.right_hand_side, Exact_integer(2));
-        --row.right_hand_scale;
-      }
+      row.right_hand_scale = twos;
     } else {
       m_scales[m_rows.number_of_rows()] = Exact_rational(multiple);
+    }
+    if(row.right_hand_side != 0) {
+      const int halvings = number_of_halvings(row.right_hand_side);
+      row.right_hand_side = exact_quotient(row.right_hand_side, power_of_two(std::size_t(halvings)));
+      row.right_hand_scale -= halvings;
     }
     m_rows.add_row({}, 0); // holds the place
     m_large_rows.push_back(std::move(row));
@@ -223,7 +225,7 @@ private:
   }
 
   template <typename Integer>
-  Integer_system<Integer> merged(const std::size_t scale) const
+  Integer_system<Integer> merged(const int scale) const
   {
     Integer_system<Integer> result(m_number_of_columns);
     result.set_right_hand_scale(scale);

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -181,6 +182,8 @@ private:
       for(const Entry<Integer>& e : m_rows[i])
         m_columns.add(e.column, Row_index(i));
       divide_by_common_factor(Row_index(i));
+      for(const Entry<Integer>& e : m_rows[i])
+        note_size(e.coefficient);
       m_queue.push(Row_index(i), m_rows[i].size());
     }
   }
@@ -333,19 +336,24 @@ private:
 
   // The first of at least two columns that no other row holds and that have the same coefficient up to the
   // sign, or the size of the row.
-  std::size_t first_single(const Row& row) const
+  std::size_t first_single(const Row& row)
   {
+    m_singles.clear();
     for(std::size_t k = 0; k < row.size(); ++k)
       if(m_columns.count(row[k].column) == 1) {
         if(is_unit(row[k].coefficient))
           return row.size(); // a pivot at no cost
-        for(std::size_t l = k + 1; l < row.size(); ++l)
-          if(m_columns.count(row[l].column) == 1 && (row[l].coefficient == row[k].coefficient ||
-                                                     row[l].coefficient == -row[k].coefficient) &&
-             sum_size(row[k].column) + sum_size(row[l].column) <= largest_sum)
-            return k;
+        m_singles.push_back({Integer(CGAL::abs(row[k].coefficient)), sum_size(row[k].column), k});
       }
-    return row.size();
+    std::sort(m_singles.begin(), m_singles.end());
+    std::size_t first = row.size();
+    for(std::size_t i = 1; i < m_singles.size(); ++i) {
+      const auto& [a, size_of_a, k] = m_singles[i - 1];
+      const auto& [b, size_of_b, l] = m_singles[i];
+      if(a == b && size_of_a + size_of_b <= largest_sum)
+        first = (std::min)({first, k, l});
+    }
+    return first;
   }
 
   int sum_size(const Column_index column) const
@@ -393,6 +401,7 @@ private:
   std::vector<Pivot> m_pivots;
   std::vector<Row_index> m_core_rows, m_redundant_rows, m_contradictory_rows;
   Integer m_largest_coefficient = Integer(0);
+  std::vector<std::tuple<Integer, int, std::size_t> > m_singles; // scratch
   std::vector<Row_index> m_rows_of_column, m_changed_rows; // scratch
   Row m_scratch;
 };

@@ -138,6 +138,17 @@ inline std::size_t bit_length(const Exact_integer& a)
 }
 
 // Whether |a| <= 2^62: the range of all integers handed on as 64 bits.
+// How often `a` can be halved.
+// \pre a != 0
+template <typename Integer>
+int number_of_halvings(Integer a)
+{
+  int count = 0;
+  for(; Integer(a % Integer(2)) == 0; ++count)
+    a = exact_quotient(a, Integer(2));
+  return count;
+}
+
 inline bool fits_64_bits(const std::int64_t a)
 {
   constexpr std::int64_t bound = std::int64_t(1) << 62;

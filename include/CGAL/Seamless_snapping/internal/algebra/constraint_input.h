@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -35,11 +36,29 @@ namespace Seamless_snapping {
 namespace internal {
 
 // The type that coefficients are handled in before they are integers.
+template <typename Number>
+constexpr bool is_built_in_integer = std::is_integral<Number>::value && sizeof(Number) <= 8;
+
 template <typename Coefficient>
 using Input_coefficient =
-  typename std::conditional<std::is_integral<Coefficient>::value &&
+  typename std::conditional<is_built_in_integer<Coefficient> &&
                               (sizeof(Coefficient) < 8 || std::is_signed<Coefficient>::value),
                             std::int64_t, Exact_rational>::type;
+
+template <typename Number>
+Exact_rational to_exact_rational(const Number& a)
+{
+  if constexpr(is_built_in_integer<Number> && sizeof(Number) == 8) {
+    const Number radix = 2147483648; // number types of CGAL need not take 64-bit integers
+    return Exact_rational(static_cast<double>(a / radix)) * Exact_rational(static_cast<double>(radix)) +
+           Exact_rational(static_cast<double>(a % radix));
+  } else {
+    static_assert(std::is_constructible<Exact_rational, Number>::value && sizeof(Number) != 0,
+                  "coefficients and right-hand sides must be integers of up to 64 bits, float, double, "
+                  "or convert to CGAL::Exact_rational");
+    return Exact_rational(a);
+  }
+}
 
 template <typename Coefficient>
 std::size_t number_of_columns(const Linear_constraints<Coefficient>& c)
@@ -85,7 +104,7 @@ Exact_rational right_hand_side(const Eigen::SparseMatrix<Scalar, Options, Storag
 template <typename Constraints, typename RightHandSide>
 Exact_rational right_hand_side(const Constraints&, const RightHandSide& b, const std::size_t i)
 {
-  return Exact_rational(*std::next(std::begin(b), std::ptrdiff_t(i)));
+  return to_exact_rational(*std::next(std::begin(b), std::ptrdiff_t(i)));
 }
 
 template <typename T>
@@ -114,6 +133,26 @@ bool has_size(const RightHandSide& b, const std::size_t size)
 }
 
 // Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
+template <typename Coefficient>
+bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& problem)
+{
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i)
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      if(term->first >= c.number_of_unknowns()) {
+        problem = "constraint " + std::to_string(i) + " has the unknown " + std::to_string(term->first) +
+                  ", but there are only " + std::to_string(c.number_of_unknowns());
+        return false;
+      }
+  return true;
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+bool has_valid_indices(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&, std::string&)
+{
+  return true;
+}
+
+// \pre has_valid_indices(c)
 template <typename Coefficient, typename F>
 bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
 {
@@ -159,8 +198,10 @@ std::vector<Entry<Input> > converted_row(const std::vector<Entry<Coefficient> >&
 {
   std::vector<Entry<Input> > entries;
   entries.reserve(row.size());
-  if constexpr(std::is_convertible<Coefficient, Input>::value || std::is_constructible<Input, Coefficient>::value)
-    for(const Entry<Coefficient>& e : row)
+  for(const Entry<Coefficient>& e : row)
+    if constexpr(std::is_same<Input, Exact_rational>::value)
+      entries.push_back({e.column, to_exact_rational(e.coefficient)});
+    else
       entries.push_back({e.column, static_cast<Input>(e.coefficient)});
   return entries;
 }
@@ -179,6 +220,13 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
     problem = "a right-hand side is NaN or infinite";
     return false;
   }
+  if(!has_valid_indices(c, problem))
+    return false;
+  constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
+  if(number_of_columns(c) > largest || number_of_rows(c) > largest) {
+    problem = "more than " + std::to_string(largest) + " unknowns or constraints are not supported";
+    return false;
+  }
   System_builder builder(number_of_columns(c));
   const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
     using Coefficient = std::decay_t<decltype(row.front().coefficient)>;
@@ -187,10 +235,13 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
         problem = "a coefficient of constraint " + std::to_string(i) + " is NaN or infinite";
         return false;
       }
-    if(std::all_of(row.begin(), row.end(), [](const auto& e) { return is_small_integer(e.coefficient); }))
-      builder.add_row(converted_row<std::int64_t>(row), right_hand_side(c, b, i));
-    else
-      builder.add_row(converted_row<Input_coefficient<Coefficient> >(row), right_hand_side(c, b, i));
+    if constexpr(std::is_arithmetic<Coefficient>::value)
+      if(std::all_of(row.begin(), row.end(),
+                     [](const auto& e) { return is_small_integer(e.coefficient); })) {
+        builder.add_row(converted_row<std::int64_t>(row), right_hand_side(c, b, i));
+        return true;
+      }
+    builder.add_row(converted_row<Input_coefficient<Coefficient> >(row), right_hand_side(c, b, i));
     return true;
   });
   if(finite)

@@ -36,8 +36,12 @@ template <typename Integer>
 Exact_rational exact_violation(const Integer_system<Integer>& system, const std::size_t row,
                                const std::vector<double>& x)
 {
-  Exact_rational sum(-Exact_rational(Exact_integer(system.right_hand_side(row))) /
-                     Exact_rational(power_of_two(system.right_hand_scale())));
+  const int scale = system.right_hand_scale();
+  Exact_rational sum(-Exact_rational(Exact_integer(system.right_hand_side(row))));
+  if(scale >= 0)
+    sum /= Exact_rational(power_of_two(std::size_t(scale)));
+  else
+    sum *= Exact_rational(power_of_two(std::size_t(-scale)));
   for(const Entry<Integer>* e = system.begin(row); e != system.end(row); ++e)
     sum += Exact_rational(Exact_integer(e->coefficient)) * Exact_rational(x[std::size_t(e->column)]);
   return sum;

@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,11 +46,30 @@ std::vector<double> component_values(const System_component<Integer>& component,
 }
 
 // The values of a part of the system on the finest grid that holds the largest of them.
+// Any solution has a value of this size or larger.
+template <typename Integer>
+double size_of_solutions(const Integer_system<Integer>& system)
+{
+  double largest = 0;
+  for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
+    if(system.right_hand_side(i) == 0 || system.begin(i) == system.end(i))
+      continue;
+    Exact_integer sum(0);
+    for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
+      sum += CGAL::abs(Exact_integer(e->coefficient));
+    const Scaled_double b = to_scaled_double(Exact_integer(system.right_hand_side(i)));
+    const Scaled_double factor = to_scaled_double(sum);
+    largest = (std::max)(largest, scaled_by_power(std::abs(b.mantissa) / factor.mantissa,
+                                                  b.exponent - factor.exponent - system.right_hand_scale()));
+  }
+  return largest;
+}
+
 template <typename Integer>
 Grid_point point_on_grid(const System_component<Integer>& component, const std::vector<double>& x,
                          const std::vector<double>& weights, const Number_format& format)
 {
-  double largest = 0;
+  double largest = (std::min)(size_of_solutions(component.system), std::ldexp(1., format.maximum_exponent - 1));
   for(const std::size_t j : component.columns)
     largest = (std::max)(largest, std::abs(x[j]));
   Grid_point point{Grid::finest(format, largest), {}, {}, component.columns.size()};
@@ -60,14 +81,28 @@ Grid_point point_on_grid(const System_component<Integer>& component, const std::
 }
 
 // The largest violation, in floating point.
+// Of the caller's rows, of which the system's are multiples.
 template <typename Integer>
-double largest_violation(const Integer_system<Integer>& system, const Grid_point& point)
+double largest_violation(const System_component<Integer>& component, const Grid_point& point,
+                         const std::map<std::size_t, Exact_rational>& scales)
 {
-  const int shift = -static_cast<int>(system.right_hand_scale()) - point.grid.exponent();
+  const Integer_system<Integer>& system = component.system;
+  const int shift = -system.right_hand_scale() - point.grid.exponent();
   double largest = 0;
-  for(std::size_t i = 0; i < system.number_of_rows(); ++i)
-    largest = (std::max)(largest, std::abs(row_violation(system, i, shift, point.values)));
-  return largest * point.grid.step();
+  for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
+    double violation = std::abs(row_violation(system, i, shift, point.values));
+    long exponent = row_exponent(system, i) + point.grid.exponent();
+    const auto scale = scales.find(component.rows[i]);
+    if(scale != scales.end()) {
+      const auto parts = numerator_and_denominator(scale->second);
+      const Scaled_double factor = to_scaled_double(parts.first);
+      const Scaled_double divisor = to_scaled_double(parts.second);
+      violation *= divisor.mantissa / factor.mantissa;
+      exponent += divisor.exponent - factor.exponent;
+    }
+    largest = (std::max)(largest, scaled_by_power(violation, exponent));
+  }
+  return largest;
 }
 
 // Figures of the change, in units of the largest value, so that squares neither overflow nor vanish.
@@ -79,9 +114,7 @@ public:
   void add(const double before, const Grid& grid, const std::int64_t after, const Grid_value& target)
   {
     const double change = std::abs(grid.value(after) - before);
-    const Grid_value start = grid.split(before);
-    const double optimum = (static_cast<double>(target.base - start.base) +
-                            (target.offset - start.offset)) * (grid.step() / m_unit);
+    const double optimum = difference(target, before, grid) / m_unit;
     m_largest = (std::max)(m_largest, change);
     m_sum += change / m_unit;
     m_squares += (change / m_unit) * (change / m_unit);
@@ -100,6 +133,14 @@ public:
   }
 
 private:
+  static double difference(const Grid_value& target, const double before, const Grid& grid)
+  {
+    if(!(std::abs(before) < std::ldexp(grid.step(), 62))) // the grid is finer than that of the input
+      return (static_cast<double>(target.base) + target.offset) * grid.step() - before;
+    const Grid_value start = grid.split(before);
+    return (static_cast<double>(target.base - start.base) + (target.offset - start.offset)) * grid.step();
+  }
+
   double m_unit;
   double m_largest = 0, m_sum = 0, m_squares = 0, m_optimal_squares = 0, m_count = 0;
 };
@@ -124,12 +165,13 @@ inline std::string failure_message(const Snapping_report& report)
 template <typename Integer>
 bool snap_component(const System_component<Integer>& component, const std::vector<double>& x,
                     const std::vector<double>& weights, const Number_format& format,
+                    const std::map<std::size_t, Exact_rational>& scales,
                     std::vector<double>& snapped, Change_figures& figures, Snapping_report& report,
                     Step_timer& timer)
 {
   const Grid_point point = point_on_grid(component, x, weights, format);
   report.violation_before = (std::max)(report.violation_before,
-                                       largest_violation(component.system, point));
+                                       largest_violation(component, point, scales));
   timer.finish("input");
   Grid_solution solution{point.grid, {}, {}};
   if(!solve_on_grid(component.system, point, solution, report, timer)) {
@@ -148,9 +190,10 @@ bool snap_component(const System_component<Integer>& component, const std::vecto
 
 // Replaces `x` by values that solve the system exactly, or leaves it alone.
 template <typename Integer>
-void snap_values(const Integer_system<Integer>& system, const std::vector<double>& weights,
-                 const Number_format& format, std::vector<double>& x, Snapping_report& report,
-                 Step_timer& timer)
+void snap_values(const Integer_system<Integer>& system,
+                 const std::map<std::size_t, Exact_rational>& scales,
+                 const std::vector<double>& weights, const Number_format& format,
+                 std::vector<double>& x, Snapping_report& report, Step_timer& timer)
 {
   if(next_violated_row(system, x) == system.number_of_rows())
     return;
@@ -167,7 +210,7 @@ void snap_values(const Integer_system<Integer>& system, const std::vector<double
     if(next_violated_row(component.system, component_values(component, x)) ==
        component.system.number_of_rows())
       continue; // exact, and so left alone
-    if(snap_component(component, x, weights, format, snapped, figures, report, timer))
+    if(snap_component(component, x, weights, format, scales, snapped, figures, report, timer))
       continue;
     status = report.status;
     if(status == Snapping_status::INCONSISTENT)
@@ -192,7 +235,8 @@ inline void snap_values(const Scaled_system& scaled, const std::vector<double>& 
                         const Number_format& format, std::vector<double>& x,
                         Snapping_report& report, Step_timer& timer)
 {
-  std::visit([&](const auto& system) { snap_values(system, weights, format, x, report, timer); },
+  std::visit([&](const auto& system)
+             { snap_values(system, scaled.scales, weights, format, x, report, timer); },
              scaled.system);
   scaled.rescale(report.certificate);
 }

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The one door into the algebra: runs the snapper in 64-bit integers and, where one of them overflows,
-// from the start in multiprecision; says in the report what came of it. And how the solution's target follows
-// that of the unknowns.
+// The one door into the algebra: runs the snapper in 64-bit integers if the system has no larger ones,
+// and, where one of them overflows, from the start in multiprecision; says in the report what came of
+// it. And how the solution's target follows that of the unknowns.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Difference_projection.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Grid_solver.h>
@@ -46,15 +46,22 @@ bool solve_with(const Integer_system<Integer>& system, const Grid_point& point,
   return true;
 }
 
-template <typename Integer>
-bool solve_on_grid(const Integer_system<Integer>& system, const Grid_point& point,
-                   Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+inline bool solve_on_grid(const Integer_system<std::int64_t>& system, const Grid_point& point,
+                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
 {
   try {
     return solve_with(system, point, solution, report, timer);
-  } catch(const Integer_overflow&) { // only from 64-bit integers
+  } catch(const Integer_overflow&) {
     return solve_with(to_multiprecision(system), point, solution, report, timer);
   }
+}
+
+inline bool solve_on_grid(const Integer_system<Exact_integer>& system, const Grid_point& point,
+                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+{
+  if(const auto small = to_machine_integers(system)) // a part of a system with larger integers
+    return solve_on_grid(*small, point, solution, report, timer);
+  return solve_with(system, point, solution, report, timer);
 }
 
 // How the least-squares target answers to changes of the values.

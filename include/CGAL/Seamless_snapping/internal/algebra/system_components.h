@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,18 +41,15 @@ struct System_component
 
 // How often all of the numbers can be halved.
 template <typename Integer>
-std::size_t common_factors_of_two(const std::vector<Integer>& numbers, const std::size_t at_most)
+int common_number_of_halvings(const std::vector<Integer>& numbers)
 {
-  std::size_t count = 0;
-  Integer power(2);
-  for(; count < at_most; ++count, power = Integer(power * 2))
-    for(const Integer& a : numbers)
-      if(Integer(a % power) != 0)
-        return count;
-  return count;
+  std::optional<int> count;
+  for(const Integer& a : numbers)
+    if(a != 0)
+      count = count ? (std::min)(*count, number_of_halvings(a)) : number_of_halvings(a);
+  return count ? *count : 0;
 }
 
-// A row without entries is a part of its own. Unknowns that no row holds are in no part.
 template <typename Integer>
 std::vector<System_component<Integer> > system_components(const Integer_system<Integer>& system)
 {
@@ -92,7 +90,7 @@ std::vector<System_component<Integer> > system_components(const Integer_system<I
     std::vector<Integer> right_hand_sides;
     for(const std::size_t i : component.rows)
       right_hand_sides.push_back(system.right_hand_side(i));
-    const std::size_t halvings = common_factors_of_two(right_hand_sides, system.right_hand_scale());
+    const int halvings = common_number_of_halvings(right_hand_sides);
     component.system.set_right_hand_scale(system.right_hand_scale() - halvings);
     for(std::size_t k = 0; k < component.rows.size(); ++k) {
       row.assign(system.begin(component.rows[k]), system.end(component.rows[k]));
@@ -101,8 +99,8 @@ std::vector<System_component<Integer> > system_components(const Integer_system<I
       std::sort(row.begin(), row.end(), [](const Entry<Integer>& a, const Entry<Integer>& b)
                 { return a.column < b.column; });
       Integer b = right_hand_sides[k];
-      for(std::size_t h = 0; h < halvings; ++h)
-        b = Integer(b / 2);
+      for(int h = 0; h < halvings; ++h)
+        b = exact_quotient(b, Integer(2));
       component.system.add_row(row, b);
     }
   }

@@ -104,8 +104,7 @@ public:
                              sectors.largest_coordinate());
     if(constraints.empty()) // these may link anything
       magnify_small_parts(sectors, grid);
-    while(!snap_on(grid, transitions, align_edges, constraints, sectors, branches))
-      grid = Grid(grid.format(), grid.exponent() + 1);
+    while(!snap_on(grid, transitions, align_edges, constraints, sectors, branches)) {}
     return m_report;
   }
 
@@ -142,8 +141,8 @@ private:
     m_report.number_of_align_branches = branches.aligned.size();
   }
 
-  // Returns false if a coarser grid is needed: rare, for coordinates that grow past a power of two.
-  bool snap_on(const Grid& grid, const Transition_data<TriangleMesh>& transitions,
+  // Returns false, with a coarser grid, if that is needed: rare, for coordinates that grow past a power of two.
+  bool snap_on(Grid& grid, const Transition_data<TriangleMesh>& transitions,
                const Align_edges<TriangleMesh>& align_edges,
                const Constraint_list<TriangleMesh>& constraints, const Sectors& sectors,
                const Branches& branches)
@@ -151,6 +150,10 @@ private:
     const Coordinates coordinates(sectors, m_uv_map, grid);
     const System system(sectors, branches, transitions, align_edges, constraints, coordinates, grid);
     m_report.number_of_unknowns = system.point().values.size();
+    m_report.number_of_redundant_constraints = 0; // what follows adds to these
+    m_report.number_of_non_unit_pivots = 0;
+    m_report.number_of_coefficients = 0;
+    m_report.number_of_eliminated_coefficients = 0;
     m_timer.finish("reduced system");
 
     Grid_solution solution{grid, {}, {}};
@@ -165,8 +168,10 @@ private:
     const Coordinates final_coordinates(sectors, m_uv_map, solution.grid);
     Snapped snapped(sectors, branches, system, final_coordinates, solution);
     if(!snapped.fits()) {
-      if(solution.grid.exponent() >= grid.exponent())
+      if(solution.grid.exponent() >= grid.exponent()) {
+        grid = Grid(grid.format(), solution.grid.exponent() + 1);
         return false;
+      }
       m_report.status = Snapping_status::NOT_REPRESENTABLE; // right-hand sides forbid a coarser grid
       explain(system, constraints);
       return true;
