@@ -37,8 +37,10 @@ to_reference(const CGAL::Seamless_snapping::internal::Integer_system<Integer>& s
     for(const auto* e = system.begin(i); e != system.end(i); ++e)
       row.push_back({ std::size_t(e->column), exact_reference::Rational(e->coefficient) });
     exact_reference::Rational b(system.right_hand_side(i));
-    for(std::size_t k = 0; k < system.right_hand_scale(); ++k)
+    for(int k = 0; k < system.right_hand_scale(); ++k)
       b /= 2;
+    for(int k = 0; k > system.right_hand_scale(); --k)
+      b *= 2;
     result.add_row(row, b);
   }
   return result;

@@ -201,8 +201,13 @@ void test_random_system(std::uint64_t seed, std::size_t largest, Tally& tally)
   if(!redundant_first)
     random_systems::add_redundant_rows(random, system, random_integer(random, 0, 3));
 
-  const std::vector<Number> values =
+  std::vector<Number> values =
     values_near_a_solution<Number>(random, system, random() % 4 != 0);
+  if(random() % 4 == 0) { // of another size than the right-hand sides
+    const int exponent = random_integer(random, -60, 60);
+    for(Number& value : values)
+      value = std::ldexp(value, exponent);
+  }
   std::vector<double> weights(columns, 1.);
   if(random() % 2 == 0)
     for(double& weight : weights)
