@@ -35,11 +35,11 @@ caller's coordinates are untouched.
 enum class Parameterization_status
 {
   PARAMETERIZED,     ///< the coordinates were written
-  INVALID_ARGUMENT,  ///< no face, or a parameter out of its range
+  INVALID_ARGUMENT,  ///< no face, no extent, or a parameter out of its range
   NOT_TRIANGULAR,    ///< a face of the mesh is not a triangle
   NOT_MANIFOLD,      ///< the faces around a vertex form more than one fan
   NOT_FINITE,        ///< a coordinate of a point is NaN or infinite
-  INVALID_CONES,     ///< the indices given by the caller do not add up to \f$ 4 \chi \f$
+  INVALID_CONES,     ///< given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more
   INVALID_ALIGNMENT, ///< the alignment asked for would collapse a face
   SOLVER_FAILED,     ///< a sparse linear system could not be solved
   INTERNAL_ERROR     ///< a result failed its own verification and was discarded
@@ -77,7 +77,7 @@ struct Parameterization_report
   /// \name Outcome
   /// @{
   Parameterization_status status = Parameterization_status::PARAMETERIZED; ///< the outcome
-  std::string message; ///< on failure: the place, the reason, and the remedy
+  std::string message; ///< on failure the reason and, as far as known, the place and the remedy
   /// @}
 
   /// \name Topology

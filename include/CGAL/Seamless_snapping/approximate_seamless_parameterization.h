@@ -91,6 +91,8 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
   using Solver = typename internal_np::Lookup_named_param_def<
     internal_np::sparse_linear_solver_t, NamedParameters, Supernodal_solver_traits>::type;
 
@@ -108,7 +110,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
                  choose_parameter(get_parameter(np, internal_np::align_border), false),
                  surface);
   const Parameterization_options options = read_options(indexing, surface, np);
-  const Parameterization_result result = parameterize<Solver>(surface, options, report);
+  const Parameterization_result result = parameterize<Solver, FT>(surface, options, report);
   write_coordinates(indexing, result, uv_map);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)
@@ -138,8 +140,8 @@ takes the output of any other producer equally well.
 The corners in one sector, that is around a vertex and between cuts, receive the same coordinates to
 the bit. The result is reproducible: it depends on nothing but the arguments.
 
-Degenerate faces are allowed: the edge lengths that the computation starts from are enlarged by one
-small amount, as much as it takes. Vertices without a face are ignored. Nothing is promised about
+Degenerate faces are allowed: the edge lengths of a component that the computation starts from are
+enlarged by one small amount, as much as it takes. Vertices without a face are ignored. Nothing is promised about
 the topology of the mesh, so that none is refused: a caller who expects it to be closed, or of a
 certain genus, finds the number of border loops, of components, and the genus in the report.
 
@@ -194,7 +196,8 @@ certain genus, finds the number of border loops, of components, and the genus in
     \cgalParamDefault{the field decides}
     \cgalParamExtra{On each closed component, the indices have to add up to \f$ 4 \chi \f$. Can't be
                     combined with features, `align_border`, or `curvature_alignment`: given cones
-                    leave the field no freedom but one angle, and what it turns by around handles.}
+                    leave the field no freedom but one angle, and what it turns by around handles.
+                    Indices of 4 or more are refused: the angle of a cone is 4 minus its index.}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length on the surface that corresponds to one unit in the plane}
@@ -230,7 +233,7 @@ certain genus, finds the number of border loops, of components, and the genus in
         `Parameterization_status::PARAMETERIZED`, `uv_map` was not touched, and the message tells
         the reason: a face that is no triangle, a vertex whose faces form more than one fan,
         coordinates that are not finite, cones whose indices do not add up, a face with three
-        features.
+        features. Faces are counted in messages in the order of `faces(tmesh)`, from 0.
 
 For each component of the mesh, the indices of the cones and the quarter turns of the borders
 against the field have been verified to add up to \f$ 4 \chi \f$, in integers.

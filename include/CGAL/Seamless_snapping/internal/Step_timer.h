@@ -14,13 +14,14 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Times the steps of a function into its report and, if asked to, tells of each on the error stream.
-
-#include <CGAL/Seamless_snapping/Snapping_report.h>
+// Times the steps of a function into its report and, if asked to, tells the error stream of each.
 
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -29,8 +30,9 @@ namespace internal {
 class Step_timer
 {
 public:
-  Step_timer(Snapping_report& report, const bool verbose)
-    : m_report(report), m_verbose(verbose), m_start(Clock::now())
+  template <typename Report>
+  explicit Step_timer(Report& report, const bool verbose = false)
+    : m_step_times(report.step_times), m_verbose(verbose), m_start(Clock::now())
   { }
 
   // Ends the step that began when the previous one ended.
@@ -39,11 +41,11 @@ public:
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - m_start).count();
     m_start = now;
-    const auto same = std::find_if(m_report.step_times.begin(), m_report.step_times.end(),
+    const auto same = std::find_if(m_step_times.begin(), m_step_times.end(),
                                    [&](const auto& other) { return other.first == step; });
-    const bool is_new = same == m_report.step_times.end();
+    const bool is_new = same == m_step_times.end();
     if(is_new)
-      m_report.step_times.emplace_back(step, seconds);
+      m_step_times.emplace_back(step, seconds);
     else
       same->second += seconds; // made again, for another part or on another grid
     if(m_verbose && (is_new || seconds > 0.1))
@@ -52,7 +54,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  Snapping_report& m_report;
+  std::vector<std::pair<std::string, double> >& m_step_times;
   bool m_verbose;
   Clock::time_point m_start;
 };

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
 #include <array>
 #include <cmath>
@@ -32,28 +33,15 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-// Coordinate `c` of R^k x is `sign` times coordinate `coordinate` of x.
-struct Rotated_coordinate
-{
-  int coordinate;
-  int sign;
-};
-
-inline Rotated_coordinate rotated_coordinate(const int c, const int k)
-{
-  constexpr Rotated_coordinate table[4][2] = {
-    {{0, 1}, {1, 1}}, {{1, -1}, {0, 1}}, {{0, -1}, {1, -1}}, {{1, 1}, {0, -1}}};
-  return table[k % 4][c];
-}
-
 // Coordinate `c` of a Rotated_sum, over the unknowns `2 i + coordinate`.
-inline Sparse_row coordinate_row(const Rotated_sum& sum, const int c, const double factor = 1)
+inline Sparse_row coordinate_row(const Rotated_sum& sum, const std::size_t c,
+                                 const double factor = 1)
 {
   Sparse_row row;
-  for(const auto& [vector, k] : sum) {
-    const Rotated_coordinate r = rotated_coordinate(c, k);
-    row.emplace_back(2 * vector + static_cast<std::size_t>(r.coordinate), factor * r.sign);
-  }
+  for(const auto& [vector, k] : sum)
+    for(std::size_t i = 0; i < 2; ++i)
+      if(const int sign = rotation_matrix(k).m[c][i]; sign != 0)
+        row.emplace_back(2 * vector + i, factor * sign);
   return row;
 }
 
@@ -67,7 +55,7 @@ inline void append(Sparse_row& row, const Sparse_row& other)
 inline void add_closing_rows(const Cut_complex::Closing& closing, std::vector<Sparse_row>& rows)
 {
   const Rotated_sum& t = closing.translation;
-  for(int c = 0; c < 2; ++c) {
+  for(std::size_t c = 0; c < 2; ++c) {
     if(closing.rotation == 0) {
       rows.push_back(coordinate_row(t, c));
       continue;
@@ -82,8 +70,8 @@ inline void add_closing_rows(const Cut_complex::Closing& closing, std::vector<Sp
 
 // The kind of isocurve that an edge lies on: 0 for constant u, 1 for constant v; whichever is
 // closer to its direction in the field.
-inline int constant_coordinate(const Triangle_surface& surface, const std::vector<double>& angles,
-                               const std::size_t h)
+inline std::size_t constant_coordinate(const Triangle_surface& surface,
+                                       const std::vector<double>& angles, const std::size_t h)
 {
   const double turns = (surface.direction[h] - angles[surface.face(h)]) / quarter_turn;
   return std::lround(turns) % 2 == 0 ? 1 : 0;
@@ -97,7 +85,7 @@ inline std::vector<Sparse_row> alignment_rows(const Triangle_surface& surface,
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     if(!surface.is_aligned[h] || !surface.represents_edge(h))
       continue;
-    const int c = constant_coordinate(surface, angles, h);
+    const std::size_t c = constant_coordinate(surface, angles, h);
     Sparse_row row = coordinate_row(complex.position(complex.sector(h)), c);
     append(row, coordinate_row(complex.position(complex.sector(surface.prev(h))), c, -1));
     rows.push_back(row);
@@ -115,7 +103,7 @@ inline std::vector<Sparse_row> anchor_rows(const Triangle_surface& surface)
     if(has_anchor[surface.component[f]])
       continue;
     has_anchor[surface.component[f]] = true;
-    for(int c = 0; c < 2; ++c)
+    for(std::size_t c = 0; c < 2; ++c)
       rows.push_back(coordinate_row({{surface.target[3 * f], 0}}, c));
   }
   return rows;
@@ -147,7 +135,7 @@ public:
   std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
 
   // Coordinate `c` of a sector, over the free unknowns.
-  Sparse_row coordinate(const std::size_t sector, const int c) const
+  Sparse_row coordinate(const std::size_t sector, const std::size_t c) const
   {
     Sparse_row row;
     for(const auto& [unknown, factor] : coordinate_row(m_complex.position(sector), c)) {
@@ -176,11 +164,11 @@ public:
     }
     std::vector<std::array<double, 2> > uv(m_complex.number_of_sectors());
     for(std::size_t s = 0; s < uv.size(); ++s)
-      for(int c = 0; c < 2; ++c) {
+      for(std::size_t c = 0; c < 2; ++c) {
         double sum = 0;
         for(const auto& [unknown, factor] : coordinate_row(m_complex.position(s), c))
           sum += factor * values[unknown];
-        uv[s][static_cast<std::size_t>(c)] = sum;
+        uv[s][c] = sum;
       }
     return uv;
   }

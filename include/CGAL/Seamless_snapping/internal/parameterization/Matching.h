@@ -40,27 +40,41 @@ struct Matching
   std::vector<double> deviation;
 };
 
-// Matches each direction with the closest one, up to what the field is known to deviate already.
+// The left hand side of the invariant; transports there and back add up to a full turn, which one
+// of the halfedges has to leave out.
+inline double turn_across(const Triangle_surface& surface, const std::vector<double>& angles,
+                          const std::size_t h)
+{
+  const double transport = surface.represents_edge(h) ? surface.transport(h)
+                                                      : -surface.transport(surface.opposite[h]);
+  return angles[surface.face(h)] + transport - angles[surface.face(surface.opposite[h])];
+}
+
+inline void set_rotation(const Triangle_surface& surface, const std::vector<double>& angles,
+                         const std::size_t h, const int rotation, Matching& matching)
+{
+  const std::size_t o = surface.opposite[h];
+  matching.rotation[h] = rotation;
+  matching.deviation[h] = turn_across(surface, angles, h) - rotation * quarter_turn;
+  matching.rotation[o] = -matching.rotation[h];
+  matching.deviation[o] = -matching.deviation[h];
+}
+
 // Ties are broken away from the half, so that symmetric meshes don't decide by rounding errors.
-inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles,
-                              const std::vector<double>& known_deviation = {})
+inline int nearest_rotation(const double angle)
 {
   constexpr double tie_breaker = 1e-4;
+  return static_cast<int>(std::floor(angle / quarter_turn + 0.5 - tie_breaker));
+}
+
+// Matches each direction with the closest one.
+inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles)
+{
   const std::size_t n = surface.number_of_halfedges();
   Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
-  for(std::size_t h = 0; h < n; ++h) {
-    if(!surface.represents_edge(h) || surface.is_border_edge(h))
-      continue;
-    const std::size_t o = surface.opposite[h];
-    const double difference = angles[surface.face(h)] + surface.transport(h)
-                              - angles[surface.face(o)];
-    const double known = known_deviation.empty() ? 0 : known_deviation[h];
-    const double turns = (difference - known) / quarter_turn;
-    matching.rotation[h] = static_cast<int>(std::floor(turns + 0.5 - tie_breaker));
-    matching.deviation[h] = difference - matching.rotation[h] * quarter_turn;
-    matching.rotation[o] = -matching.rotation[h];
-    matching.deviation[o] = -matching.deviation[h];
-  }
+  for(std::size_t h = 0; h < n; ++h)
+    if(surface.represents_edge(h) && !surface.is_border_edge(h))
+      set_rotation(surface, angles, h, nearest_rotation(turn_across(surface, angles, h)), matching);
   return matching;
 }
 

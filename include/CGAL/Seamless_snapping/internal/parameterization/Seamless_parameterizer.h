@@ -17,6 +17,7 @@
 // The whole construction on flat arrays, one line a step.
 
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_graph.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
@@ -28,8 +29,9 @@
 #include <CGAL/Seamless_snapping/internal/parameterization/poisson.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/prescribe_alignment.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/smoothest_field.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -67,6 +69,8 @@ inline void check_options(const Parameterization_options& options, const Triangl
   };
   if(surface.number_of_faces == 0)
     refuse("the mesh has no face");
+  if(*std::max_element(surface.length.begin(), surface.length.end()) == 0)
+    refuse("all points of the mesh coincide");
   if(!(options.target_edge_length > 0) || !std::isfinite(options.target_edge_length))
     refuse("target_edge_length must be positive");
   if(!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
@@ -78,24 +82,6 @@ inline void check_options(const Parameterization_options& options, const Triangl
   if(!options.cone_index.empty() && (is_aligned || options.curvature_alignment > 0))
     refuse("given cones can't be combined with alignment");
 }
-
-// Appends the time since the last call to the report.
-template <typename Report>
-class Step_timer
-{
-public:
-  explicit Step_timer(Report& report) : m_report(report) { m_timer.start(); }
-
-  void end_of(const char* step)
-  {
-    m_report.step_times.emplace_back(step, m_timer.time());
-    m_timer.reset();
-  }
-
-private:
-  Report& m_report;
-  CGAL::Real_timer m_timer;
-};
 
 template <typename Report>
 void report_topology(const Triangle_surface& surface, const Topology& topo, Report& report)
@@ -110,44 +96,66 @@ void report_topology(const Triangle_surface& surface, const Topology& topo, Repo
   }
 }
 
-// Largest difference of the two sides of a cut edge after rotation, and the extent.
+// Writes the extent and the largest difference of the two sides of a cut edge after rotation.
 template <typename Report>
 void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
-             const std::vector<int>& rotation, const Parameterization_result& result,
+             const std::vector<int>& rotation, const Cut_complex& complex, const Coordinates& uv,
              Report& report)
 {
-  std::array<double, 2> lower{(std::numeric_limits<double>::max)(),
-                              (std::numeric_limits<double>::max)()};
-  std::array<double, 2> upper{std::numeric_limits<double>::lowest(),
-                              std::numeric_limits<double>::lowest()};
-  for(const auto& p : result.uv)
-    for(std::size_t c = 0; c < 2; ++c) {
-      lower[c] = (std::min)(lower[c], p[c]);
-      upper[c] = (std::max)(upper[c], p[c]);
-    }
-  report.extent = (std::max)(upper[0] - lower[0], upper[1] - lower[1]);
+  for(std::size_t c = 0; c < 2; ++c) {
+    const auto [lowest, highest] = std::minmax_element(
+      uv.begin(), uv.end(), [c](const auto& p, const auto& q) { return p[c] < q[c]; });
+    report.extent = (std::max)(report.extent, (*highest)[c] - (*lowest)[c]);
+  }
 
   const auto difference = [&](const std::size_t h)
   {
-    const auto& p = result.uv[result.sector[h]];
-    const auto& q = result.uv[result.sector[surface.prev(h)]];
+    const auto& p = uv[complex.sector(h)];
+    const auto& q = uv[complex.sector(surface.prev(h))];
     return std::array<double, 2>{p[0] - q[0], p[1] - q[1]};
   };
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     if(!is_cut[h] || !surface.represents_edge(h))
       continue;
     ++report.number_of_cut_edges;
-    const auto d = difference(h), e = difference(surface.opposite[h]);
-    for(int c = 0; c < 2; ++c) {
-      const Rotated_coordinate r = rotated_coordinate(c, rotation[h]);
-      const double residual = r.sign * d[static_cast<std::size_t>(r.coordinate)]
-                              + e[static_cast<std::size_t>(c)];
-      report.violation = (std::max)(report.violation, std::abs(residual));
-    }
+    const auto d = rotation_matrix(rotation[h])(difference(h));
+    const auto e = difference(surface.opposite[h]);
+    for(std::size_t c = 0; c < 2; ++c)
+      report.violation = (std::max)(report.violation, std::abs(d[c] + e[c]));
   }
 }
 
-// Solves, stiffens and solves again; keeps the solution with the fewest flipped faces.
+// Brings the coordinates to the unit length that the caller wants, in two steps: what is to be
+// measured is rounded to the number type of the result, but not scaled by powers of two yet.
+template <typename FT>
+void round_coordinates(const double unit, Coordinates& uv)
+{
+  for(auto& p : uv)
+    for(double& x : p)
+      x = CGAL::to_double(FT(x / unit));
+}
+
+template <typename FT, typename Report>
+void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
+{
+  constexpr double largest_extent = 1e300; // snap_to_seamless() refuses larger coordinates
+  const bool has_extent = report.extent > 0;
+  report.extent = std::ldexp(report.extent, exponent);
+  report.violation = std::ldexp(report.violation, exponent);
+  // No coordinate is larger, as one vertex of each component is at the origin.
+  const double extent = CGAL::to_double(FT(report.extent));
+  if(!(extent <= largest_extent)
+     || (has_extent && extent < CGAL::to_double((std::numeric_limits<FT>::min)())))
+    throw Failure{Parameterization_status::INVALID_ARGUMENT,
+                  "the coordinates leave the range of their number type: set target_edge_length to "
+                  "about the length of an edge"};
+  for(auto& p : uv)
+    for(double& x : p)
+      x = std::ldexp(x, exponent);
+}
+
+// Solves, stiffens and solves again; keeps the solution with the fewest flipped faces. Where flips
+// can't be avoided the weights grow until the system can't be solved any more, which ends it.
 template <typename Solver, typename Report>
 Coordinates solve_with_stiffening(const Triangle_surface& surface,
                                   const std::vector<double>& angles, const Cut_complex& complex,
@@ -158,8 +166,15 @@ Coordinates solve_with_stiffening(const Triangle_surface& surface,
   std::vector<double> weights(surface.number_of_faces, 1);
   Coordinates best;
   for(long round = 0; ; ++round) {
-    Coordinates uv = solve_poisson<Solver>(surface, angles, complex, coordinates, table, weights,
-                                           report.seconds_in_solvers);
+    Coordinates uv;
+    try {
+      uv = solve_poisson<Solver>(surface, angles, complex, coordinates, table, weights,
+                                 report.seconds_in_solvers);
+    } catch(const Failure&) {
+      if(round == 0)
+        throw;
+      return best;
+    }
     const std::size_t flips = number_of_flips(surface, complex, uv);
     if(round < number_of_rounds && flips > 0)
       stiffen(surface, complex, uv, weights);
@@ -173,17 +188,18 @@ Coordinates solve_with_stiffening(const Triangle_surface& surface,
   }
 }
 
-template <typename Solver, typename Report>
+// `FT` is the number type that the coordinates are rounded to.
+template <typename Solver, typename FT, typename Report>
 Parameterization_result parameterize(const Triangle_surface& surface,
                                      const Parameterization_options& options, Report& report)
 {
-  Step_timer<Report> timer(report);
+  Step_timer timer(report);
   double& seconds = report.seconds_in_solvers;
   Parameterization_result result;
 
   const Topology topo = topology(surface);
   report_topology(surface, topo, report);
-  timer.end_of("topology");
+  timer.finish("topology");
 
   Matching matching;
   std::vector<double> angles;
@@ -196,7 +212,7 @@ Parameterization_result parameterize(const Triangle_surface& surface,
              : smoothest_field<Solver>(surface, prescribed, options.random_seed, seconds);
     matching = match_crosses(surface, angles);
   }
-  timer.end_of("field");
+  timer.finish("field");
 
   const Singularities singular = singularities(surface, topo, matching);
   check_index_theorem(surface, topo, matching, singular);
@@ -212,21 +228,22 @@ Parameterization_result parameterize(const Triangle_surface& surface,
   comb(surface, graph.is_cut(), angles, matching);
   const Cut_complex complex(surface, graph.is_cut(), matching.rotation);
   report.number_of_cut_branches = complex.number_of_branches();
-  timer.end_of("cut graph");
+  timer.finish("cut graph");
 
   result.uv = solve_with_stiffening<Solver>(surface, angles, complex,
                                             options.number_of_stiffening_rounds, report);
-  for(auto& p : result.uv)
-    for(double& x : p)
-      x /= options.target_edge_length;
+  int exponent = 0;
+  round_coordinates<FT>(std::frexp(options.target_edge_length, &exponent), result.uv);
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     result.sector.push_back(complex.sector(h));
     report.number_of_aligned_edges += (surface.is_aligned[h] && surface.represents_edge(h)) ? 1 : 0;
   }
-  timer.end_of("coordinates");
+  timer.finish("coordinates");
 
-  measure(surface, graph.is_cut(), matching.rotation, result, report);
-  timer.end_of("measuring");
+  report.number_of_flipped_faces = number_of_flips(surface, complex, result.uv);
+  measure(surface, graph.is_cut(), matching.rotation, complex, result.uv, report);
+  scale_coordinates<FT>(surface.exponent - exponent, result.uv, report);
+  timer.finish("measuring");
   return result;
 }
 

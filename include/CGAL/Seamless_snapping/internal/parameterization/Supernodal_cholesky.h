@@ -279,10 +279,12 @@ private:
     const Eigen::Index n = static_cast<Eigen::Index>(rows.size());
     for(Eigen::Index c = 0; c < n; ++c) {
       const int column = local[static_cast<std::size_t>(rows[static_cast<std::size_t>(c)])];
-      double* const to = (column < s.size) ? &s.panel(0, column)
-                                           : &update(0, column - s.size) - s.size;
+      const bool in_panel = column < s.size;
+      double* const to = in_panel ? &s.panel(0, column) : &update(0, column - s.size);
+      const int first_row = in_panel ? 0 : s.size;
       for(Eigen::Index r = c; r < n; ++r)
-        to[local[static_cast<std::size_t>(rows[static_cast<std::size_t>(r)])]] += source(r, c);
+        to[local[static_cast<std::size_t>(rows[static_cast<std::size_t>(r)])] - first_row]
+          += source(r, c);
     }
   }
 

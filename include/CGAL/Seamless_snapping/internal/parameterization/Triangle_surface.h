@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +40,7 @@ struct Triangle_surface
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
   std::size_t number_of_components = 0;
+  int exponent = 0; // lengths are those of the mesh times 2^-exponent, far from over- and underflow
 
   // per halfedge
   std::vector<std::size_t> target;
@@ -65,6 +67,12 @@ struct Triangle_surface
   std::size_t number_of_halfedges() const { return target.size(); }
   std::size_t source(const std::size_t h) const { return target[prev(h)]; }
   bool is_border_edge(const std::size_t h) const { return opposite[h] == no_index; }
+
+  // A place in the mesh for messages: faces are counted in the order of `faces(tmesh)`.
+  std::string describe_vertex(const std::size_t v) const
+  {
+    return "a vertex of face " + std::to_string(face(first_corner[v]));
+  }
 
   // One halfedge stands for each edge.
   bool represents_edge(const std::size_t h) const { return is_border_edge(h) || h < opposite[h]; }
@@ -109,6 +117,22 @@ inline std::vector<double> angle_defects(const Triangle_surface& surface)
   return defect;
 }
 
+// The mean of values per face or per halfedge over each component: components are parametrized
+// independently of each other, whatever their sizes are.
+inline std::vector<double> component_means(const Triangle_surface& surface,
+                                           const std::vector<double>& values)
+{
+  std::vector<double> mean(surface.number_of_components, 0), count(mean);
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t c = surface.component[i * surface.number_of_faces / values.size()];
+    mean[c] += values[i];
+    ++count[c];
+  }
+  for(std::size_t c = 0; c < mean.size(); ++c)
+    mean[c] /= count[c];
+  return mean;
+}
+
 // Fills the arrays that follow from `length`: angles, areas and directions. The layout of a face
 // has its first halfedge along the x-axis.
 inline void lay_out_faces(Triangle_surface& surface)
@@ -135,24 +159,25 @@ inline void lay_out_faces(Triangle_surface& surface)
   }
 }
 
-// Lengthens all edges by the same small amount such that no triangle is degenerate. Only the
-// lengths matter to the steps that follow, so that this lets them run on any mesh; it is zero for
-// meshes without (nearly) degenerate faces.
+// Lengthens all edges of a component by the same small amount such that no triangle is degenerate.
+// Only the lengths matter to the steps that follow, so that this lets them run on any mesh; it is
+// zero for components without (nearly) degenerate faces.
 inline void mollify_lengths(Triangle_surface& surface)
 {
   using S = Triangle_surface;
-  double mean = 0;
-  for(const double l : surface.length)
-    mean += l / static_cast<double>(surface.length.size());
-  const double margin = 1e-6 * mean;
-  double increase = 0;
+  std::vector<double> mean = component_means(surface, surface.length);
+  const double largest_mean = *std::max_element(mean.begin(), mean.end());
+  for(double& m : mean)
+    m = (m > 0) ? m : largest_mean; // all points of the component coincide
+  std::vector<double> increase(surface.number_of_components, 0);
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     const double slack = surface.length[h] + surface.length[S::next(h)]
                          - surface.length[S::prev(h)];
-    increase = (std::max)(increase, margin - slack);
+    const std::size_t c = surface.component[S::face(h)];
+    increase[c] = (std::max)(increase[c], 1e-6 * mean[c] - slack);
   }
-  for(double& l : surface.length)
-    l += increase;
+  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+    surface.length[h] += increase[surface.component[S::face(h)]];
 }
 
 } // namespace parameterization

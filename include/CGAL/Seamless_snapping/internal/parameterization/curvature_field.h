@@ -35,9 +35,7 @@ namespace parameterization {
 // edges: as a line field each edge counts with its angle and length [Knoeppel et al. 2013, Sec. 4].
 inline Prescribed_field principal_crosses(const Triangle_surface& surface)
 {
-  double mean_length = 0;
-  for(const double l : surface.length)
-    mean_length += l / static_cast<double>(surface.number_of_halfedges());
+  const std::vector<double> mean_length = component_means(surface, surface.length);
   std::vector<Complex> bending(surface.number_of_faces, 0);
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
     bending[surface.face(h)] += surface.bending[h] * surface.length[h]
@@ -55,7 +53,7 @@ inline Prescribed_field principal_crosses(const Triangle_surface& surface)
       sum += bending[g] * std::polar(1., 2 * surface.transport(o));
       area += surface.area[g];
     }
-    const double anisotropy = std::abs(sum) / area * mean_length;
+    const double anisotropy = std::abs(sum) / area * mean_length[surface.component[f]];
     crosses[f] = (anisotropy > 0) ? std::polar((std::min)(anisotropy, 1.), 2 * std::arg(sum)) : 0;
   }
   return crosses;
@@ -68,13 +66,10 @@ std::vector<double> curvature_field(const Triangle_surface& surface,
                                     const Prescribed_field& prescribed, const double strength,
                                     double& seconds)
 {
-  double mean_area = 0;
-  for(const double a : surface.area)
-    mean_area += a / static_cast<double>(surface.number_of_faces);
   Prescribed_field wanted = principal_crosses(surface);
   for(Complex& z : wanted)
-    z *= strength / mean_area;
-  Cross_field_system<Solver> system(surface, prescribed, strength / mean_area, 1., seconds);
+    z *= strength;
+  Cross_field_system<Solver> system(surface, prescribed, strength, 1., seconds);
   return angles_of_field(system.solve(wanted));
 }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/round_holonomy.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/smoothest_field.h>
 
 #include <algorithm>
@@ -34,13 +35,18 @@ namespace internal {
 namespace parameterization {
 
 // A closed component has a field with the given indices if and only if they add up to 4 chi; with a
-// border, the border turns by what is missing.
+// border, the border turns by what is missing. The angle of a cone is 4 - index quarter turns.
 inline void check_prescribed_indices(const Triangle_surface& surface, const Topology& topo,
                                      const std::vector<int>& index)
 {
   std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+    if(index[v] >= 4)
+      throw Failure{Parameterization_status::INVALID_CONES,
+                    surface.describe_vertex(v) + " is to have the index "
+                    + std::to_string(index[v]) + ": from 4 on, no angle is left for its faces"};
     sum[surface.component[surface.face(surface.first_corner[v])]] += index[v];
+  }
   for(std::size_t c = 0; c < surface.number_of_components; ++c) {
     const std::ptrdiff_t expected = 4 * topo.euler_characteristic[c];
     if(topo.border_loops[c] == 0 && sum[c] != expected)
@@ -98,33 +104,6 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
   return deviation;
 }
 
-// Follows the connection along a spanning tree of the faces.
-inline std::vector<double> integrate_connection(const Triangle_surface& surface,
-                                                const std::vector<double>& deviation)
-{
-  std::vector<double> angles(surface.number_of_faces, 0);
-  std::vector<char> is_visited(surface.number_of_faces, false);
-  std::vector<std::size_t> queue;
-  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
-    if(is_visited[seed])
-      continue;
-    is_visited[seed] = true;
-    queue.assign(1, seed);
-    for(std::size_t i = 0; i < queue.size(); ++i)
-      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
-        if(surface.is_border_edge(h))
-          continue;
-        const std::size_t g = surface.face(surface.opposite[h]);
-        if(is_visited[g])
-          continue;
-        is_visited[g] = true;
-        angles[g] = angles[queue[i]] + surface.transport(h) - deviation[h];
-        queue.push_back(g);
-      }
-  }
-  return angles;
-}
-
 // The smoothest field with the given rotations: turns each cross such that the squared deviations
 // become smallest.
 template <typename Solver>
@@ -162,10 +141,10 @@ std::vector<double> field_with_cones(const Triangle_surface& surface, const Topo
 {
   check_prescribed_indices(surface, topo, index);
   const std::vector<double> deviation = deviation_of_cones<Solver>(surface, index, seconds);
-  std::vector<double> angles = integrate_connection(surface, deviation);
-  matching = match_crosses(surface, angles, deviation);
-  smoothen_matched_field<Solver>(surface, angles, matching, seconds);
-  return angles;
+  Integrated_field field = integrate_connection(surface, deviation);
+  matching = match_along_connection(surface, deviation, field);
+  smoothen_matched_field<Solver>(surface, field.angles, matching, seconds);
+  return field.angles;
 }
 
 } // namespace parameterization

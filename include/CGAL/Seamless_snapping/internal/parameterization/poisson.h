@@ -51,7 +51,7 @@ public:
     : m_begin(1, 0)
   {
     for(std::size_t s = 0; s < number_of_sectors; ++s)
-      for(int c = 0; c < 2; ++c) {
+      for(std::size_t c = 0; c < 2; ++c) {
         append(m_terms, coordinates.coordinate(s, c));
         m_begin.push_back(m_terms.size());
       }

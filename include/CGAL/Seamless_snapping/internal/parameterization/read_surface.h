@@ -24,6 +24,7 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -62,7 +63,7 @@ Triangle_surface read_connectivity(const TriangleMesh& tmesh, Mesh_indexing<Tria
     }
     if(degree != 3)
       throw Failure{Parameterization_status::NOT_TRIANGULAR,
-                    "face " + std::to_string(indexing.halfedges.size() / 3) + " has "
+                    "face " + std::to_string((indexing.halfedges.size() - degree) / 3) + " has "
                     + std::to_string(degree) + " edges: triangulate the faces of the mesh first"};
   }
 
@@ -102,7 +103,8 @@ inline void find_fans(Triangle_surface& surface)
     for_each_corner(surface, v, [&](std::size_t) { ++count; });
     if(count != degree[v])
       throw Failure{Parameterization_status::NOT_MANIFOLD,
-                    "the faces around a vertex form more than one fan: see "
+                    "the faces around " + surface.describe_vertex(v)
+                    + " form more than one fan: see "
                     "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()"};
   }
 }
@@ -177,14 +179,22 @@ void read_geometry(const Mesh_indexing<TriangleMesh>& indexing,
                    Triangle_surface& surface)
 {
   std::vector<Point> points;
-  for(const auto v : indexing.vertices) {
-    const auto& p = get(vertex_points, v);
+  double size = 0;
+  for(std::size_t v = 0; v < indexing.vertices.size(); ++v) {
+    const auto& p = get(vertex_points, indexing.vertices[v]);
     points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-    for(const double x : points.back())
+    for(const double x : points.back()) {
       if(!std::isfinite(x))
         throw Failure{Parameterization_status::NOT_FINITE,
-                      "a point has a NaN or infinite coordinate"};
+                      surface.describe_vertex(v) + " has a NaN or infinite coordinate"};
+      size = (std::max)(size, std::abs(x));
+    }
   }
+  surface.exponent = (size > 0) ? std::ilogb(size) : 0;
+  for(Point& p : points)
+    for(double& x : p)
+      x = std::ldexp(x, -surface.exponent);
+
   surface.length.resize(surface.number_of_halfedges());
   for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
     const Point e = points[surface.target[h]] - points[surface.source(h)];

@@ -38,23 +38,27 @@ inline double dual_weight(const Triangle_surface& surface, const std::size_t h)
   return 1.5 * surface.length[h] * surface.length[h] / areas;
 }
 
-// The linear systems of field design: with the connection Laplacian L of crosses and the mass
-// matrix M they read (a M + b L) z = M r, where z is kept on the prescribed faces.
+// The linear systems of field design: with the connection Laplacian L of crosses and the diagonal
+// matrix M of the areas, relative to the mean of the component, they read (a M + b L) z = M r, where
+// z is kept on the prescribed faces.
 template <typename Solver>
 class Cross_field_system
 {
 public:
   Cross_field_system(const Triangle_surface& surface, const Prescribed_field& prescribed,
                      const double mass_factor, const double laplace_factor, double& seconds)
-    : m_surface(surface)
-    , m_prescribed(prescribed)
+    : m_prescribed(prescribed)
+    , m_mass(surface.area)
     , m_unknown(surface.number_of_faces, no_index)
     , m_number_of_unknowns(number_unknowns())
     , m_system(2 * m_number_of_unknowns, seconds)
     , m_boundary_terms(2 * m_number_of_unknowns, 0)
   {
-    for(std::size_t f = 0; f < surface.number_of_faces; ++f)
-      add_block(f, f, mass_factor * surface.area[f]);
+    const std::vector<double> mean_area = component_means(surface, surface.area);
+    for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+      m_mass[f] /= mean_area[surface.component[f]];
+      add_block(f, f, mass_factor * m_mass[f]);
+    }
     for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
       if(surface.is_border_edge(h))
         continue;
@@ -72,8 +76,8 @@ public:
     for(std::size_t f = 0; f < m_unknown.size(); ++f) {
       if(m_unknown[f] == no_index)
         continue;
-      b[2 * m_unknown[f]] += m_surface.area[f] * right_hand_side[f].real();
-      b[2 * m_unknown[f] + 1] += m_surface.area[f] * right_hand_side[f].imag();
+      b[2 * m_unknown[f]] += m_mass[f] * right_hand_side[f].real();
+      b[2 * m_unknown[f] + 1] += m_mass[f] * right_hand_side[f].imag();
     }
     const std::vector<double> x = m_system.solve(b);
     Prescribed_field field = m_prescribed;
@@ -113,8 +117,8 @@ private:
     }
   }
 
-  const Triangle_surface& m_surface;
   const Prescribed_field& m_prescribed;
+  std::vector<double> m_mass; // per face
   std::vector<std::size_t> m_unknown;
   std::size_t m_number_of_unknowns;
   Sparse_system<Solver> m_system;
@@ -147,9 +151,7 @@ Prescribed_field harmonic_field(const Triangle_surface& surface, const Prescribe
                                 const unsigned int seed, double& seconds)
 {
   constexpr int number_of_iterations = 20;
-  double total_area = 0;
-  for(const double a : surface.area)
-    total_area += a;
+  const double shift = 1e-3 / static_cast<double>(surface.number_of_faces);
   std::vector<char> has_prescribed(surface.number_of_components, false);
   for(std::size_t f = 0; f < surface.number_of_faces; ++f)
     if(prescribed[f] != Complex(0))
@@ -160,7 +162,7 @@ Prescribed_field harmonic_field(const Triangle_surface& surface, const Prescribe
   for(Complex& z : field)
     z = std::polar(1., random.get_double(-pi, pi));
 
-  Cross_field_system<Solver> system(surface, prescribed, 1e-3 / total_area, 1., seconds);
+  Cross_field_system<Solver> system(surface, prescribed, shift, 1., seconds);
   for(int i = 0; i < number_of_iterations; ++i) {
     for(std::size_t f = 0; f < surface.number_of_faces; ++f)
       if(has_prescribed[surface.component[f]])
@@ -183,12 +185,9 @@ void smoothen_unit_field(const Triangle_surface& surface, const Prescribed_field
                          Prescribed_field& field, double& seconds)
 {
   constexpr int number_of_rounds = 8;
-  double mean_area = 0;
-  for(const double a : surface.area)
-    mean_area += a / static_cast<double>(surface.number_of_faces);
   normalize_each(field);
   for(const double time : {100., 10.}) {
-    Cross_field_system<Solver> system(surface, prescribed, 1., time * mean_area, seconds);
+    Cross_field_system<Solver> system(surface, prescribed, 1., time, seconds);
     for(int i = 0; i < number_of_rounds; ++i) {
       field = system.solve(field);
       normalize_each(field);

@@ -1,0 +1,147 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_ROUND_HOLONOMY_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_ROUND_HOLONOMY_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A field that follows a connection, and its rotations: what the connection turns by around handles
+// and from border to border is rounded to quarter turns, and nothing changes around the vertices.
+
+#include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parameterization {
+
+struct Integrated_field
+{
+  std::vector<double> angles;    // per face
+  std::vector<char> is_followed; // per halfedge: the edge is crossed by the tree of faces
+};
+
+// Follows the connection along a spanning tree of the faces of each component.
+inline Integrated_field integrate_connection(const Triangle_surface& surface,
+                                             const std::vector<double>& deviation)
+{
+  Integrated_field field{std::vector<double>(surface.number_of_faces, 0),
+                         std::vector<char>(surface.number_of_halfedges(), false)};
+  std::vector<char> is_visited(surface.number_of_faces, false);
+  std::vector<std::size_t> queue;
+  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
+    if(is_visited[seed])
+      continue;
+    is_visited[seed] = true;
+    queue.assign(1, seed);
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+        if(surface.is_border_edge(h))
+          continue;
+        const std::size_t g = surface.face(surface.opposite[h]);
+        if(is_visited[g])
+          continue;
+        is_visited[g] = true;
+        field.is_followed[h] = field.is_followed[surface.opposite[h]] = true;
+        field.angles[g] = field.angles[queue[i]] + surface.transport(h) - deviation[h];
+        queue.push_back(g);
+      }
+  }
+  return field;
+}
+
+// Spanning trees of the vertices along edges that were not followed, from the border, or from one
+// vertex of a closed component: halfedges away from the roots, in the order of growth.
+inline std::vector<std::size_t> trees_of_vertices(const Triangle_surface& surface,
+                                                  const std::vector<char>& is_followed)
+{
+  std::vector<std::size_t> tree, queue;
+  std::vector<char> is_visited(surface.number_of_vertices, false);
+  const auto visit = [&](const std::size_t v)
+  {
+    is_visited[v] = true;
+    queue.push_back(v);
+  };
+  std::size_t i = 0;
+  const auto grow = [&]()
+  {
+    for(; i < queue.size(); ++i)
+      for_each_corner(surface, queue[i], [&](const std::size_t h) {
+        if(surface.is_border_edge(h) || is_followed[h] || is_visited[surface.source(h)])
+          return;
+        visit(surface.source(h));
+        tree.push_back(surface.opposite[h]);
+      });
+  };
+
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    if(surface.is_border[v])
+      visit(v);
+  grow();
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    if(!is_visited[v]) {
+      visit(v);
+      grow();
+    }
+  return tree;
+}
+
+// What the connection turns by across the edges adds up to an integer around each vertex, but the
+// rounded numbers may not: 0.4 + 0.4 - 0.8 = 0, where three chains of edges meet. Only the edges in
+// neither kind of tree are rounded, one for each handle loop and path between borders; then
+// the vertices, from the leaves to the roots, determine the others.
+inline Matching match_along_connection(const Triangle_surface& surface,
+                                       const std::vector<double>& deviation,
+                                       const Integrated_field& field)
+{
+  const std::size_t n = surface.number_of_halfedges();
+  std::vector<double> holonomy(n, 0), sum(surface.number_of_vertices, 0);
+  for(std::size_t h = 0; h < n; ++h)
+    if(!surface.is_border_edge(h)) {
+      holonomy[h] = turn_across(surface, field.angles, h) - deviation[h];
+      sum[surface.target[h]] += holonomy[h] / quarter_turn;
+    }
+
+  Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
+  std::vector<int> missing; // per vertex: the sum of the rotations that are still to be set
+  for(const double s : sum)
+    missing.push_back(static_cast<int>(std::lround(s)));
+  const auto set = [&](const std::size_t h, const int rotation)
+  {
+    set_rotation(surface, field.angles, h, rotation, matching);
+    missing[surface.target[h]] -= rotation;
+    missing[surface.source(h)] += rotation;
+  };
+
+  const std::vector<std::size_t> tree = trees_of_vertices(surface, field.is_followed);
+  std::vector<char> is_in_tree(n, false);
+  for(const std::size_t h : tree)
+    is_in_tree[h] = is_in_tree[surface.opposite[h]] = true;
+  for(std::size_t h = 0; h < n; ++h)
+    if(surface.represents_edge(h) && !surface.is_border_edge(h) && !is_in_tree[h])
+      set(h, nearest_rotation(holonomy[h]));
+  for(auto it = tree.rbegin(); it != tree.rend(); ++it)
+    set(*it, missing[surface.target[*it]]);
+  return matching;
+}
+
+} // namespace parameterization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_ROUND_HOLONOMY_H
