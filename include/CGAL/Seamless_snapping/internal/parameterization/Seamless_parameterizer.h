@@ -67,8 +67,6 @@ inline void check_options(const Parameterization_options& options, const Triangl
   {
     throw Failure{Parameterization_status::INVALID_ARGUMENT, reason};
   };
-  if(surface.number_of_faces == 0)
-    refuse("the mesh has no face");
   if(*std::max_element(surface.length.begin(), surface.length.end()) == 0)
     refuse("all points of the mesh coincide");
   if(!(options.target_edge_length > 0) || !std::isfinite(options.target_edge_length))

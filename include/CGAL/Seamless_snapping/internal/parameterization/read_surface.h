@@ -67,6 +67,9 @@ Triangle_surface read_connectivity(const TriangleMesh& tmesh, Mesh_indexing<Tria
                     + std::to_string(degree) + " edges: triangulate the faces of the mesh first"};
   }
 
+  if(indexing.halfedges.empty())
+    throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};
+
   Triangle_surface surface;
   for(const auto h : indexing.halfedges) {
     const auto v = target(h, tmesh);

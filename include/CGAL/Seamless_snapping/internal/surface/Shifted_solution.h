@@ -68,7 +68,7 @@ public:
         targets.shift(s.first, s.second);
     const System reduced = system(sectors, targets);
     Snapping_report report; // of no interest: the same system had a solution before
-    Step_timer timer(report, false);
+    Step_timer timer(report);
     Grid_solution solution{m_grid, {}, {}};
     const bool solved = std::visit([&](const auto& s) {
       return solve_on_grid(s, reduced.point(), solution, report, timer);
