@@ -98,7 +98,7 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
       return SS::internal::Exact_decisions(tracer.chart_mesh());
     });
   });
-  const std::vector<char> nowhere(mesh.number_of_vertices(), false);
+  const SS::internal::Walk_limits nowhere;
   const double naive = speed(runs, other_crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
       return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,

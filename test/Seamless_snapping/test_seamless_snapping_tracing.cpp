@@ -182,55 +182,7 @@ void test_synthetic_meshes()
     }
 }
 
-// --- limits, data structures ---------------------------------------------------------------------
-
-void test_limits()
-{
-  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(5, 1), 1, 1);
-  const UV_map uv = test_meshes::uv_map(mesh);
-  const Tracer tracer(mesh, uv);
-  for(const auto v : mesh.vertices())
-    for(const auto& [start, direction] : tracer.outgoing(v)) {
-      const auto full = tracer.trace(start, direction);
-      CHECK_EQUAL(full.status, Status::BORDER);
-      for(std::size_t n = 1; n < full.number_of_crossings; ++n) {
-        const auto part = tracer.trace(start, direction, parameters::maximum_number(n));
-        CHECK_EQUAL(part.status, Status::MAXIMUM_NUMBER);
-        CHECK_EQUAL(part.points.size(), n + 1);
-      }
-      const auto measured = tracer.trace(start, direction, parameters::maximum_length(1e9));
-      CHECK(measured.length > 0.99 && measured.length < 5.01);
-      CHECK_EQUAL(measured.length, std::round(measured.length));
-      const auto cut_off = tracer.trace(start, direction, parameters::maximum_length(0.25));
-      CHECK(cut_off.points.size() == 2 || cut_off.status == Status::MAXIMUM_LENGTH);
-      // the function for one curve gives the same
-      std::vector<SS::Isocurve_point<Mesh> > points;
-      const auto end = SS::trace_isocurve(mesh, uv, start, direction, std::back_inserter(points));
-      CHECK_EQUAL(end.status, full.status);
-      CHECK_EQUAL(points.size(), full.points.size());
-    }
-}
-
-// Curves end at the first vertex that is marked.
-void test_stops()
-{
-  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::torus(4, 3), 2);
-  auto is_stop = mesh.add_property_map<Mesh::Vertex_index, bool>("v:stop", false).first;
-  const UV_map uv = test_meshes::uv_map(mesh);
-  const Tracer tracer(mesh, uv);
-  for(const auto v : mesh.vertices())
-    is_stop[v] = v.idx() % 3 == 0;
-  for(const auto v : mesh.vertices())
-    for(const auto& [start, direction] : tracer.outgoing(v)) {
-      const auto curve =
-        tracer.trace(start, direction, parameters::vertex_is_constrained_map(is_stop));
-      std::size_t stops = 0;
-      for(std::size_t i = 1; i < curve.points.size(); ++i)
-        stops += is_stop[mesh.target(curve.points[i].halfedge())] ? 1 : 0;
-      CHECK_EQUAL(stops, std::size_t(curve.status == Status::TARGET ? 1 : 0));
-      CHECK(curve.status == Status::TARGET || curve.status == Status::CLOSED);
-    }
-}
+// --- data structures -----------------------------------------------------------------------------
 
 // Coordinates of type float give the same curves.
 void test_floats()
@@ -315,8 +267,6 @@ int main()
 {
   test_levels();
   test_synthetic_meshes();
-  test_limits();
-  test_stops();
   test_floats();
   for(const auto& named : test_meshes::all_meshes<Kernel>())
     test_polyhedron(named);

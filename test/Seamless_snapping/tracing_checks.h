@@ -87,9 +87,8 @@ bool is_symmetric(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Me
   const auto& end = curve.points.back();
   const auto back = tracer.trace(start_at(end, mesh, uv), SS::reversed(end.direction()),
                                  parameters::maximum_number(n + 1));
-  const bool is_first_seen =
-    (curve.start.place != Place::FACE || curve.status == Status::CLOSED) &&
-    !starts_along_edge(curve, mesh, uv);
+  const bool is_first_seen = curve.status == Status::CLOSED ||
+    (curve.start.place != Place::FACE && !starts_along_edge(curve, mesh, uv));
   const std::size_t first = is_first_seen ? 0 : 1;
   if(back.points.size() + first < n)
     return false;

@@ -184,18 +184,29 @@ struct Isocurve
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-returns the exact position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its
-target.
-\pre `point.place()` is `EDGE`, and the curve does not run along the edge, as it may at its start
+returns the position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its target.
+It is exact where the curve crosses the edge. Where the curve starts on the edge and runs along it,
+the position is computed from the rounded coordinates of the start.
+
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
+\param tmesh the mesh
+\param uv_map the coordinates of each corner
+
+\pre `point.place()` is `Isocurve_place::EDGE`, and the ends of the edge differ in the domain
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
 Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
                                   const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
   const std::size_t c = internal::constant_component(int(point.direction()));
-  const Exact_rational a(internal::get_uv(uv_map, prev(point.halfedge(), tmesh))[c]);
-  const Exact_rational b(internal::get_uv(uv_map, point.halfedge())[c]);
-  return Exact_rational((point.constant_coordinate() - a) / (b - a));
+  const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh)),
+                     b = internal::get_uv(uv_map, point.halfedge());
+  const auto parameter = [&](const Exact_rational& coordinate, const std::size_t k) {
+    const Exact_rational from(a[k]), to(b[k]);
+    return Exact_rational((coordinate - from) / (to - from));
+  };
+  return a[c] == b[c] ? parameter(Exact_rational(point.running_coordinate()), 1 - c)
+                      : parameter(point.constant_coordinate(), c);
 }
 
 /*!
@@ -217,8 +228,8 @@ std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
   result[1 - c] = point.running_coordinate();
   if(point.place() == Isocurve_place::EDGE) {
     const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh));
-    const double t = (a[c] == b[c]) ? 0.5 : (result[c] - a[c]) / (b[c] - a[c]);
-    result[1 - c] = a[1 - c] + t * (b[1 - c] - a[1 - c]);
+    if(a[c] != b[c]) // else the curve starts here, and runs along the edge
+      result[1 - c] = a[1 - c] + (result[c] - a[c]) / (b[c] - a[c]) * (b[1 - c] - a[1 - c]);
   }
   return result;
 }
@@ -253,7 +264,8 @@ isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& 
   double s = ((x[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (x[1] - a[1])) / area;
   double t = ((b[0] - a[0]) * (x[1] - a[1]) - (x[0] - a[0]) * (b[1] - a[1])) / area;
   if(point.place() == Isocurve_place::EDGE) {
-    const std::size_t k = internal::constant_component(int(point.direction()));
+    std::size_t k = internal::constant_component(int(point.direction()));
+    k = (a[k] == b[k]) ? 1 - k : k;
     s = (a[k] == b[k]) ? 0.5 : (x[k] - a[k]) / (b[k] - a[k]);
     t = 0;
   }

@@ -88,7 +88,10 @@ public:
 
   /// returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees.
   bool is_singular(const vertex_descriptor v) const
-  { return m_mesh.is_singular[m_builder.vertex(v)] != 0; }
+  {
+    check_validity();
+    return m_mesh.is_singular[m_builder.vertex(v)] != 0;
+  }
 
   /*!
   returns the starts and directions of all isocurves that leave a vertex, in counterclockwise order:
@@ -98,6 +101,7 @@ public:
   */
   std::vector<std::pair<Start, Isocurve_direction> > outgoing(const vertex_descriptor v) const
   {
+    check_validity();
     std::vector<std::pair<Start, Isocurve_direction> > result;
     for(const internal::Vertex_ray& ray : internal::rays_from_vertex(m_mesh, m_builder.vertex(v)))
       result.emplace_back(Start::at_vertex(halfedge(ray.corner)),
@@ -130,6 +134,7 @@ public:
   std::vector<Curve> separatrices(
     const NamedParameters& np = CGAL::parameters::default_values()) const
   {
+    check_validity();
     std::vector<Curve> curves;
     for(const vertex_descriptor v : m_builder.vertices_in_order())
       if(is_singular(v))
@@ -152,11 +157,14 @@ public:
   /// \endcond
 
 private:
+  void check_validity() const
+  {
+    CGAL_precondition_msg(m_is_valid, "the mesh is not triangular, or its map not seamless at all");
+  }
+
   struct Options
   {
     internal::Walk_limits limits;
-    std::vector<char> is_stop;     // per vertex, or empty
-    std::vector<char> is_expected; // per vertex: where curves should not pass by
     bool decide_exactly = true;
     double near = 0;
   };
@@ -179,12 +187,8 @@ private:
       result.limits.target = m_builder.vertex(target);
     const auto is_stop = get_parameter(np, np_tags::vertex_is_constrained);
     if constexpr(!std::is_same_v<std::decay_t<decltype(is_stop)>, np_tags::Param_not_found>)
-      for(const vertex_descriptor v : m_builder.vertices_in_order())
-        result.is_stop.push_back(get(is_stop, v));
-    result.is_expected = result.is_stop.empty() ? m_mesh.is_singular : result.is_stop;
-    for(std::size_t v = 0; v < m_mesh.is_singular.size(); ++v)
-      if(m_mesh.is_singular[v] || v == result.limits.target)
-        result.is_expected[v] = true;
+      result.limits.is_stop = [this, is_stop](const std::size_t v) -> bool
+      { return get(is_stop, m_builder.vertices_in_order()[v]); };
     return result;
   }
 
@@ -201,7 +205,7 @@ private:
 
   Curve trace(const Start& start, const Isocurve_direction direction, const Options& options) const
   {
-    CGAL_precondition_msg(m_is_valid, "the mesh is not triangular, or its map not seamless at all");
+    check_validity();
     CGAL_precondition_msg(is_exact() || !options.decide_exactly,
                           "isocurves can be traced exactly on exactly seamless maps only");
     const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
@@ -211,9 +215,8 @@ private:
     }
     const bool at_vertex = start.place == Isocurve_place::VERTEX;
     internal::Floating_point_decisions decisions(
-      m_mesh, options.is_expected,
-      at_vertex ? m_builder.corner(start.halfedge) : internal::no_index, int(direction),
-      options.near);
+      m_mesh, options.limits, at_vertex ? m_builder.corner(start.halfedge) : internal::no_index,
+      int(direction), options.near);
     return trace_with(decisions, start, direction, options);
   }
 
@@ -241,12 +244,11 @@ private:
     Curve curve;
     curve.start = start;
     curve.direction = direction;
-    internal::Walk_limits limits = options.limits;
-    limits.is_stop = options.is_stop.empty() ? nullptr : &options.is_stop;
     Collector collector{*this, curve.points};
-    internal::Isocurve_walk<Decisions, Collector> walk(m_mesh, decisions, limits, collector);
+    internal::Isocurve_walk<Decisions, Collector> walk(m_mesh, decisions, options.limits,
+                                                       collector);
     curve.status = start_walk(walk, decisions, collector, start, int(direction));
-    if(curve.status == Isocurve_status::CLOSED && start.place == Isocurve_place::FACE)
+    if(curve.status == Isocurve_status::CLOSED && start.place != Isocurve_place::VERTEX)
       curve.points.back() = curve.points.front();
     curve.number_of_crossings = walk.number_of_crossings();
     curve.length = walk.length();
@@ -261,6 +263,8 @@ private:
     const std::size_t c = internal::constant_component(direction);
     typename Decisions::State state;
     state.halfedge = m_builder.corner(start.halfedge);
+    CGAL_precondition_msg(state.halfedge != internal::no_index,
+                          "the halfedge that an isocurve starts at must have a face");
     state.direction = direction;
     switch(start.place) {
     case Isocurve_place::VERTEX: {
@@ -270,37 +274,45 @@ private:
       state.direction = ray.direction;
       state.level = Level(m_mesh.uv(ray.corner)[internal::constant_component(ray.direction)]);
       collector.vertex(state);
-      return leaves ? walk.run_from_vertex(ray) : Isocurve_status::BORDER;
+      if(leaves)
+        return walk.run_from_vertex(ray);
+      return m_mesh.is_border[m_mesh.vertex(ray.corner)] ? Isocurve_status::BORDER
+                                                         : Isocurve_status::CONSTANT_ON_FACE;
     }
     case Isocurve_place::EDGE: {
-      state.level = level_on_edge<Level>(state.halfedge, start.parameter, c);
+      CGAL_precondition_msg(start.parameter > 0 && start.parameter < 1,
+                            "the point that an isocurve starts at must lie inside of its edge");
+      state.level = coordinate_on_edge<Level>(state.halfedge, start.parameter, c);
+      const double running = coordinate_on_edge<double>(state.halfedge, start.parameter, 1 - c);
       const auto point = state;
       bool enters = false;
-      if(!internal::leave_edge_point(m_mesh, decisions, state, enters))
+      const bool leaves = internal::leave_edge_point(m_mesh, decisions, state, enters);
+      if(leaves && !enters && !state.is_at_vertex)
+        return walk.run_from(state); // the walk begins with this edge
+      collector.add(Isocurve_place::EDGE, point, running);
+      if(!leaves)
         return Isocurve_status::CONSTANT_ON_FACE;
-      if(enters || state.is_at_vertex)
-        collector.edge(point);
-      return enters ? walk.run_into(state) : walk.run_from(state);
+      return enters ? walk.run_into(state) : walk.run_from(state, running);
     }
     case Isocurve_place::FACE:
       break;
     }
     state.level = Level(start.uv[c]);
     collector.add(Isocurve_place::FACE, state, start.uv[1 - c]);
-    return internal::leave_face_point<Decisions>(m_mesh, state) ? walk.run_from(state)
-                                                                : Isocurve_status::CONSTANT_ON_FACE;
+    return internal::leave_face_point<Decisions>(m_mesh, state)
+             ? walk.run_from(state, start.uv[1 - c]) : Isocurve_status::CONSTANT_ON_FACE;
   }
 
-  template <typename Level>
-  Level level_on_edge(const internal::Corner_index h, const Exact_rational& t,
-                      const std::size_t c) const
+  template <typename Number>
+  Number coordinate_on_edge(const internal::Corner_index h, const Exact_rational& t,
+                            const std::size_t c) const
   {
     const Exact_rational a(m_mesh.uv(internal::Chart_mesh::prev(h))[c]), b(m_mesh.uv(h)[c]);
-    const Exact_rational level(a + t * (b - a));
-    if constexpr(std::is_same_v<Level, double>)
-      return CGAL::to_double(level);
+    const Exact_rational coordinate(a + t * (b - a));
+    if constexpr(std::is_same_v<Number, double>)
+      return CGAL::to_double(coordinate);
     else
-      return Level(level);
+      return Number(coordinate);
   }
 
   halfedge_descriptor halfedge(const internal::Corner_index h) const

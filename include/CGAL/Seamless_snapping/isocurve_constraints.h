@@ -116,7 +116,8 @@ missed. To follow an isocurve on an approximately seamless parametrization, see 
 
 \param tmesh the mesh
 \param curve a curve with its points, traced on `tmesh`
-\pre the curve starts at a vertex, and ends at a vertex or has missed one
+\pre the curve has its points (`trace_isocurve()` writes them to its output
+     iterator instead), starts at a vertex, and ends at a vertex or has missed one
 
 \sa `cycle_along_isocurve()`
 */
@@ -124,6 +125,7 @@ template <typename TriangleMesh>
 Connection_constraint<TriangleMesh>
 connection_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
 {
+  CGAL_precondition(!curve.points.empty());
   const Isocurve_point<TriangleMesh>& start = curve.points.front();
   CGAL_precondition(start.place() == Isocurve_place::VERTEX);
   CGAL_precondition(curve.status == Isocurve_status::MISSED_TARGET ||
@@ -147,7 +149,8 @@ status of the curve is `Isocurve_status::CLOSED` or, if it passes by this vertex
 
 \param tmesh the mesh
 \param curve a curve with its points, traced on `tmesh`
-\pre the curve starts at a vertex, and has one of these statuses
+\pre the curve has its points (`trace_isocurve()` writes them to its output
+     iterator instead), starts at a vertex, and has one of these statuses
 
 \sa `connection_along_isocurve()`
 */
@@ -155,6 +158,7 @@ template <typename TriangleMesh>
 Cycle_constraint<TriangleMesh>
 cycle_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
 {
+  CGAL_precondition(!curve.points.empty());
   const Isocurve_point<TriangleMesh>& start = curve.points.front();
   CGAL_precondition(start.place() == Isocurve_place::VERTEX);
   CGAL_precondition(curve.status == Isocurve_status::CLOSED ||

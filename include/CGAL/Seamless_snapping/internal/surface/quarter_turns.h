@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The rotations of transitions, as integer matrices. Any finite subgroup of GL(2,Z) in their place would
-// do for all that is built on them.
+// The rotations of transitions, as integer matrices. Any finite subgroup of GL(2,Z) in their place
+// would do for all that is built on them.
 
 #include <array>
 #include <cstddef>
@@ -53,10 +53,23 @@ inline int inverse_rotation(const int k)
   return (number_of_rotations - k) % number_of_rotations;
 }
 
-// The component of R_k u that component `c` of u turns into, up to its sign.
+// R_k turns component c of a vector into this one, times `sign`.
+struct Turned_component
+{
+  std::size_t component;
+  int sign;
+};
+
+inline Turned_component turned_component(const int k, const std::size_t c)
+{
+  const auto& m = rotation_matrix(k).m;
+  return m[0][c] != 0 ? Turned_component{0, m[0][c]} : Turned_component{1, m[1][c]};
+}
+
+// The same without the sign.
 inline int rotated_component(const int k, const int c)
 {
-  return rotation_matrix(k).m[0][std::size_t(c)] != 0 ? 0 : 1;
+  return int(turned_component(k, std::size_t(c)).component);
 }
 
 } // namespace internal

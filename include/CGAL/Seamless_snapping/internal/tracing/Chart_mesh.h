@@ -15,7 +15,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // A parametrized mesh in plain arrays: what the tracer walks on. It doesn't depend on the mesh data
-// structure, and reading it from several threads is safe, unlike reading dynamic property maps.
+// structure, and any number of threads can read it.
 
 #include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
@@ -49,19 +49,6 @@ struct Chart_transition
   int rotation;
   std::array<Exact_difference, 2> translation;
 };
-
-// Across a transition, component c turns into component `component` times `sign`.
-struct Turned_component
-{
-  std::size_t component;
-  int sign;
-};
-
-inline Turned_component turned_component(const int rotation, const std::size_t c)
-{
-  const auto& m = rotation_matrix(rotation).m;
-  return m[0][c] != 0 ? Turned_component{0, m[0][c]} : Turned_component{1, m[1][c]};
-}
 
 struct Chart_mesh
 {

@@ -25,8 +25,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -38,12 +36,12 @@ public:
   using Level = double;
   using State = Walk_state<Level>;
 
-  // `is_expected` marks the vertices that a curve which comes closer than `near` is meant to meet. A
+  // A curve that comes closer than `near` to a singular vertex or a target is meant to meet it. A
   // loop should return to `start`, in this direction, unless that is no_index.
-  Floating_point_decisions(const Chart_mesh& mesh, const std::vector<char>& is_expected,
+  Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
                            const Corner_index start, const int start_direction, const double near)
-    : m_mesh(mesh), m_is_expected(is_expected), m_start(start),
-      m_start_direction(start_direction), m_near(near)
+    : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
+      m_near(near)
   { }
 
   // The translation and the sum are rounded.
@@ -143,9 +141,11 @@ private:
       std::abs(m_mesh.uv(apex)[constant_component(state.direction)] - state.level);
     if(distance == 0 || distance > m_near)
       return Isocurve_status::CONTINUES;
-    if(!m_mesh.is_singular[v] && is_start(apex, state.direction))
+    const bool is_singular = m_mesh.is_singular[v] != 0;
+    if(!is_singular && is_start(apex, state.direction))
       return Isocurve_status::SPIRALS;
-    return m_is_expected[v] ? Isocurve_status::MISSED_TARGET : Isocurve_status::CONTINUES;
+    return is_singular || m_limits.is_target(v) ? Isocurve_status::MISSED_TARGET
+                                                : Isocurve_status::CONTINUES;
   }
 
   // Whether the curve started from the vertex of this corner, in this direction.
@@ -161,7 +161,7 @@ private:
   }
 
   const Chart_mesh& m_mesh;
-  const std::vector<char>& m_is_expected;
+  const Walk_limits& m_limits;
   Corner_index m_start;
   int m_start_direction;
   double m_near;

@@ -57,6 +57,16 @@ public:
     return run();
   }
 
+  // The same from a point of its face whose running coordinate is `start`.
+  Isocurve_status run_from(const State& state, const double start)
+  {
+    m_state = state;
+    if(has_length())
+      m_length = m_length_before = length_between(
+        start, state.is_at_vertex ? running(state.halfedge) : running_on_edge(state.halfedge));
+    return run();
+  }
+
   // From a border edge into the face that `state` gives.
   Isocurve_status run_into(const State& state)
   {
@@ -76,6 +86,8 @@ private:
     do {
       status = m_state.is_at_vertex ? pass_vertex() : cross_edges();
     } while(status == Isocurve_status::CONTINUES);
+    if(status == Isocurve_status::CLOSED)
+      m_length -= m_length_before; // it went round to the first edge or vertex, beyond the start
     return status;
   }
 
@@ -91,8 +103,10 @@ private:
       const Chart_corner& exit = m_mesh.corner(m_state.halfedge);
       if(exit.opposite == no_index)
         return m_decisions.leave_over_border(m_state);
-      if(++m_crossings >= m_limits.maximum_number)
-        return Isocurve_status::MAXIMUM_NUMBER;
+      ++m_crossings;
+      status = compare_with_bounds();
+      if(status != Isocurve_status::CONTINUES)
+        return status;
       if(exit.transition != no_index)
         m_decisions.cross(m_mesh.transitions[std::size_t(exit.transition)], m_state);
       m_state.halfedge = exit.opposite;
@@ -117,29 +131,38 @@ private:
       arrive(apex, no_index);
     else
       m_state.halfedge = (side == left_sign(m_state.direction)) ? apex : Chart_mesh::next(apex);
-    return m_length >= m_limits.maximum_length ? Isocurve_status::MAXIMUM_LENGTH
-                                               : Isocurve_status::CONTINUES;
+    return Isocurve_status::CONTINUES;
   }
 
   Isocurve_status pass_vertex()
   {
     const std::size_t v = m_mesh.vertex(m_state.halfedge);
     m_sink.vertex(m_state);
-    if(v == m_limits.target || (m_limits.is_stop != nullptr && (*m_limits.is_stop)[v]))
+    if(m_limits.is_target(v))
       return Isocurve_status::TARGET;
     if(m_mesh.is_singular[v])
       return Isocurve_status::SINGULAR_VERTEX;
-    if(++m_crossings >= m_limits.maximum_number)
-      return Isocurve_status::MAXIMUM_NUMBER;
+    ++m_crossings;
     m_rays.collect(m_mesh, m_state.halfedge, m_state.direction);
     Vertex_ray ray;
-    const Isocurve_status status = m_decisions.choose_ray(m_state, m_rays, ray);
+    Isocurve_status status = m_decisions.choose_ray(m_state, m_rays, ray);
     if(status != Isocurve_status::CONTINUES)
       return status;
     if(m_starts_at_vertex && ray == m_start_ray)
       return Isocurve_status::CLOSED;
-    remember_start_ray(ray);
-    take(ray);
+    status = compare_with_bounds();
+    if(status == Isocurve_status::CONTINUES) {
+      remember_start_ray(ray);
+      take(ray);
+    }
+    return status;
+  }
+
+  // At the edge or vertex that the curve has met, once it has no other reason to end there.
+  Isocurve_status compare_with_bounds() const
+  {
+    if(m_crossings >= m_limits.maximum_number)
+      return Isocurve_status::MAXIMUM_NUMBER;
     return m_length >= m_limits.maximum_length ? Isocurve_status::MAXIMUM_LENGTH
                                                : Isocurve_status::CONTINUES;
   }
@@ -232,6 +255,7 @@ private:
   Isocurve_rays m_rays;
   std::size_t m_crossings = 0;
   double m_length = 0;
+  double m_length_before = 0; // the first edge or vertex
 
   bool m_starts_at_vertex = false;
   Vertex_ray m_start_ray{no_index, 0, Ray_kind::THROUGH_FACE};

@@ -19,8 +19,8 @@
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -52,7 +52,9 @@ struct Walk_limits
   std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)(); // of crossings
   double maximum_length = std::numeric_limits<double>::infinity();        // in the domain
   std::size_t target = (std::numeric_limits<std::size_t>::max)();         // a vertex
-  const std::vector<char>* is_stop = nullptr;                             // per vertex, if given
+  std::function<bool(std::size_t)> is_stop;                               // further ones, if given
+
+  bool is_target(const std::size_t v) const { return v == target || (is_stop && is_stop(v)); }
 };
 
 } // namespace internal

@@ -35,13 +35,11 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The quadrant that contains the vector from a to b, each with the axis at its clockwise end; -1
-// for the null vector.
+// The quadrant that contains the vector from a to b, which is not null, each with the axis at its
+// clockwise end.
 inline int quadrant(const Uv& a, const Uv& b)
 {
   const int x = compare(b[0], a[0]), y = compare(b[1], a[1]);
-  if(x == 0 && y == 0)
-    return -1;
   if(x > 0 && y >= 0)
     return 0;
   if(x <= 0 && y > 0)
@@ -49,15 +47,13 @@ inline int quadrant(const Uv& a, const Uv& b)
   return (x < 0 && y <= 0) ? 2 : 3;
 }
 
-// By how many axes a vector passes that turns with the corner; negative where the face is flipped.
-// These add up to the angle around a vertex, in quarter turns, since the seams map axes to axes.
-inline int axes_passed(const Chart_mesh& mesh, const Corner_index h, bool& is_degenerate)
+// By how many axes a vector passes that turns from the first to the second edge of a corner;
+// negative where the face is flipped. These add up to the angle around a vertex, in quarter turns,
+// since the seams map axes to axes.
+inline int axes_passed(const Uv& p, const Uv& q, const Uv& r)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const Uv &p = mesh.uv(h), &q = mesh.uv(Chart_mesh::next(h)), &r = mesh.uv(Chart_mesh::prev(h));
-  const int first = quadrant(p, q), second = quadrant(p, r);
-  is_degenerate = is_degenerate || first < 0 || second < 0;
-  switch(turned(second, -first)) {
+  switch(turned(quadrant(p, r), -quadrant(p, q))) {
   case 0: return 0;
   case 1: return 1;
   case 3: return -1;
@@ -66,39 +62,36 @@ inline int axes_passed(const Chart_mesh& mesh, const Corner_index h, bool& is_de
   return Kernel().orientation_2_object()(a, b, c) == CGAL::NEGATIVE ? -2 : 2;
 }
 
-inline double signed_angle(const Chart_mesh& mesh, const Corner_index h)
+// The same angle where the seams are not exact; the sum is then near to an integer only.
+inline double quarter_turns_between(const Uv& p, const Uv& q, const Uv& r)
 {
-  const Uv &p = mesh.uv(h), &q = mesh.uv(Chart_mesh::next(h)), &r = mesh.uv(Chart_mesh::prev(h));
   const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
-  return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+  return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) / std::acos(0.);
 }
 
 // Vertices whose angle is not 360 degrees. Other than by rotations alone, this finds those of 720,
-// too.
+// too. An edge of no length has no angle with others: at its ends, rotations have to do.
 inline void mark_singular_vertices(Chart_mesh& mesh)
 {
   const std::size_t n = mesh.corner_at_vertex.size();
-  std::vector<int> axes(n, 0);
-  std::vector<double> angles(n, 0);
-  std::vector<char> is_degenerate(n, false);
+  std::vector<double> angles(n, 0); // in quarter turns
+  std::vector<int> rotations(n, 0);
+  std::vector<char> has_angle(n, true);
   for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
     const Corner_index h = Corner_index(i);
     const std::size_t v = mesh.vertex(h);
-    bool degenerate = !mesh.is_exact;
-    axes[v] += axes_passed(mesh, h, degenerate);
-    if(degenerate)
-      is_degenerate[v] = true;
-  }
-  for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
-    const std::size_t v = mesh.vertex(Corner_index(i));
-    if(is_degenerate[v])
-      angles[v] += signed_angle(mesh, Corner_index(i));
+    const Uv &p = mesh.uv(h), &q = mesh.uv(Chart_mesh::next(h)), &r = mesh.uv(Chart_mesh::prev(h));
+    rotations[v] += mesh.rotation(h);
+    if(p == q || p == r)
+      has_angle[v] = false;
+    else
+      angles[v] += mesh.is_exact ? axes_passed(p, q, r) : quarter_turns_between(p, q, r);
   }
   mesh.is_singular.assign(n, false);
   for(std::size_t v = 0; v < n; ++v) {
-    const long quarters = is_degenerate[v] ? std::lround(angles[v] / std::acos(0.)) : axes[v];
-    mesh.is_singular[v] = !mesh.is_border[v] && mesh.corner_at_vertex[v] != no_index &&
-                          quarters != number_of_rotations;
+    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == number_of_rotations
+                                         : rotations[v] % number_of_rotations == 0;
+    mesh.is_singular[v] = !mesh.is_border[v] && mesh.corner_at_vertex[v] != no_index && !is_regular;
   }
 }
 
