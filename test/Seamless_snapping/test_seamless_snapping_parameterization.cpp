@@ -226,7 +226,7 @@ void test_given_cones()
   check_given_cones("disk with 3 cones", grid(8), {{20, 1}, {40, 1}, {60, -1}});
 }
 
-// The turns around handles, and between border loops, are arbitrary numbers before they are rounded.
+// The turns around handles, and between border loops, are any numbers before they are rounded.
 void test_given_cones_around_handles()
 {
   const Mesh pants = test_meshes::make_mesh<Kernel>(test_meshes::pair_of_pants(), 2);
@@ -371,6 +371,25 @@ void test_components_of_all_sizes()
   check_parameterization("components of all sizes", mesh);
 }
 
+// The smoothest field has all its turns at the tips, where no angle would be left.
+void test_spikes()
+{
+  Mesh mesh; // two long pyramids on a hexagon
+  std::array<Vertex, 6> ring;
+  const Vertex a = mesh.add_vertex(Point_3(0, 0, -50)), b = mesh.add_vertex(Point_3(0, 0, 50));
+  for(std::size_t i = 0; i < 6; ++i) {
+    const double angle = 3.141592653589793 / 3 * double(i);
+    ring[i] = mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0));
+  }
+  for(std::size_t i = 0; i < 6; ++i) {
+    mesh.add_face(ring[(i + 1) % 6], ring[i], a);
+    mesh.add_face(ring[i], ring[(i + 1) % 6], b);
+  }
+  check_parameterization("two spikes", mesh);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
+  check_parameterization("two spikes, smooth", mesh);
+}
+
 void test_tiny_meshes()
 {
   Mesh triangle;
@@ -476,6 +495,7 @@ int main()
   test_refused_parameters();
   test_ranges();
   test_components_of_all_sizes();
+  test_spikes();
   test_tiny_meshes();
   test_poor_meshes();
   return report_checks();

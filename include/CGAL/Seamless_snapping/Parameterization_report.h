@@ -109,13 +109,13 @@ struct Parameterization_report
 
   /// \name Parametrization
   /// @{
-  std::size_t number_of_cut_edges = 0;        ///< interior edges along which the surface was cut open
+  std::size_t number_of_cut_edges = 0;        ///< interior edges that were cut open
   std::size_t number_of_cut_branches = 0;     ///< chains of cut edges that share one transition
   std::size_t number_of_aligned_edges = 0;    ///< edges that were constrained to isocurves
   std::size_t number_of_flipped_faces = 0;    ///< triangles whose area in the plane is not positive
   std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
-  double violation = 0; ///< the largest difference of the sides of a cut edge after rotation, absolute
+  double violation = 0; ///< largest difference of the sides of a cut edge after rotation
   /// @}
 
   /// \name Time

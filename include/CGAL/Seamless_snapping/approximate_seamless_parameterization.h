@@ -141,9 +141,10 @@ The corners in one sector, that is around a vertex and between cuts, receive the
 the bit. The result is reproducible: it depends on nothing but the arguments.
 
 Degenerate faces are allowed: the edge lengths of a component that the computation starts from are
-enlarged by one small amount, as much as it takes. Vertices without a face are ignored. Nothing is promised about
-the topology of the mesh, so that none is refused: a caller who expects it to be closed, or of a
-certain genus, finds the number of border loops, of components, and the genus in the report.
+enlarged by one small amount, as much as it takes. Vertices without a face are ignored. Nothing is
+promised about the topology of the mesh, so that none is refused: a caller who expects it to be
+closed, or of a certain genus, finds the number of border loops, of components, and the genus in the
+report.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam HalfedgeUVMap a model of `WritablePropertyMap` with
@@ -187,9 +188,9 @@ certain genus, finds the number of border loops, of components, and the genus in
   \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
     \cgalParamDescription{a property map that associates to each vertex the index that it is to
-                          have, in quarter turns: 0 for regular vertices, 1 for the corner of a cube, -1
-                          for a vertex of valence 5 in a quadrangulation. The indices of border
-                          vertices are ignored.}
+                          have, in quarter turns: 0 for regular vertices, 1 for the corner of a
+                          cube, -1 for a vertex of valence 5 in a quadrangulation. The indices of
+                          border vertices are ignored.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `int` as
                    value type}
@@ -221,8 +222,8 @@ certain genus, finds the number of border loops, of components, and the genus in
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{a multifrontal Cholesky factorization that comes with the package and needs
                       \ref thirdpartyEigen "Eigen"}
-    \cgalParamExtra{Any direct solver for such systems that \ref thirdpartyEigen "Eigen" offers can be
-                    used through `CGAL::Eigen_solver_traits`, for example
+    \cgalParamExtra{Any direct solver for such systems that \ref thirdpartyEigen "Eigen" offers can
+                    be used through `CGAL::Eigen_solver_traits`, for example
                     `Eigen::CholmodSupernodalLLT` where SuiteSparse is installed (see \ref
                     Seamless_snapping/parameterize_with_suitesparse.cpp). With the reference BLAS,
                     this took 2.8 times as long as the default.}

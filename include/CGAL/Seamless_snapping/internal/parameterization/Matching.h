@@ -143,6 +143,32 @@ inline Singularities singularities(const Triangle_surface& surface, const Topolo
   return result;
 }
 
+// A cone of index 4 or more, as at the tip of a spike, leaves no angle for its faces, so that they
+// would flip: what it has above 3 is handed on to neighbors. Returns whether anything was changed.
+inline bool spread_large_indices(const Triangle_surface& surface, const std::vector<double>& angles,
+                                 Singularities& singular, Matching& matching)
+{
+  bool changed = false;
+  std::vector<int>& index = singular.index;
+  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    while(index[v] >= 4) {
+      std::size_t best = no_index; // the neighbor of the smallest index, but not along a feature
+      for_each_corner(surface, v, [&](const std::size_t h) {
+        const std::size_t w = surface.source(h);
+        if(!surface.is_aligned[h] && index[w] < 3
+           && (best == no_index || index[w] < index[surface.source(best)]))
+          best = h;
+      });
+      if(best == no_index)
+        break;
+      set_rotation(surface, angles, best, matching.rotation[best] - 1, matching);
+      --index[v];
+      ++index[surface.source(best)];
+      changed = true;
+    }
+  return changed;
+}
+
 // Checks, in integers, that the rotations around each interior vertex agree with its index, and
 // that all indices of a component add up to 4 chi.
 inline void check_index_theorem(const Triangle_surface& surface, const Topology& topo,

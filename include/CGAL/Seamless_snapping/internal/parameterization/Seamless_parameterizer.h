@@ -212,7 +212,9 @@ Parameterization_result parameterize(const Triangle_surface& surface,
   }
   timer.finish("field");
 
-  const Singularities singular = singularities(surface, topo, matching);
+  Singularities singular = singularities(surface, topo, matching);
+  if(spread_large_indices(surface, angles, singular, matching))
+    singular = singularities(surface, topo, matching);
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)
     throw Failure{Parameterization_status::INTERNAL_ERROR,

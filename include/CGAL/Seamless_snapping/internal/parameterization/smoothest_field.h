@@ -39,8 +39,8 @@ inline double dual_weight(const Triangle_surface& surface, const std::size_t h)
 }
 
 // The linear systems of field design: with the connection Laplacian L of crosses and the diagonal
-// matrix M of the areas, relative to the mean of the component, they read (a M + b L) z = M r, where
-// z is kept on the prescribed faces.
+// matrix M of the areas, relative to the mean of the component, they read (a M + b L) z = M r,
+// where z is kept on the prescribed faces.
 template <typename Solver>
 class Cross_field_system
 {
