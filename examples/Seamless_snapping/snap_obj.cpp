@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -104,7 +105,7 @@ void print_help()
        "inaccurate, so that they are exactly seamless: across each edge, the coordinates on\n"
        "both sides differ by a rotation by a multiple of 90 degrees and a translation.\n\n"
     << description_of(ignored)
-    << "\nExit status: 0 the output is exact; 1 there is no exact solution, and no output;\n"
+    << "\nExit status: 0 the output is exact; 1 no exact solution was found;\n"
        "2 wrong usage; 3 unreadable input; 4 a file cannot be written.\n";
 }
 
@@ -293,6 +294,10 @@ int main(int argc, char** argv)
     status = failure.status;
     message = failure.what();
     std::cerr << message << std::endl;
+  } catch(const std::exception& error) { // no memory, and the like
+    status = NOT_SNAPPED;
+    message = error.what();
+    std::cerr << "snap_obj: " << message << std::endl;
   }
 
   try {
@@ -300,9 +305,9 @@ int main(int argc, char** argv)
       write_file(options.report, [&](std::ostream& os, const std::string&) {
         os << to_json(summary, status == EXACT, message).dump(2) << '\n';
       });
-  } catch(const Failure& failure) {
-    std::cerr << failure.what() << std::endl;
-    status = (status == EXACT) ? failure.status : status;
+  } catch(const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    status = (status == EXACT) ? UNWRITABLE : status;
   }
   return status;
 }

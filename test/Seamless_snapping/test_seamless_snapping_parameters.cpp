@@ -59,10 +59,10 @@ void test_any_order()
   CHECK(has(ours_first, internal_np::align_border));
   CHECK(!has(ours_first, internal_np::edge_is_cut));
 
-  const auto cgal_first = parameters::verbose(true).geom_traits(Kernel()).tolerance(4.);
+  const auto cgal_first = parameters::verbose(true).random_seed(5u).tolerance(4.);
   CHECK_EQUAL(read_tolerance(cgal_first), 4.);
   CHECK(read_verbose(cgal_first));
-  CHECK(has(cgal_first, internal_np::geom_traits));
+  CHECK(has(cgal_first, internal_np::random_seed));
 }
 
 void test_plain_chains_of_cgal()
@@ -119,10 +119,10 @@ void test_tags()
 // CGAL's overloads take nothing but its own type for a chain: the wrapper has to be gone.
 void test_stripping()
 {
-  const auto np = parameters::tolerance(1.).geom_traits(Kernel());
+  const auto np = parameters::tolerance(1.).random_seed(5u);
   using Plain = std::decay_t<decltype(internal::strip(np))>;
   using Expected = CGAL::Named_function_parameters<
-                     Kernel, internal_np::geom_traits_t,
+                     unsigned int, internal_np::random_seed_t,
                      CGAL::Named_function_parameters<double, internal_np::tolerance_t> >;
   static_assert(std::is_same<Plain, Expected>::value, "a plain chain of CGAL's");
 

@@ -81,7 +81,8 @@ refers to.
 template <typename TriangleMesh>
 struct Isocurve_start
 {
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   Isocurve_place place = Isocurve_place::VERTEX; ///< what the point lies on
   halfedge_descriptor halfedge{};   ///< of the face whose chart is meant
@@ -89,9 +90,9 @@ struct Isocurve_start
   std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
 
   /*!
-  the target of `h`. The direction refers to the chart of `face(h)`. The curve need not leave through
-  this face: it takes the ray of this direction that is nearest to it, when the direction is carried
-  around the vertex; around a regular vertex there is only one.
+  the target of `h`. The direction refers to the chart of `face(h)`. The curve need not leave
+  through this face: it takes the ray of this direction that is nearest to it, when the direction is
+  carried around the vertex; around a regular vertex there is only one.
   \pre `h` has a face
   */
   static Isocurve_start at_vertex(const halfedge_descriptor h)
@@ -125,7 +126,8 @@ template <typename TriangleMesh>
 class Isocurve_point
 {
 public:
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// \cond SKIP_IN_MANUAL
   Isocurve_point() = default;
@@ -142,8 +144,8 @@ public:
   Isocurve_place place() const { return m_place; }
 
   /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
-  /// that points to it, of a face that the curve has come through or along or, where it starts, that
-  /// it goes through or along; for a face one of its halfedges.
+  /// that points to it, of a face that the curve has come through or along or, where it starts,
+  /// that it goes through or along; for a face one of its halfedges.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 
   /// returns the direction of the curve in the chart of `face(halfedge())`.
@@ -177,7 +179,7 @@ struct Isocurve
   Isocurve_start<TriangleMesh> start;                      ///< where it starts
   Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< in which direction
   std::size_t number_of_crossings = 0; ///< edges crossed and vertices passed
-  double length = 0;                   ///< in the domain; 0 unless the length was bounded
+  double length = 0;                   ///< from the start to the end; 0 unless it was bounded
   std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
 };
 
@@ -213,6 +215,10 @@ Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
 \ingroup PkgSeamlessSnappingRef
 
 returns the coordinates of a point in the chart of `face(point.halfedge())`, rounded.
+
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
+\param tmesh the mesh
+\param uv_map the coordinates of each corner
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
 std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
@@ -242,6 +248,11 @@ returns the place of a point in space, rounded.
 \tparam VertexPointMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional
         point as value type
+
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
+\param tmesh the mesh
+\param uv_map the coordinates of each corner
+\param vertex_point_map the points of the vertices
 */
 template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
 typename boost::property_traits<VertexPointMap>::value_type

@@ -32,13 +32,13 @@ enum class Isocurve_status
   /// \cond SKIP_IN_MANUAL
   CONTINUES,        // not yet; never returned
   /// \endcond
-  TARGET,           ///< it has met a vertex that was given as a target
+  TARGET,           ///< it has met a vertex that was given
   SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex of 360 degrees or more
   BORDER,           ///< it has met the border, and does not continue along it
   CLOSED,           ///< it has closed exactly
   MAXIMUM_NUMBER,   ///< it has crossed as many edges and vertices as were allowed
-  MAXIMUM_LENGTH,   ///< it has become as long as was allowed
-  CONSTANT_ON_FACE, ///< it has met a degenerate face on which its coordinate is constant
+  MAXIMUM_LENGTH,   ///< it has become as long as was allowed, or longer by a part of a face
+  CONSTANT_ON_FACE, ///< it has met, or starts at, degenerate faces on which its coordinate is constant
   STUCK_AT_CUT,     ///< behind a cut edge it points back onto the edge, for ever
   FELL_INTO_GAP,    ///< the place behind a cut edge lies beside the edge
   NO_WAY_OUT,       ///< no direction leads on from a regular vertex
@@ -57,7 +57,10 @@ inline bool is_failure(const Isocurve_status status)
   return status >= Isocurve_status::STUCK_AT_CUT;
 }
 
-/// \cond SKIP_IN_MANUAL
+/*!
+\ingroup PkgSeamlessSnappingRef
+returns the status in words.
+*/
 inline const char* to_string(const Isocurve_status status)
 {
   switch(status) {
@@ -80,6 +83,7 @@ inline const char* to_string(const Isocurve_status status)
   return "spirals";
 }
 
+/// \cond SKIP_IN_MANUAL
 constexpr int number_of_isocurve_statuses = static_cast<int>(Isocurve_status::SPIRALS) + 1;
 /// \endcond
 

@@ -46,25 +46,30 @@ namespace Seamless_snapping {
 
 traces isocurves on a parametrized mesh. The constructor reads the mesh and the parametrization
 once, into arrays of its own; it is to be preferred to `trace_isocurve()` wherever many curves are
-traced. Tracing does not modify the object: several threads can use it at a time.
+traced. Tracing does not modify the object: several threads can use it at a time. It stays valid as
+long as the mesh is neither modified nor destroyed; the parametrization is not read again.
 
 On an exactly seamless parametrization, all decisions are exact comparisons: which edge a curve
 crosses next, whether it meets a vertex, how it leaves it, and whether it closes. Nothing can go
 wrong then, and nothing is recovered from.
 
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
 */
 template <typename TriangleMesh>
 class Isocurve_tracer
 {
 public:
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///<
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///<
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  /// a vertex of the mesh
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Start = Isocurve_start<TriangleMesh>; ///< where a curve starts
   using Curve = Isocurve<TriangleMesh>;       ///< a traced curve
 
   /*!
-  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`.
+  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`; the
+  `tolerance` among them is the largest violation of a transition, other than that of `trace()`.
   Check `operator bool()` if the parametrization may not be seamless at all.
   */
   template <typename HalfedgeUVMap,
@@ -86,7 +91,13 @@ public:
   /// returns `true` if the parametrization is exactly seamless, as is needed for tracing exactly.
   bool is_exact() const { return m_is_valid && m_mesh.is_exact; }
 
-  /// returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees.
+  /*!
+  returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees. Other
+  than in `Seam_transitions::singular_vertices()`, these may be 720 degrees, which the rotations of
+  the transitions around `v` don't tell from 360. Where an edge at `v` has no length in the domain,
+  the angle is not known, and `v` is taken for singular if those rotations are not the identity.
+  \pre `operator bool()`
+  */
   bool is_singular(const vertex_descriptor v) const
   {
     check_validity();
@@ -98,6 +109,7 @@ public:
   four at a regular vertex, \f$ 4 - i \f$ at a singular vertex of index \f$ i \f$, more where faces
   around the vertex are flipped, and at the border those that lead into the surface or along the
   border.
+  \pre `operator bool()`
   */
   std::vector<std::pair<Start, Isocurve_direction> > outgoing(const vertex_descriptor v) const
   {
@@ -111,7 +123,8 @@ public:
 
   /*!
   traces one isocurve. The named parameters are those of `trace_isocurve()`.
-  \pre `is_exact()`, or floating point tracing is asked for
+  \pre `is_exact()`; or `operator bool()`, and floating point tracing is asked for
+  \pre `start` is as `Isocurve_start` asks for
   */
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Curve trace(const Start& start, const Isocurve_direction direction,
@@ -123,11 +136,12 @@ public:
   /*!
   traces all isocurves that leave singular vertices, in the order of `vertices(tmesh)` and
   counterclockwise around each; the order does not depend on the number of threads. The named
-  parameters are those of `trace_isocurve()`.
+  parameters are those of `trace_isocurve()`. With several threads, all of them read the property
+  map `vertex_is_constrained_map`.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
-         `CGAL::Parallel_if_available_tag`
-  \pre `is_exact()`, or floating point tracing is asked for
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
+         `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+  \pre `is_exact()`; or `operator bool()`, and floating point tracing is asked for
   */
   template <typename ConcurrencyTag = CGAL::Sequential_tag,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>

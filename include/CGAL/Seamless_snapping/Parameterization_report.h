@@ -45,7 +45,10 @@ enum class Parameterization_status
   INTERNAL_ERROR     ///< a result failed its own verification and was discarded
 };
 
-/// \cond SKIP_IN_MANUAL
+/*!
+\ingroup PkgSeamlessSnappingRef
+returns the status in words.
+*/
 inline const char* to_string(const Parameterization_status status)
 {
   switch(status) {
@@ -61,7 +64,6 @@ inline const char* to_string(const Parameterization_status status)
   }
   return "internal error";
 }
-/// \endcond
 
 /*!
 \ingroup PkgSeamlessSnappingRef
@@ -84,7 +86,7 @@ struct Parameterization_report
   /// @{
   std::size_t number_of_faces = 0;        ///< faces of the mesh
   std::size_t number_of_components = 0;   ///< connected components
-  std::size_t number_of_border_loops = 0; ///< closed chains of border edges
+  std::size_t number_of_border_loops = 0; ///< closed sequences of border edges
   /*!
   The Euler characteristic \f$ \chi \f$ of the whole mesh, without isolated vertices: the sum of
   \f$ 2 - 2 g - b \f$ over its components, of genus \f$ g \f$ and with \f$ b \f$ border loops.
@@ -110,9 +112,11 @@ struct Parameterization_report
   /// \name Parametrization
   /// @{
   std::size_t number_of_cut_edges = 0;        ///< interior edges that were cut open
-  std::size_t number_of_cut_branches = 0;     ///< chains of cut edges that share one transition
+  std::size_t number_of_cut_branches = 0;     ///< sequences of cut edges that share one transition
   std::size_t number_of_aligned_edges = 0;    ///< edges that were constrained to isocurves
-  std::size_t number_of_flipped_faces = 0;    ///< triangles whose area in the plane is not positive
+  /// triangles whose area in the plane is not positive: those of no area are counted, which
+  /// `Seamlessness` counts by themselves
+  std::size_t number_of_flipped_faces = 0;
   std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< largest difference of the sides of a cut edge after rotation

@@ -38,9 +38,9 @@ enum class Snapping_status
 {
   ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
   SNAPPED,            ///< values were moved, and now all constraints hold exactly
-  INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, an index out of range, \f$ \ldots \f$
+  INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, and the like
   NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
-  NOT_FINITE,         ///< a value is NaN or infinite
+  NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
   NOT_ALIGNED,        ///< an edge that is to lie on an isocurve is farther from one than the tolerance
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
@@ -49,7 +49,10 @@ enum class Snapping_status
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };
 
-/// \cond SKIP_IN_MANUAL
+/*!
+\ingroup PkgSeamlessSnappingRef
+returns the status in words.
+*/
 inline const char* to_string(const Snapping_status status)
 {
   switch(status) {
@@ -67,7 +70,6 @@ inline const char* to_string(const Snapping_status status)
   }
   return "internal error";
 }
-/// \endcond
 
 /*!
 \ingroup PkgSeamlessSnappingRef
@@ -99,8 +101,8 @@ struct Snapping_report
   std::size_t number_of_singular_vertices = 0; ///< interior vertices with a holonomy other than the identity
   std::size_t number_of_sectors = 0;           ///< sectors at the vertices of cut, merged, and aligned edges
   std::size_t number_of_nodes = 0;             ///< vertices whose sectors enter the constraint system
-  std::size_t number_of_cut_branches = 0;      ///< chains of cut edges between nodes
-  std::size_t number_of_align_branches = 0;    ///< chains of aligned edges between nodes
+  std::size_t number_of_cut_branches = 0;      ///< sequences of cut edges between nodes
+  std::size_t number_of_align_branches = 0;    ///< sequences of aligned edges between nodes
   /// @}
 
   /// \name Constraint System

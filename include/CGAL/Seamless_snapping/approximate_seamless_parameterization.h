@@ -146,7 +146,7 @@ promised about the topology of the mesh, so that none is refused: a caller who e
 closed, or of a certain genus, finds the number of border loops, of components, and the genus in the
 report.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `%Point_2` of a
         kernel with the number type `double` or `float` as value type
@@ -241,7 +241,7 @@ against the field have been verified to add up to \f$ 4 \chi \f$, in integers.
 
 The cost is that of sparse Cholesky factorizations with twice as many rows as `tmesh` has faces
 (three, for the field) and vertices (one, and one for each stiffening round): on surface meshes
-somewhat more than linear, about 10 seconds per 100,000 faces.
+somewhat more than linear, 4 to 7 seconds per 100,000 faces.
 
 \sa `snap_to_seamless()`
 */

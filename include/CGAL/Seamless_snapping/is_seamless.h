@@ -46,7 +46,8 @@ with an error in the order of their last digit.
 struct Seamlessness
 {
   std::size_t number_of_interior_edges = 0; ///< edges with a face on both sides
-  std::size_t number_of_open_edges = 0;     ///< interior edges whose sides have different coordinates
+  /// interior edges whose sides have different coordinates, or that are given as cuts
+  std::size_t number_of_open_edges = 0;
   std::size_t number_of_inexact_edges = 0;  ///< interior edges for which no transition holds exactly
   std::size_t number_of_aligned_edges = 0;  ///< edges that were asked to be aligned
   std::size_t number_of_misaligned_edges = 0; ///< those of them along which neither coordinate is constant
@@ -56,7 +57,8 @@ struct Seamlessness
   double violation = 0; ///< the largest violation of a transition
   double misalignment = 0; ///< the largest change of the coordinate that changes less along an aligned edge
 
-  /// returns `true` if and only if all transitions and alignments hold exactly.
+  /// returns `true` if and only if all transitions and alignments hold exactly. Connection, cycle, and
+  /// corner constraints are not looked at.
   bool is_exact() const
   {
     return number_of_inexact_edges == 0 && number_of_misaligned_edges == 0;
@@ -215,7 +217,11 @@ decides whether a parametrization is exactly seamless: whether for each interior
 a coordinate is constant along each edge that is to be aligned, and whether further constraints hold if any are
 given. The answer is that of exact arithmetic.
 
-\tparam TriangleMesh a model of `FaceGraph`
+Where constraints have contracted a cut edge to a point, any rotation satisfies the equation, and the
+coordinates do not tell which is meant. Connection and cycle constraints whose paths cross such an edge are
+then verified with a rotation that may be another one: pass `halfedge_rotation_map` as well.
+
+\tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
         with coordinates `x()` and `y()` of type `double` or `float` as value type
@@ -286,7 +292,10 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 \ingroup PkgSeamlessSnappingRef
 
 measures how far a parametrization is from being exactly seamless and aligned, and counts the faces that are
-flipped or degenerate in the domain. Template and named parameters are those of `is_seamless()`.
+flipped or degenerate in the domain. Template and named parameters are those of `is_seamless()`, but
+`connection_constraints`, `cycle_constraints`, and `corner_constraints` are ignored.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 
 \pre all coordinates are finite
 

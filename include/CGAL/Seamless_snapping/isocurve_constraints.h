@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Constraints from traced isocurves: that one meets the vertex that it meets nearly, or closes where
-// it nearly does.
+// Constraints from traced isocurves: that one meets the vertex that it meets nearly, or closes
+// where it nearly does.
 
 #include <CGAL/Seamless_snapping/Isocurve_point.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>

@@ -47,22 +47,15 @@
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
 #define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
-  F(edge_index_t, edge_index, edge_index_map)                                                      \
   F(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                           \
-  F(face_index_t, face_index, face_index_map)                                                      \
-  F(geom_traits_t, geom_traits, geom_traits)                                                       \
-  F(halfedge_index_t, halfedge_index, halfedge_index_map)                                          \
   F(maximum_number_t, maximum_number, maximum_number)                                              \
   F(number_of_iterations_t, number_of_iterations, number_of_iterations)                            \
-  F(output_iterator_t, output_iterator, output_iterator)                                           \
   F(random_seed_t, random_seed, random_seed)                                                       \
   F(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)                            \
-  F(stream_precision_t, stream_precision, stream_precision)                                        \
   F(verbose_t, verbose, verbose)                                                                   \
   F(vertex_index_t, vertex_index, vertex_index_map)                                                \
   F(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)                     \
-  F(vertex_point_t, vertex_point, vertex_point_map)                                                \
-  F(visitor_t, visitor, visitor)
+  F(vertex_point_t, vertex_point, vertex_point_map)
 
 #define CGAL_SEAMLESS_SNAPPING_PARAMETERS(F)                                                       \
   CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                         \
@@ -178,14 +171,14 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_vertex`: the vertex at which an isocurve ends
- * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of
- *   the coordinates (`double`)
+ * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are traced
+ *   in floating point, the distance below which a curve is taken to have missed what it passes by;
+ *   both relative to the extent of the coordinates (`double`)
  * - `weights`: one positive weight per value, in the sum of squared changes that is kept small
  *
- * Names of \cgal: `edge_index_map`, `edge_is_constrained_map`, `face_index_map`, `geom_traits`,
- * `halfedge_index_map`, `maximum_number`, `number_of_iterations`, `output_iterator`, `random_seed`,
- * `sparse_linear_solver`, `stream_precision`, `verbose`, `vertex_index_map`,
- * `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
+ * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,
+ * `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,
+ * `vertex_is_constrained_map`, `vertex_point_map`.
  *
  * Which of them a function reads is listed with the function; it ignores the others.
  *

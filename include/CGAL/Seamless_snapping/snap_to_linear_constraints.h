@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The generic function: moves floating point values to close by ones that satisfy a sparse system of
+// The generic function: moves floating point values to nearby ones that satisfy a sparse system of
 // linear equations exactly.
 
 #include <CGAL/Seamless_snapping/Linear_constraints.h>
@@ -142,7 +142,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-moves the values `x` to close by ones that satisfy \f$ C x = b \f$ exactly.
+moves the values `x` to nearby ones that satisfy \f$ C x = b \f$ exactly.
 
 On success, `C x = b` holds in exact arithmetic, not just in floating point, although the new values are
 of the same number type as the old ones: they are chosen from a grid \f$ 2^e \mathbb{Z} \f$ that the

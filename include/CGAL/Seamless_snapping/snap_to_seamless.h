@@ -32,7 +32,7 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-moves an approximately seamless parametrization to a close by one that is exactly seamless.
+moves an approximately seamless parametrization to a nearby one that is exactly seamless.
 
 A parametrization that was computed by a numerical solver satisfies the conditions at its seams up to a
 small violation only. This function removes it: for each interior edge with ends \f$ a, b \f$,
@@ -61,7 +61,7 @@ or without border.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and as value type a
         two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which can be
@@ -154,8 +154,11 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, or the
           tolerance is negative;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
-        - `NOT_REPRESENTABLE`: the number type holds no solution of the corner constraints near by. This can't
-          happen if their right-hand sides are zero.
+        - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints whose
+          right-hand sides are not zero; or because coordinates would exceed the largest number, as can
+          happen with `float`s close to it;
+        - `INTERNAL_ERROR`: the result, once written, failed its verification, and the old coordinates have
+          been restored. A `uv_map` that does not keep what is written to it causes this.
         .
         The message names the place and the remedy.
 

@@ -47,7 +47,8 @@ At a regular vertex a curve goes straight on. At the border it goes on where a b
 reentrant corner allows it to go straight on; at border vertices with an angle of 360 degrees or
 more it ends.
 
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
         point with coordinates `x()` and `y()` of type `double` or `float` as value type
@@ -86,8 +87,8 @@ more it ends.
     \cgalParamExtra{isocurves that meet nothing can be very long}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_length}
-    \cgalParamDescription{the length in the domain after which the curve ends, at the next edge. It
-                          is measured in floating point.}
+    \cgalParamDescription{the length in the domain after which the curve ends, at the next edge or
+                          vertex that it meets. It is measured from the start, in floating point.}
     \cgalParamType{`double`}
     \cgalParamDefault{unbounded; the length is not measured then}
   \cgalParamNEnd
@@ -102,16 +103,19 @@ more it ends.
   \cgalParamNBegin{tolerance}
     \cgalParamDescription{in floating point only: the distance, relative to the extent of the
                           coordinates, below which a curve is taken to have missed what it passes
-                          by}
+                          by. It does not tell which violations are accepted, as the `tolerance` of
+                          other functions does.}
     \cgalParamType{`double`}
-    \cgalParamDefault{100 times the largest violation of a transition, and at least 1e-12}
+    \cgalParamDefault{100 times the largest violation of a transition divided by the extent, and at
+                      least 1e-12}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return how the curve ends. Its member `points` is empty: the points are written to `output`.
 
-\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the tolerance of
-     `seam_transitions()`
+\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the default
+     tolerance of `seam_transitions()`
+\pre `start` is as `Isocurve_start` asks for
 
 \par Complexity
 One pass over the mesh, and constant time for each edge crossed. To trace many curves, use
@@ -141,11 +145,15 @@ Isocurve<TriangleMesh> trace_isocurve(const TriangleMesh& tmesh, HalfedgeUVMap u
 \ingroup PkgSeamlessSnappingRef
 
 traces all isocurves that leave singular vertices: the separatrices, from which motorcycle graphs
-and base complexes are built. Each ends at a singular vertex, at the border, or at a bound.
+and base complexes are built. A vertex is singular here if its angle in the domain is not 360
+degrees; see `Isocurve_tracer::is_singular()`. Each curve ends at a singular vertex, at the border,
+at a vertex that was given, at a bound, or at degenerate faces on which its coordinate is constant;
+if it is traced in floating point, possibly by a failure (see `Isocurve_status`).
 
-\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
-       `CGAL::Parallel_if_available_tag`
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
+       `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
 \tparam HalfedgeUVMap as for `trace_isocurve()`
 \tparam CurveOutputIterator a model of `OutputIterator` for `Isocurve<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -153,13 +161,15 @@ and base complexes are built. Each ends at a singular vertex, at the border, or 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
 \param output receives the curves in the order of the vertices of the mesh, counterclockwise around
-       each. The order does not depend on the number of threads.
+       each. The order does not depend on the number of threads. All threads read the property
+       map `vertex_is_constrained_map`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `trace_isocurve()`
 
 \return the past-the-end output iterator
 
-\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`
+\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the default
+     tolerance of `seam_transitions()`
 
 \sa `trace_isocurve()`
 */

@@ -79,9 +79,9 @@ point map, independent of the locale and of the rounding mode.
 
 The mesh is as in the file: vertices and faces come in its order,
 `target(halfedge(f, tmesh), tmesh)` is the first corner of face `f`, vertices without faces are
-kept, no face is turned round. There is one exception: where the faces around a vertex form several fans,
-which no halfedge data structure can hold, the fan that comes first in the file keeps the vertex and
-each other fan gets a copy, after all other vertices.
+kept, no face is reversed. There is one exception: where the faces around a vertex form several
+fans, which no halfedge data structure can hold, the fan that comes first in the file keeps the
+vertex and each other fan gets a copy, after all other vertices.
 
 A file is refused, with the line and the reason, if it has a statement of the above kinds that is
 malformed, a number that is not finite, an index out of range, a face that is no triangle, a corner
@@ -184,7 +184,7 @@ Vertices and faces are written in the order of `vertices(tmesh)` and `faces(tmes
 a face starting at `target(halfedge(f, tmesh), tmesh)`. If a coordinate is not finite, nothing is
 written.
 
-\tparam TriangleMesh a model of `FaceListGraph`
+\tparam TriangleMesh a model of `FaceListGraph`, `VertexListGraph`, and `EdgeListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
         point of a kernel whose number type is `double` or `float` as value type
