@@ -1,5 +1,6 @@
 // Tests of the surface function on small surfaces with every kind of cut, node, branch, border and
-// alignment: exactness, transitions, merged edges, and the distance from the exact optimum.
+// alignment: exactness, transitions, merged edges, and the distance from the exact optimum; and where uv maps
+// keep their values.
 
 #include "surface_checks.h"
 
@@ -9,8 +10,12 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Timer.h>
 
+#include <limits>
+#include <map>
+#include <memory>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 
 using namespace surface_checks;
 using test_meshes::Named_mesh;
@@ -235,8 +240,166 @@ void test_tiny_translation()
   }
 }
 
+// --- where uv maps keep their values -------------------------------------------------------------
+
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Halfedge = Mesh::Halfedge_index;
+using Point_2 = Kernel::Point_2;
+
+// Has values for some halfedges only, and throws where others are asked for.
+struct Partial_map
+{
+  using key_type = Halfedge;
+  using value_type = Point_2;
+  using reference = const Point_2&;
+  using category = boost::lvalue_property_map_tag;
+
+  std::shared_ptr<std::map<Halfedge, Point_2> > values;
+
+  friend const Point_2& get(const Partial_map& map, Halfedge h) { return map.values->at(h); }
+  friend void put(const Partial_map& map, Halfedge h, const Point_2& p) { map.values->at(h) = p; }
+};
+
+void test_no_values_on_border()
+{
+  for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
+    Mesh mesh = named.mesh;
+    const auto uv = test_meshes::uv_map(mesh);
+    uv_noise::perturb(mesh, uv, 1e-9, 1);
+    const Partial_map map{ std::make_shared<std::map<Halfedge, Point_2> >() };
+    for(const auto h : mesh.halfedges())
+      if(!mesh.is_border(h))
+        (*map.values)[h] = uv[h];
+    const auto np = SS::parameters::align_border(named.align_border).repair_flips(true);
+    bool is_read = false;
+    try {
+      CHECK_IN(named.name, bool(SS::seam_transitions(mesh, map)));
+      CHECK_IN(named.name, bool(SS::snap_to_seamless(mesh, map, np)));
+      CHECK_IN(named.name, SS::is_seamless(mesh, map, np));
+    } catch(const std::out_of_range&) {
+      is_read = true;
+    }
+    CHECK_IN(named.name, !is_read);
+  }
+}
+
+// Keeps the values of corners in places that they may share, and throws after some writing.
+struct Shared_map
+{
+  using key_type = Halfedge;
+  using value_type = Point_2;
+  using reference = Point_2;
+  using category = boost::read_write_property_map_tag;
+
+  std::shared_ptr<std::vector<Point_2> > values;
+  std::vector<std::size_t> places; // of halfedges
+  std::shared_ptr<long> credit = std::make_shared<long>((std::numeric_limits<long>::max)());
+
+  friend Point_2 get(const Shared_map& map, Halfedge h) { return (*map.values)[map.places[h]]; }
+  friend void put(const Shared_map& map, Halfedge h, const Point_2& p)
+  {
+    if(--*map.credit == 0)
+      throw std::runtime_error("no credit");
+    (*map.values)[map.places[h]] = p;
+  }
+};
+
+// Two inner vertices of a disc in the same place, each with other noise at all corners but one, which share
+// theirs; signs of zeros are mixed.
+void test_shared_places()
+{
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(6, 6), 1);
+  const auto uv = test_meshes::uv_map(mesh);
+  std::vector<Mesh::Vertex_index> inner;
+  for(const auto v : mesh.vertices())
+    if(!mesh.is_border(v))
+      inner.push_back(v);
+  const auto a = inner.front(), b = inner.back();
+  const Point_2 p = uv[mesh.halfedge(a)];
+  std::mt19937_64 random(1);
+  for(const auto h : mesh.halfedges()) {
+    if(mesh.target(h) == a || mesh.target(h) == b)
+      uv[h] = p + Kernel::Vector_2(1e-9 * uv_noise::symmetric_random(random), 0);
+    else if(uv[h].x() == 0)
+      uv[h] = Point_2(random() % 2 == 0 ? 0. : -0., uv[h].y());
+  }
+  Shared_map map{ std::make_shared<std::vector<Point_2> >(), {} };
+  for(const auto h : mesh.halfedges()) {
+    map.places.push_back(map.values->size());
+    map.values->push_back(uv[h]);
+  }
+  const auto places = map.places;
+  map.places[mesh.halfedge(a)] = map.places[mesh.halfedge(b)];
+  const Bits before = all_bits(mesh, map);
+  const auto np = SS::parameters::default_values();
+  CHECK(SS::snap_to_seamless(mesh, map, np).status == SS::Snapping_status::INTERNAL_ERROR);
+  CHECK(all_bits(mesh, map) == before);
+
+  // nothing remains of what was written before something is thrown
+  map.places = places;
+  const Bits separate = all_bits(mesh, map);
+  long writes = 0;
+  for(bool is_done = false; !is_done; ++writes) {
+    *map.credit = writes + 1;
+    try {
+      is_done = bool(SS::snap_to_seamless(mesh, map, np));
+    } catch(const std::runtime_error&) { }
+    CHECK((all_bits(mesh, map) == separate) == !is_done);
+  }
+  CHECK(writes > 20);
+
+  // corners of one vertex may share a place
+  for(const auto v : mesh.vertices())
+    for(const auto h : CGAL::halfedges_around_target(v, mesh))
+      if(!mesh.is_border(h))
+        map.places[h] = map.places[mesh.is_border(mesh.halfedge(v)) ? h : mesh.halfedge(v)];
+  CHECK(SS::is_seamless(mesh, map));
+}
+
+// --- small coordinates ---------------------------------------------------------------------------
+
+// A vertex that no constraint links to the rest, close to the origin; `closest` of its corners is closer than
+// the others, whose mean it is to take. Returns the step of the grid.
+double snap_vertex_at_origin(double ratio, std::size_t closest)
+{
+  const std::string context = "vertex at the origin, ratio " + std::to_string(ratio) + ", corner "
+                              + std::to_string(closest);
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1);
+  const auto uv = test_meshes::uv_map(mesh);
+  const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                               [&](auto w) { return !mesh.is_border(w); });
+  const Kernel::Vector_2 to_origin = CGAL::ORIGIN - uv[mesh.halfedge(v)];
+  for(const auto h : mesh.halfedges())
+    uv[h] = uv[h] + to_origin;
+  std::mt19937_64 random(1);
+  double sum = 0;
+  std::size_t i = 0;
+  for(const auto h : CGAL::halfedges_around_target(v, mesh)) {
+    const double x = 1e-9 * (1 + uv_noise::symmetric_random(random) / 4);
+    uv[h] = i++ == closest ? Point_2(x / ratio, 0) : Point_2(x, 0);
+    sum += uv[h].x();
+  }
+  const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv);
+  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context, SS::is_seamless(mesh, uv));
+  const Point_2 p = uv[mesh.halfedge(v)];
+  CHECK_IN(context, std::abs(p.x() - sum / double(i)) <= 1e-24 && p.y() == 0);
+  return report.grid_step;
+}
+
+void test_vertex_at_origin()
+{
+  const double step = snap_vertex_at_origin(1, 0);
+  for(const double ratio : { 2., 16., 1e3, 1e6, 1e15 })
+    for(std::size_t closest = 0; closest < 6; ++closest)
+      CHECK_EQUAL(snap_vertex_at_origin(ratio, closest), step);
+}
+
 int main()
 {
+  test_no_values_on_border();
+  test_shared_places();
+  test_vertex_at_origin();
   test_local_grids();
   test_float_files();
   std::cout.precision(3);

@@ -21,6 +21,8 @@
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
 #include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/Path_rotations.h>
+#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -74,8 +76,10 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
 {
   const Edge_sides sides = edge_sides(tmesh, uv_map, h);
   for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
-    if(!std::isfinite(u[0]) || !std::isfinite(u[1]))
+    if(!is_finite(u))
       return false;
+  if(!given.is_consistent(h))
+    return false;
   if constexpr(Given::has_cuts) {
     if(!given.is_cut(h))
       return sides.are_identical();
@@ -84,20 +88,6 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
     return satisfies_transition(sides, given.rotation(h));
   else
     return satisfies_some_transition(sides);
-}
-
-// The rotation across an edge that `is_exact_edge` holds for.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Given, typename Halfedge>
-int exact_rotation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Given& given,
-                   const Halfedge h)
-{
-  if(Given::has_rotations)
-    return given.rotation(h);
-  const Edge_sides sides = edge_sides(tmesh, uv_map, h);
-  int k = 0;
-  while(!satisfies_transition(sides, k))
-    ++k;
-  return k;
 }
 
 // Eq. (5) for one edge: whether a coordinate is constant along it, exactly.
@@ -126,10 +116,31 @@ bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np,
   for(const Edge e : edges(tmesh)) {
     const bool asked = get(is_constrained, e) ||
                        (align_border && CGAL::is_border_edge(halfedge(e, tmesh), tmesh));
-    if(asked && !f(e))
+    if(asked && has_face(halfedge(e, tmesh), tmesh) && !f(e))
       return false;
   }
   return true;
+}
+
+// Edges of no length don't tell the rotation of a path that crosses them: as where they are snapped, the
+// branch does.
+// \pre all transitions hold exactly
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                              const NamedParameters& np)
+{
+  const Constraint_list<TriangleMesh> constraints(tmesh, np);
+  if(constraints.status() != Snapping_status::ALREADY_EXACT)
+    return false;
+  for(const auto corner : constraints.corners()) // perhaps on no interior edge
+    if(!is_finite(get_uv(uv_map, corner)))
+      return false;
+  Transition_data<TriangleMesh> transitions;
+  if(!constraints.paths().empty())
+    transitions = read_transitions(tmesh, uv_map, np);
+  return transitions.status == Snapping_status::ALREADY_EXACT &&
+         constraints_hold(tmesh, uv_map, constraints,
+                          Path_rotations<TriangleMesh>(tmesh, transitions, constraints));
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -144,11 +155,7 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
   const bool aligned = for_each_aligned_edge(tmesh, np, [&](const auto e) {
     return misalignment(tmesh, uv_map, halfedge(e, tmesh)) == 0;
   });
-  const Constraint_list<TriangleMesh> constraints(tmesh, np);
-  return aligned && constraints.status() == Snapping_status::ALREADY_EXACT &&
-         constraints_hold(tmesh, uv_map, constraints, [&](const auto h) {
-           return exact_rotation(tmesh, uv_map, given, h);
-         });
+  return aligned && further_constraints_hold(tmesh, uv_map, np);
 }
 
 // The sign of the area of a face in the domain, exactly.

@@ -226,15 +226,10 @@ OBJ_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap 
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   OBJ_status status;
-  try {
-    const std::string text =
-      internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
-    os.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if(!os.flush())
-      status.message = "cannot write to the stream";
-  } catch(const internal::OBJ_refusal& refusal) {
-    status.message = refusal.what();
-  }
+  std::string text;
+  if(internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np), text, status.message) &&
+     !internal::write_text(os, text))
+    status.message = "cannot write to the stream";
   return status;
 }
 
@@ -249,12 +244,15 @@ OBJ_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Hal
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::ofstream os(filename, std::ios::binary);
   OBJ_status status;
-  if(os)
-    status = write_OBJ(os, tmesh, uv_map, comments, np);
-  else
+  std::string text;
+  if(!internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np), text, status.message))
+    return status;
+  std::ofstream os(filename, std::ios::binary); // not earlier, since this empties the file
+  if(!os)
     status.message = "cannot open '" + filename + "' for writing";
+  else if(!internal::write_text(os, text))
+    status.message = "cannot write to '" + filename + "'";
   return status;
 }
 

@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -190,6 +191,26 @@ std::string build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
       }
   }
   return text.take();
+}
+
+// Returns false, with the reason, if a coordinate is not finite.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+bool build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const std::string& comments,
+                    const NamedParameters& np, std::string& text, std::string& message)
+{
+  try {
+    text = build_OBJ_text(tmesh, uv_map, comments, np);
+    return true;
+  } catch(const OBJ_refusal& refusal) {
+    message = refusal.what();
+    return false;
+  }
+}
+
+inline bool write_text(std::ostream& os, const std::string& text)
+{
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  return bool(os.flush());
 }
 
 } // namespace internal

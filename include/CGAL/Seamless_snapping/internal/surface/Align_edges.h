@@ -41,7 +41,8 @@ void for_each_edge_to_align(const TriangleMesh& tmesh, const EdgeIsConstrainedMa
 {
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
-    if(get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh)))
+    if((get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
+       has_face(h, tmesh))
       f(h);
   }
 }

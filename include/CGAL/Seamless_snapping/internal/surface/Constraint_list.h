@@ -51,8 +51,6 @@ public:
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Corner = Corner_constraint<TriangleMesh>;
 
-  explicit Constraint_list(const TriangleMesh& tmesh) : m_tmesh(tmesh) { }
-
   template <typename NamedParameters>
   Constraint_list(const TriangleMesh& tmesh, const NamedParameters& np)
     : m_tmesh(tmesh)
@@ -139,6 +137,8 @@ private:
     for(std::size_t i = 0; i < p.connection.path.size(); ++i) {
       const Halfedge h = p.connection.path[i];
       const std::string step = "step " + std::to_string(i) + " of the path of " + p.name;
+      if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
+        return fail(step + " is a null halfedge");
       if(is_border(h, m_tmesh) || is_border(opposite(h, m_tmesh), m_tmesh))
         return fail(step + " crosses the border; a path crosses edges between two faces");
       if(face(h, m_tmesh) != f)

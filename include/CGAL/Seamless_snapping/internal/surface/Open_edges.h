@@ -146,7 +146,6 @@ public:
     }
   }
 
-  std::size_t number_of_vertices() const { return m_begin.size() - 1; }
   std::size_t degree(const Vertex_index v) const
   { return m_begin[std::size_t(v) + 1] - m_begin[std::size_t(v)]; }
   const Incidence* begin(const Vertex_index v) const

@@ -40,6 +40,11 @@ using Directed_cut = std::int32_t;
 
 inline Directed_cut opposite_cut(const Directed_cut d) { return d ^ 1; }
 
+inline double largest_component(const Uv& u)
+{
+  return (std::max)(std::abs(u[0]), std::abs(u[1]));
+}
+
 struct Sector
 {
   Uv uv;                    // of its first corner
@@ -120,8 +125,18 @@ public:
   Sector_index align_source_sector(const Edge_index a) const
   { return m_align_source_sector[std::size_t(a)]; }
 
-  // The largest absolute value of a coordinate of a sector.
+  // The largest absolute value of a coordinate of any corner in a sector.
   double largest_coordinate() const { return m_largest_coordinate; }
+
+  // The same in one sector.
+  double largest_coordinate(const Sector_index s) const
+  {
+    double result = largest_component(sector(s).uv);
+    if(!sector(s).is_uniform())
+      for(auto h = corners_begin(s); h != corners_end(s); ++h)
+        result = (std::max)(result, largest_component(get_uv(m_uv_map, *h)));
+    return result;
+  }
 
 private:
   using Ends = std::vector<Indexed_edge<Halfedge> >;
@@ -327,14 +342,18 @@ private:
   void begin_sector(const Halfedge h, const Directed_cut cut)
   {
     const Uv uv = cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h);
-    m_largest_coordinate = (std::max)({m_largest_coordinate, std::abs(uv[0]), std::abs(uv[1])});
+    m_largest_coordinate = (std::max)(m_largest_coordinate, largest_component(uv));
     m_sectors.push_back({uv, m_corners.size(), 1., -1, 0});
   }
 
   void compare_with_first(const Halfedge h)
   {
     Sector& sector = m_sectors.back();
-    if(sector.is_uniform() && get_uv(m_uv_map, h) != sector.uv)
+    const Uv uv = get_uv(m_uv_map, h);
+    if(uv == sector.uv)
+      return;
+    m_largest_coordinate = (std::max)(m_largest_coordinate, largest_component(uv));
+    if(sector.is_uniform())
       sector.mixed = m_number_of_mixed_sectors++;
   }
 

@@ -128,8 +128,7 @@ private:
     m_report.number_of_cut_edges = transitions.number_of_cuts;
     m_report.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
     m_report.extent = transitions.extent;
-    if(m_report.number_of_faces == 0)
-      m_report.message = "the mesh has no faces, so there is nothing to snap";
+    m_report.violation_before = transitions.violation;
   }
 
   void fill_in(const Sectors& sectors, const Branches& branches)
@@ -220,10 +219,21 @@ private:
   {
     Change_statistics statistics(grid.step());
     Free_vertex_writer<typename Repair::Points, HalfedgeUVMap> free_vertices(points, m_uv_map);
-    if(!free_vertices.write(uv, statistics) ||
-       !write_coordinates(sectors, Sector_uv{uv}, m_uv_map, statistics)) {
+    Sector_writer<TriangleMesh, HalfedgeUVMap> sector_writer(sectors, m_uv_map);
+    const auto take_back = [&]() {
+      sector_writer.take_back();
       free_vertices.take_back();
-      return false;
+    };
+    try {
+      free_vertices.write(uv, statistics);
+      sector_writer.write(Sector_uv{uv}, statistics);
+      if(!free_vertices.is_kept(uv) || !sector_writer.is_kept(Sector_uv{uv})) {
+        take_back();
+        return false;
+      }
+    } catch(...) { // by the map
+      take_back();
+      throw;
     }
     statistics.fill_in(m_report, optimal_squares);
     return true;

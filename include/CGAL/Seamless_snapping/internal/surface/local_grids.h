@@ -58,8 +58,9 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
   std::vector<double> largest(size, 0);
   for(std::size_t v = 0; v < size; ++v) {
     double& l = largest[std::size_t(parts.find_set(Vertex_index(v)))];
-    for(Sector_index s = sectors.first_sector(Vertex_index(v)); s != sectors.first_sector(Vertex_index(v) + 1); ++s)
-      l = (std::max)({l, std::abs(sectors.sector(s).uv[0]), std::abs(sectors.sector(s).uv[1])});
+    const Sector_index end = sectors.first_sector(Vertex_index(v) + 1);
+    for(Sector_index s = sectors.first_sector(Vertex_index(v)); s != end; ++s)
+      l = (std::max)(l, sectors.largest_coordinate(s));
   }
   for(std::size_t v = 0; v < size; ++v) {
     const double l = largest[std::size_t(parts.find_set(Vertex_index(v)))];

@@ -81,6 +81,14 @@ struct Given_transitions
     }
   }
 
+  // Whether what is given of an edge fits together.
+  bool is_consistent(const Halfedge h) const
+  {
+    const int k = rotation(h);
+    return k == inverse_rotation(rotation(opposite(h, tmesh))) &&
+           (k == 0 || !has_cuts || is_cut(h));
+  }
+
   // Edges that count as open even if their sides are the same to the bit.
   bool is_cut_anyway(const Halfedge h) const
   {

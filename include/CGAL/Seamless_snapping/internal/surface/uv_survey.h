@@ -65,6 +65,13 @@ bool are_equal(const Point& p, const Point& q)
   return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
 }
 
+// Meshes may have edges without.
+template <typename TriangleMesh, typename Halfedge>
+bool has_face(const Halfedge h, const TriangleMesh& tmesh)
+{
+  return !is_border(h, tmesh) || !is_border(opposite(h, tmesh), tmesh);
+}
+
 // \pre both sides of `h` have a face
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h)
@@ -87,6 +94,8 @@ struct Uv_survey
 
 // Beyond this, differences of coordinates and their squares may overflow.
 constexpr double largest_coordinate = 1e300;
+
+inline bool is_finite(const Uv& u) { return std::isfinite(u[0]) && std::isfinite(u[1]); }
 
 inline bool is_in_range(const Uv& u)
 {
@@ -177,8 +186,9 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
   for(const auto e : range) {
     if(ahead != std::end(range)) {
       const auto soon = halfedge(*ahead, tmesh);
-      prefetch(uv_map, prev(soon, tmesh));
-      prefetch(uv_map, prev(opposite(soon, tmesh), tmesh));
+      for(const auto side : {soon, opposite(soon, tmesh)})
+        if(!is_border(side, tmesh)) // else the map need not have a value
+          prefetch(uv_map, prev(side, tmesh));
       ++ahead;
     }
     const auto h = halfedge(e, tmesh);

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Checks that the sectors' new coordinates satisfy all constraints exactly, and only then writes them to
-// the uv map.
+// Checks that the sectors' new coordinates satisfy all constraints exactly; and writes them to the uv map,
+// or takes them back if the map doesn't keep them, which would void the check.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/prefetch.h>
@@ -89,46 +89,97 @@ private:
   double m_largest = 0, m_sum = 0, m_squares = 0, m_count = 0;
 };
 
-// Reads back what it writes: a map that does not keep values would void the check. Returns false, with
-// everything taken back, in such a case.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Snapped>
-bool write_coordinates(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Snapped& snapped,
-                       HalfedgeUVMap& uv_map, Change_statistics& statistics)
+// Writes the coordinates of sectors to their corners.
+template <typename TriangleMesh, typename HalfedgeUVMap>
+class Sector_writer
 {
+  using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
+  using Halfedge = typename Sectors::Halfedge;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using Number = typename Uv_number<HalfedgeUVMap>::type;
-  const auto point = [](const Uv& uv) {
-    return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
-  };
-  std::vector<Point> before; // of sectors whose corners differed
-  bool kept = true;
-  constexpr std::ptrdiff_t lookahead = 32; // corners
-  for(std::size_t i = 0; i < sectors.number_of_sectors(); ++i) {
-    const Sector_index s = Sector_index(i);
-    const Uv& uv = snapped.uv(s);
-    const Point new_point = point(uv);
-    const auto first = sectors.corners_begin(s), last = sectors.corners_end(s);
-    if(sectors.sector(s).is_uniform())
-      statistics.add(sectors.sector(s).uv, uv);
-    for(auto h = first; h != last; ++h) {
-      if(sectors.corners_end() - h > lookahead)
-        prefetch(uv_map, h[lookahead]);
-      if(!sectors.sector(s).is_uniform()) {
-        statistics.add(get_uv(uv_map, *h), uv, 1. / static_cast<double>(last - first));
-        before.push_back(get(uv_map, *h));
+
+public:
+  Sector_writer(const Sectors& sectors, HalfedgeUVMap& uv_map)
+    : m_sectors(sectors), m_uv_map(uv_map)
+  { }
+
+  template <typename Snapped>
+  void write(const Snapped& snapped, Change_statistics& statistics)
+  {
+    for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
+      const Uv& uv = snapped.uv(s);
+      if(m_sectors.sector(s).is_uniform())
+        statistics.add(m_sectors.sector(s).uv, uv);
+      else
+        for(auto h = first; h != last; ++h)
+          statistics.add(get_uv(m_uv_map, *h), uv, 1. / static_cast<double>(last - first));
+      if(must_remember(s))
+        for(auto h = first; h != last; ++h)
+          m_before.push_back(get(m_uv_map, *h));
+      m_end = s + 1;
+      for(auto h = first; h != last; ++h)
+        put(m_uv_map, *h, point(uv));
+    });
+  }
+
+  // Whether the map has kept what was written; call it after all is, since maps may share places.
+  template <typename Snapped>
+  bool is_kept(const Snapped& snapped) const
+  {
+    bool result = true;
+    for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
+      const Uv& uv = snapped.uv(s);
+      for(auto h = first; h != last; ++h)
+        result = result && get_uv(m_uv_map, *h) == uv;
+    });
+    return result;
+  }
+
+  // The last first, so that places that several corners share get back what they had.
+  void take_back()
+  {
+    while(m_end > 0) {
+      const Sector_index s = --m_end;
+      for(auto h = m_sectors.corners_end(s); h != m_sectors.corners_begin(s);) {
+        put(m_uv_map, *--h, must_remember(s) ? m_before.back() : point(m_sectors.sector(s).uv));
+        if(must_remember(s))
+          m_before.pop_back();
       }
-      put(uv_map, *h, new_point);
-      kept = kept && get_uv(uv_map, *h) == uv;
     }
   }
-  auto old = before.begin();
-  for(std::size_t i = 0; i < sectors.number_of_sectors() && !kept; ++i) {
-    const Sector_index s = Sector_index(i);
-    for(auto h = sectors.corners_begin(s); h != sectors.corners_end(s); ++h)
-      put(uv_map, *h, sectors.sector(s).is_uniform() ? point(sectors.sector(s).uv) : *old++);
+
+private:
+  static Point point(const Uv& uv)
+  {
+    return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
   }
-  return kept;
-}
+
+  // Where a sector's coordinates are not those of each of its corners to the bit: zeros have signs.
+  bool must_remember(const Sector_index s) const
+  {
+    const Sector& sector = m_sectors.sector(s);
+    return !sector.is_uniform() || sector.uv[0] == 0 || sector.uv[1] == 0;
+  }
+
+  template <typename F>
+  void for_each_sector(const F& f) const
+  {
+    constexpr std::ptrdiff_t lookahead = 32; // corners
+    for(std::size_t i = 0; i < m_sectors.number_of_sectors(); ++i) {
+      const auto first = m_sectors.corners_begin(Sector_index(i)),
+                 last = m_sectors.corners_end(Sector_index(i));
+      for(auto h = first; h != last; ++h)
+        if(m_sectors.corners_end() - h > lookahead)
+          prefetch(m_uv_map, h[lookahead]);
+      f(Sector_index(i), first, last);
+    }
+  }
+
+  const Sectors& m_sectors;
+  HalfedgeUVMap& m_uv_map;
+  std::vector<Point> m_before; // of corners of the sectors to remember
+  Sector_index m_end = 0;      // of the sectors that were written, perhaps in part
+};
 
 } // namespace internal
 } // namespace Seamless_snapping

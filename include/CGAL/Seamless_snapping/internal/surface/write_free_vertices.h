@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Reads back what it writes, like `write_coordinates`, and can take all of it back.
+// What `Sector_writer` is for sectors.
 template <typename Points, typename HalfedgeUVMap>
 class Free_vertex_writer
 {
@@ -36,9 +36,8 @@ class Free_vertex_writer
 public:
   Free_vertex_writer(const Points& points, HalfedgeUVMap& uv_map) : m_points(points), m_uv_map(uv_map) { }
 
-  bool write(const Uv_state& state, Change_statistics& statistics)
+  void write(const Uv_state& state, Change_statistics& statistics)
   {
-    bool kept = true;
     for(std::size_t i = m_points.sectors().number_of_sectors(); i < state.size(); ++i) {
       const Uv& uv = state[i];
       const Point point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
@@ -51,17 +50,24 @@ public:
         m_written.push_back({corner, get(m_uv_map, corner)});
         statistics.add(before, uv, 1 / count); // each vertex counts once
         put(m_uv_map, corner, point);
-        kept = kept && get_uv(m_uv_map, corner) == uv;
       });
     }
-    return kept;
+  }
+
+  bool is_kept(const Uv_state& state) const
+  {
+    bool result = true;
+    for(std::size_t i = m_points.sectors().number_of_sectors(); i < state.size(); ++i)
+      m_points.for_each_corner(Point_index(i), [&](const auto corner) {
+        result = result && get_uv(m_uv_map, corner) == state[i];
+      });
+    return result;
   }
 
   void take_back()
   {
-    for(const Written& w : m_written)
-      put(m_uv_map, w.corner, w.before);
-    m_written.clear();
+    for(; !m_written.empty(); m_written.pop_back())
+      put(m_uv_map, m_written.back().corner, m_written.back().before);
   }
 
 private:
