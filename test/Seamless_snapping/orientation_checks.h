@@ -1,10 +1,12 @@
-// What the tests of the orientation of faces share: signs in rational arithmetic, before and after, against
-// what the report says.
+// What the tests of the orientation of faces share: signs in rational arithmetic, before and after,
+// against what the report says; and what is known of the small test meshes.
 
 #ifndef SEAMLESS_SNAPPING_TEST_ORIENTATION_CHECKS_H
 #define SEAMLESS_SNAPPING_TEST_ORIENTATION_CHECKS_H
 
 #include "surface_checks.h"
+
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,7 @@
 
 namespace orientation_checks {
 
-namespace SS = CGAL::Seamless_snapping;
+using namespace surface_checks;
 
 // Of all faces, in order.
 template <typename Graph, typename UVMap>
@@ -82,7 +84,6 @@ template <typename Graph, typename UVMap, typename NP, typename IsAligned>
 SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned& is_aligned,
                          const std::string& context, bool repair_flips = false)
 {
-  using namespace surface_checks;
   const std::vector<int> before = signs(g, uv);
   const Bits bits_before = all_bits(g, uv);
   const SS::Snapping_report report = SS::snap_to_seamless(g, uv, np.repair_flips(repair_flips));
@@ -103,6 +104,82 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   const double change = largest_difference(bits_before, all_bits(g, uv));
   CHECK_IN(context, std::abs(report.largest_change - change) <= 1e-12 * change);
   return report;
+}
+
+// --- small test meshes ---------------------------------------------------------------------------
+
+template <typename K>
+using Mesh_of = CGAL::Surface_mesh<typename K::Point_3>;
+template <typename K>
+using UV_map_of =
+  typename Mesh_of<K>::template Property_map<typename Mesh_of<K>::Halfedge_index, typename K::Point_2>;
+
+using Mesh = Mesh_of<Kernel>;
+using UV_map = UV_map_of<Kernel>;
+using Named = test_meshes::Named_mesh<Kernel>;
+
+// Of all halfedges, in order.
+inline std::vector<Kernel::Point_2> points(const Mesh& mesh, const UV_map& uv)
+{
+  std::vector<Kernel::Point_2> result;
+  for(const auto h : mesh.halfedges())
+    result.push_back(uv[h]);
+  return result;
+}
+
+// Vertices on aligned edges.
+template <typename K>
+std::vector<bool> are_aligned(test_meshes::Named_mesh<K>& named)
+{
+  const auto& mesh = named.mesh;
+  const auto features = test_meshes::feature_map(named.mesh);
+  std::vector<bool> result(mesh.number_of_vertices(), false);
+  for(const auto e : mesh.edges())
+    if(features[e] || (named.align_border && mesh.is_border(e)))
+      for(const unsigned int end : {0u, 1u})
+        result[std::size_t(mesh.vertex(e, end))] = true;
+  return result;
+}
+
+inline bool has_aligned(Named& named)
+{
+  const std::vector<bool> aligned = are_aligned(named);
+  return std::find(aligned.begin(), aligned.end(), true) != aligned.end();
+}
+
+// Cuts and rotations, which short edges don't tell any more once there is noise.
+template <typename K>
+struct Known
+{
+  using M = Mesh_of<K>;
+  typename M::template Property_map<typename M::Edge_index, bool> edge_is_cut;
+  typename M::template Property_map<typename M::Halfedge_index, int> rotations;
+
+  Known(M& mesh, const UV_map_of<K>& uv)
+    : edge_is_cut(mesh.template add_property_map<typename M::Edge_index, bool>("e:cut", false).first)
+    , rotations(
+        mesh.template add_property_map<typename M::Halfedge_index, int>("h:rotation", 0).first)
+  {
+    const Truth<M, UV_map_of<K> > truth(mesh, uv);
+    for(const auto h : mesh.halfedges()) {
+      edge_is_cut[mesh.edge(h)] = truth.is_cut(h);
+      rotations[h] = truth.rotation(h);
+    }
+  }
+};
+
+// Maps whose transitions are translations and half turns stay seamless if one coordinate is scaled: then all
+// faces are slivers, those at cones too, which no vertex can repair by itself.
+inline bool squash(Named& named, double height)
+{
+  const auto uv = test_meshes::uv_map(named.mesh);
+  const uv_noise::Cuts<Mesh, UV_map> cuts(named.mesh, uv);
+  for(const auto h : named.mesh.halfedges())
+    if(cuts.rotation(h) % 2 != 0)
+      return false;
+  for(const auto h : named.mesh.halfedges())
+    uv[h] = Kernel::Point_2(uv[h].x(), height * uv[h].y());
+  return true;
 }
 
 } // namespace orientation_checks

@@ -2,7 +2,10 @@
 
 #include "obj_models.h"
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -256,6 +259,14 @@ void test_failing_files()
   status = SS::IO::write_OBJ(os, model.mesh, model.uv_map);
   CHECK_EQUAL(status.message, "a coordinate is not finite; nothing is written");
   CHECK(os.str().empty());
+  const std::filesystem::path path =
+    std::filesystem::temp_directory_path() / "test_seamless_snapping_io.obj";
+  std::ofstream(path) << "earlier";
+  CHECK(!SS::IO::write_OBJ(path.string(), model.mesh, model.uv_map));
+  std::ifstream file(path);
+  CHECK_EQUAL(std::string(std::istreambuf_iterator<char>(file), {}), "earlier");
+  file.close();
+  std::filesystem::remove(path);
 
   std::istringstream is(square);
   Surface_model other;

@@ -5,6 +5,8 @@
 
 #include "Polyhedron_copy.h"
 #include "orientation_checks.h"
+#include "orientation_data.h"
+#include "orientation_flips.h"
 #include "slivers.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -18,67 +20,6 @@
 #include <vector>
 
 using namespace orientation_checks;
-using namespace surface_checks;
-
-template <typename K>
-using Mesh_of = CGAL::Surface_mesh<typename K::Point_3>;
-template <typename K>
-using UV_map_of =
-  typename Mesh_of<K>::template Property_map<typename Mesh_of<K>::Halfedge_index, typename K::Point_2>;
-
-using Mesh = Mesh_of<Kernel>;
-using UV_map = UV_map_of<Kernel>;
-using Named = test_meshes::Named_mesh<Kernel>;
-
-// Of all halfedges, in order.
-std::vector<Kernel::Point_2> points(const Mesh& mesh, const UV_map& uv)
-{
-  std::vector<Kernel::Point_2> result;
-  for(const auto h : mesh.halfedges())
-    result.push_back(uv[h]);
-  return result;
-}
-
-// Vertices on aligned edges.
-template <typename K>
-std::vector<bool> are_aligned(test_meshes::Named_mesh<K>& named)
-{
-  const auto& mesh = named.mesh;
-  const auto features = test_meshes::feature_map(named.mesh);
-  std::vector<bool> result(mesh.number_of_vertices(), false);
-  for(const auto e : mesh.edges())
-    if(features[e] || (named.align_border && mesh.is_border(e)))
-      for(const unsigned int end : {0u, 1u})
-        result[std::size_t(mesh.vertex(e, end))] = true;
-  return result;
-}
-
-bool has_aligned(Named& named)
-{
-  const std::vector<bool> aligned = are_aligned(named);
-  return std::find(aligned.begin(), aligned.end(), true) != aligned.end();
-}
-
-// Cuts and rotations, which short edges don't tell any more once there is noise.
-template <typename K>
-struct Known
-{
-  using M = Mesh_of<K>;
-  typename M::template Property_map<typename M::Edge_index, bool> edge_is_cut;
-  typename M::template Property_map<typename M::Halfedge_index, int> rotations;
-
-  Known(M& mesh, const UV_map_of<K>& uv)
-    : edge_is_cut(mesh.template add_property_map<typename M::Edge_index, bool>("e:cut", false).first)
-    , rotations(
-        mesh.template add_property_map<typename M::Halfedge_index, int>("h:rotation", 0).first)
-  {
-    const Truth<M, UV_map_of<K> > truth(mesh, uv);
-    for(const auto h : mesh.halfedges()) {
-      edge_is_cut[mesh.edge(h)] = truth.is_cut(h);
-      rotations[h] = truth.rotation(h);
-    }
-  }
-};
 
 // The number of seam vertices that are no node and have moved as a whole: without that, each side takes half
 // of the gap, in opposite directions.
@@ -187,20 +128,6 @@ void test_slivers()
 
 // --- slivers everywhere --------------------------------------------------------------------------
 
-// Maps whose transitions are translations and half turns stay seamless if one coordinate is scaled: then all
-// faces are slivers, those at cones too, which no vertex can repair by itself.
-bool squash(Named& named, double height)
-{
-  const auto uv = test_meshes::uv_map(named.mesh);
-  const uv_noise::Cuts<Mesh, UV_map> cuts(named.mesh, uv);
-  for(const auto h : named.mesh.halfedges())
-    if(cuts.rotation(h) % 2 != 0)
-      return false;
-  for(const auto h : named.mesh.halfedges())
-    uv[h] = Kernel::Point_2(uv[h].x(), height * uv[h].y());
-  return true;
-}
-
 void test_squashed()
 {
   Totals totals;
@@ -270,95 +197,6 @@ void test_move_along_isocurve()
   CHECK_IN(context, report.lost_faces.empty());
   for(const auto corner : middle)
     CHECK_IN(context, uv[corner].x() == 1 && uv[corner].y() > 2 * h && uv[corner].y() < 4 * h);
-}
-
-// --- flips of the input --------------------------------------------------------------------------
-
-// Folds some free vertices over.
-std::size_t fold(Named& named, unsigned int seed)
-{
-  const Mesh& mesh = named.mesh;
-  const auto uv = test_meshes::uv_map(named.mesh);
-  const std::vector<bool> aligned = are_aligned(named);
-  const uv_noise::Cuts<Mesh, UV_map> cuts(mesh, uv);
-  std::mt19937_64 random(seed);
-  std::vector<Mesh::Halfedge_index> corners;
-  std::size_t result = 0;
-  for(const auto v : mesh.vertices()) {
-    uv_noise::corners_in_turn(mesh.halfedge(v), mesh, cuts, corners);
-    if(random() % 4 != 0 || mesh.is_border(v) || aligned[std::size_t(v)]
-       || !std::all_of(corners.begin(), corners.end(), [&](auto h) { return cuts.is_passable(h); }))
-      continue;
-    for(const auto h : corners)
-      uv[h] = uv[h] + Kernel::Vector_2(0.375, 0.125);
-    ++result;
-  }
-  return result;
-}
-
-void test_flips_of_exact_map()
-{
-  const std::string context = "flips of an exact map";
-  Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
-  const Mesh& mesh = named.mesh;
-  const auto uv = test_meshes::uv_map(named.mesh);
-  const std::size_t folds = fold(named, 3);
-  const Bits bits = all_bits(mesh, uv);
-  const auto np = SS::parameters::default_values();
-  CHECK_IN(context, folds > 0 && !are_all_positive(signs(mesh, uv)));
-  snap(mesh, uv, np, exact_check::No_edge_aligned(), context, false);
-  CHECK_IN(context, all_bits(mesh, uv) == bits);
-  const auto report = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
-  CHECK_IN(context, report.number_of_repaired_flips > 0);
-  CHECK_IN(context, report.remaining_flips.empty() && are_all_positive(signs(mesh, uv)));
-  const auto again = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, again.status == SS::Snapping_status::ALREADY_EXACT);
-
-}
-
-// A map seen from behind: nothing to be done, and nothing done.
-void test_mirrored_map()
-{
-  const std::string context = "mirrored map";
-  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::double_torus(), 2);
-  const auto uv = test_meshes::uv_map(mesh);
-  for(const auto h : mesh.halfedges())
-    uv[h] = Kernel::Point_2(-uv[h].x(), uv[h].y());
-  const Bits mirrored = all_bits(mesh, uv);
-  const auto report = snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(),
-                           context, true);
-  CHECK_IN(context, report.status == SS::Snapping_status::ALREADY_EXACT);
-  CHECK_IN(context, report.remaining_flips.size() == mesh.number_of_faces());
-  CHECK_IN(context, all_bits(mesh, uv) == mirrored);
-}
-
-void test_flips_with_noise()
-{
-  Tally tally;
-  for(const Named& original : test_meshes::all_meshes<Kernel>())
-    for(const bool repair_flips : { false, true }) {
-      Named named = original;
-      Mesh& mesh = named.mesh;
-      const auto uv = test_meshes::uv_map(mesh);
-      const auto features = test_meshes::feature_map(mesh);
-      const Known<Kernel> known(mesh, uv); // folds hide what is a cut
-      const std::string context = named.name + ", with flips";
-      fold(named, 1);
-      uv_noise::perturb(mesh, uv, 1e-6, 1);
-      const auto np = SS::parameters::edge_is_constrained_map(features)
-                        .align_border(named.align_border)
-                        .edge_is_cut_map(known.edge_is_cut)
-                        .halfedge_rotation_map(known.rotations);
-      const auto before = signs(mesh, uv);
-      const auto report = snap(mesh, uv, np, is_aligned(mesh, features, named.align_border),
-                               context, repair_flips);
-      CHECK_IN(context, not_positive(before, signs(mesh, uv), true).empty());
-      if(repair_flips)
-        tally.add(report);
-    }
-  tally.print("flips");
-  CHECK(tally.repaired_flips > 0);
 }
 
 // --- other types, and failures -------------------------------------------------------------------
@@ -480,11 +318,10 @@ int main()
   test_squashed();
   test_crowd();
   test_move_along_isocurve();
-  test_flips_of_exact_map();
-  test_mirrored_map();
-  test_flips_with_noise();
+  orientation_flips::test_flips();
   test_other_types();
   test_small_component();
   test_forgetful_map();
+  orientation_data::test_files();
   return report_checks();
 }

@@ -160,6 +160,7 @@ void test_wrong_transitions()
     given.is_cut[mesh.edge(cut)] = false;
     expect_refusal(mesh, uv, np, Snapping_status::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
                    context + ", a rotation without a cut");
+    CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
     const auto cuts_only = SS::parameters::edge_is_cut_map(given.is_cut);
     expect_refusal(mesh, uv, cuts_only, Snapping_status::NOT_SEAMLESS, { vertex_name(mesh, cut) },
                    context + ", a cut that is said to be none");
@@ -171,6 +172,8 @@ void test_wrong_transitions()
       given.rotation[h] += 1;
       expect_refusal(mesh, uv, rotations_only, Snapping_status::INVALID_ROTATIONS,
                      { vertex_name(mesh, h) }, context + ", one halfedge of no cut turned");
+      CHECK_IN(context, !SS::is_seamless(mesh, uv, rotations_only));
+      CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
       given.rotation[h] -= 1;
     }
     given.rotation[uncut] += 1;
@@ -184,10 +187,29 @@ void test_wrong_transitions()
 
 // --- short edges ---------------------------------------------------------------------------------
 
-// Shrinks cut edges to points (or nearly), where one end is a vertex on a branch. Returns how many.
-int shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known, double length)
+// The two sectors of its target, which lies on a branch, take the coordinates of the edge's other end, or nearly.
+void shrink_cut_edge(const Mesh& mesh, const UV_map& uv, const Known& known, Halfedge h, double length)
 {
-  int shrunk = 0;
+  const Halfedge sides[2] = { h, mesh.prev(mesh.opposite(h)) };
+  const Point_2 ends[2] = { uv[mesh.prev(h)], uv[mesh.opposite(h)] };
+  for(int side = 0; side < 2; ++side) {
+    const auto d = uv[sides[side]] - ends[side];
+    const Point_2 p(ends[side].x() + length * d.x(), ends[side].y() + length * d.y());
+    Halfedge corner = sides[side];
+    uv[corner] = p;
+    if(side == 0) // away from the edge, up to the next cut
+      while(!known.is_cut(mesh.next(corner)))
+        uv[corner = mesh.opposite(mesh.next(corner))] = p;
+    else
+      while(!known.is_cut(corner))
+        uv[corner = mesh.prev(mesh.opposite(corner))] = p;
+  }
+}
+
+// Shrinks cut edges to points (or nearly), where one end is a vertex on a branch. Returns them, pointing there.
+std::vector<Halfedge> shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known, double length)
+{
+  std::vector<Halfedge> shrunk;
   std::set<Mesh::Vertex_index> used;
   for(const auto h : mesh.halfedges()) {
     const auto v = mesh.target(h);
@@ -197,32 +219,31 @@ int shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known, double le
     if(!known.is_cut(h) || cuts != 2 || known.indices().count(v) != 0
        || mesh.is_border(v) || used.count(v) != 0 || used.count(mesh.source(h)) != 0)
       continue;
-    // the two sectors of the vertex take the coordinates of the edge's other end
-    const Halfedge sides[2] = { h, mesh.prev(mesh.opposite(h)) };
-    const Point_2 ends[2] = { uv[mesh.prev(h)], uv[mesh.opposite(h)] };
-    if(ends[0] == ends[1]) // the centre of the rotation: the edge would be no cut any more
+    if(uv[mesh.prev(h)] == uv[mesh.opposite(h)]) // the centre of the rotation: the edge would be no cut any more
       continue;
     used.insert({ v, mesh.source(h) });
-    for(int side = 0; side < 2; ++side) {
-      const auto d = uv[sides[side]] - ends[side];
-      const Point_2 p(ends[side].x() + length * d.x(), ends[side].y() + length * d.y());
-      Halfedge corner = sides[side];
-      uv[corner] = p;
-      if(side == 0) // away from the edge, up to the next cut
-        while(!known.is_cut(mesh.next(corner)))
-          uv[corner = mesh.opposite(mesh.next(corner))] = p;
-      else
-        while(!known.is_cut(corner))
-          uv[corner = mesh.prev(mesh.opposite(corner))] = p;
-    }
-    ++shrunk;
+    shrink_cut_edge(mesh, uv, known, h, length);
+    shrunk.push_back(h);
   }
   return shrunk;
 }
 
+// Around regular vertices all isocurves close, if the rotations are right.
+std::vector<SS::Cycle_constraint<Mesh> > cycles_around_targets(const Mesh& mesh,
+                                                               const std::vector<Halfedge>& halfedges)
+{
+  std::vector<SS::Cycle_constraint<Mesh> > result;
+  for(const Halfedge h : halfedges) {
+    result.push_back({ mesh.next(h), 0, { h } });
+    for(auto k = mesh.prev(mesh.opposite(h)); k != h; k = mesh.prev(mesh.opposite(k)))
+      result.back().path.push_back(k);
+  }
+  return result;
+}
+
 void test_short_edges(unsigned int seed)
 {
-  int shrunk = 0;
+  std::size_t shrunk = 0;
   for(const std::string name : { "divided cube", "divided torus", "genus 2 of translations",
                                  "closed cut around a disc, rotation", "two islands",
                                  "divided tetrahedron" }) {
@@ -237,7 +258,8 @@ void test_short_edges(unsigned int seed)
         const Known known(mesh, uv);
         Named_mesh<Kernel> whole = named;
         const UV_map whole_uv = test_meshes::uv_map(whole.mesh);
-        shrunk += shrink_cut_edges(mesh, uv, known, length);
+        const std::vector<Halfedge> short_edges = shrink_cut_edges(mesh, uv, known, length);
+        shrunk += short_edges.size();
         CHECK_IN(context, exact_check::check_edges(mesh, uv).is_exact());
         const auto rotation = [&](auto h) { return known.rotation(h); };
         CHECK_IN(context, exact_check::check_edges(mesh, uv, exact_check::No_edge_aligned(),
@@ -253,6 +275,8 @@ void test_short_edges(unsigned int seed)
           check_transitions(mesh, known, SS::seam_transitions(mesh, uv), context, false);
         const auto snapped = snap_and_check(named, context);
         CHECK_IN(context, snapped.report.largest_change <= 8 * noise);
+        const auto cycles = cycles_around_targets(mesh, short_edges);
+        CHECK_IN(context, SS::is_seamless(mesh, uv, SS::parameters::cycle_constraints(cycles)));
 
         // with all transitions known, nothing is left to guess
         const Given given(mesh, known);
@@ -266,6 +290,54 @@ void test_short_edges(unsigned int seed)
     }
   }
   CHECK(shrunk > 0);
+}
+
+// A corner of a face that has neither end of an edge, or none.
+Halfedge far_corner(const Mesh& mesh, Halfedge edge)
+{
+  for(const auto f : mesh.faces()) {
+    const auto around = CGAL::vertices_around_face(mesh.halfedge(f), mesh);
+    if(std::none_of(around.begin(), around.end(), [&](auto v) {
+         return v == mesh.source(edge) || v == mesh.target(edge);
+       }))
+      return mesh.halfedge(f);
+  }
+  return Mesh::null_halfedge();
+}
+
+// An exact edge at a cone, much shorter than noise elsewhere: it turns by itself, though just one other cut ends
+// at the cone.
+void test_short_edges_at_cones()
+{
+  int count = 0;
+  for(Named_mesh<Kernel>& original : test_meshes::all_meshes<Kernel>()) {
+    const Known known(original.mesh, test_meshes::uv_map(original.mesh));
+    const auto cuts = [&](Halfedge h) {
+      int result = 0;
+      for(const auto k : CGAL::halfedges_around_target(h, original.mesh))
+        result += known.is_cut(k) ? 1 : 0;
+      return result;
+    };
+    for(const auto h : original.mesh.halfedges()) {
+      const auto cone = known.indices().find(original.mesh.source(h));
+      const Halfedge noisy = far_corner(original.mesh, h);
+      if(!known.is_cut(h) || cone == known.indices().end() || cone->second % 4 == 0
+         || cuts(original.mesh.opposite(h)) != 2 || cuts(h) != 2
+         || known.indices().count(original.mesh.target(h)) != 0
+         || original.mesh.is_border(original.mesh.target(h)) || !noisy.is_valid())
+        continue;
+      Named_mesh<Kernel> named = original;
+      const UV_map uv = test_meshes::uv_map(named.mesh);
+      shrink_cut_edge(named.mesh, uv, known, h, 0x1p-13);
+      CHECK_IN(named.name, exact_check::check_edges(named.mesh, uv).is_exact());
+      uv[noisy] = uv[noisy] + Kernel::Vector_2(1e-4 * known.extent, 0);
+      check_transitions(named.mesh, known,
+                        SS::seam_transitions(named.mesh, uv, SS::parameters::tolerance(1e-3)),
+                        named.name + ", short edge at a cone", false);
+      ++count;
+    }
+  }
+  CHECK(count > 0);
 }
 
 // --- refusals ------------------------------------------------------------------------------------
@@ -413,6 +485,30 @@ void test_last_bits()
   }
 }
 
+// Corners on no interior edge, which nothing but constraints reads.
+void test_constraints_on_bad_numbers()
+{
+  Named_mesh<Kernel> named = named_mesh("disc", 1);
+  const UV_map uv = test_meshes::uv_map(named.mesh);
+  std::size_t count = 0;
+  for(const auto h : named.mesh.halfedges()) {
+    const auto beyond = named.mesh.opposite(h), behind = named.mesh.opposite(named.mesh.next(h));
+    if(named.mesh.is_border(h) || !named.mesh.is_border(beyond) || !named.mesh.is_border(behind))
+      continue;
+    const Point_2 before = uv[h];
+    const std::vector<SS::Connection_constraint<Mesh> > connections = { { h, h, 0, {} } };
+    const std::vector<SS::Corner_constraint<Mesh> > corners = {
+      { { { h, 0, CGAL::Exact_rational(1) } }, CGAL::Exact_rational(before.x()) } };
+    CHECK(SS::is_seamless(named.mesh, uv, SS::parameters::corner_constraints(corners)));
+    uv[h] = Point_2(std::nan(""), 0);
+    CHECK(!SS::is_seamless(named.mesh, uv, SS::parameters::corner_constraints(corners)));
+    CHECK(!SS::is_seamless(named.mesh, uv, SS::parameters::connection_constraints(connections)));
+    uv[h] = before;
+    ++count;
+  }
+  CHECK(count > 0);
+}
+
 // --- what is accepted ----------------------------------------------------------------------------
 
 void test_nearly_nothing()
@@ -430,6 +526,17 @@ void test_nearly_nothing()
   for(int i = 0; i < 3; ++i)
     named.mesh.add_vertex();
   snap_and_check(named, "vertices without faces");
+
+  const UV_map named_uv = test_meshes::uv_map(named.mesh);
+  const Halfedge noisy = named.mesh.halfedge(Mesh::Face_index(0));
+  named_uv[noisy] = named_uv[noisy] + Kernel::Vector_2(1e-9, 0);
+  const Halfedge alone = named.mesh.add_edge(Mesh::Vertex_index(0), Mesh::Vertex_index(1));
+  const auto features = test_meshes::feature_map(named.mesh);
+  features[named.mesh.edge(alone)] = true;
+  const auto np = SS::parameters::edge_is_constrained_map(features).align_border(true);
+  CHECK(SS::snap_to_seamless(named.mesh, named_uv, np).status == Snapping_status::SNAPPED);
+  CHECK(SS::is_seamless(named.mesh, named_uv, np));
+  CHECK(SS::measure_seamlessness(named.mesh, named_uv, np).is_exact());
 
   Named_mesh<Kernel> single{ "a triangle", true, Mesh() };
   single.mesh.add_face(single.mesh.add_vertex(), single.mesh.add_vertex(),
@@ -475,7 +582,9 @@ int main()
   test_wrong_transitions();
   for(int round = 0; round < 10; ++round)
     test_short_edges(++seed);
+  test_short_edges_at_cones();
   test_bad_numbers();
+  test_constraints_on_bad_numbers();
   test_quads();
   test_not_seamless();
   test_not_aligned();

@@ -89,6 +89,7 @@ struct Snapping_report
   /*!
   If `status` is `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and
   a nonzero multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0 \f$.
+  For the surface function, rows are those of its internal system; `message` names what they stand for.
   */
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
   /// @}
@@ -122,7 +123,7 @@ struct Snapping_report
   /// \name Distances
   /// @{
   double extent = 0;            ///< the larger side of the bounding box of the values (of their absolute values for the generic function)
-  double violation_before = 0;  ///< the largest violation of a constraint by the input
+  double violation_before = 0;  ///< the largest violation of a constraint by the input (for the surface function: of a transition or alignment)
   double grid_step = 0;         ///< the spacing of the grid the constrained values were moved to
   double largest_change = 0;    ///< the largest absolute change of a value
   double mean_change = 0;       ///< the mean absolute change, over the constrained values (of each sector, for the surface function)

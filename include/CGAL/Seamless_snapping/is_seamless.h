@@ -122,8 +122,8 @@ bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np,
   return true;
 }
 
-// Edges of no length don't tell the rotation of a path that crosses them: as where they are snapped, the
-// branch does.
+// Edges of no length don't tell the rotation of a path that crosses them: as where they are snapped,
+// the branch does.
 // \pre all transitions hold exactly
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,

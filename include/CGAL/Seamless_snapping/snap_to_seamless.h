@@ -70,8 +70,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex may
-       share a place in memory where no cut runs between them; all others need places of their own.
+       `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex
+       may share a place in memory where no cut runs between them; all others need their own.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

@@ -58,39 +58,45 @@ public:
       m_is_empty = m_is_empty || bound > 0;
   }
 
-  // The shortest displacement in the intersection: 0, on one line, or where two meet. Returns false if there
-  // is none.
+  // The shortest displacement in the intersection. Returns false if there is none. Half planes come
+  // in one after another: one that excludes the shortest so far has the next on its line.
   bool find_shortest(Uv& shortest) const
   {
-    double best = std::numeric_limits<double>::infinity();
-    const auto consider = [&](const Uv& d) {
-      const double length = std::sqrt(dot(d, d));
-      if(length < best && contains(d, length)) {
-        best = length;
-        shortest = d;
-      }
-    };
-    consider({0, 0});
-    for(std::size_t i = 0; i < m_planes.size() && best > 0; ++i) {
-      const Half_plane& p = m_planes[i];
-      consider({p.bound * p.normal[0], p.bound * p.normal[1]});
-      for(std::size_t j = 0; j < i; ++j) {
-        const Half_plane& q = m_planes[j];
-        const double det = p.normal[0] * q.normal[1] - p.normal[1] * q.normal[0];
-        if(std::abs(det) > 1e-14)
-          consider({(p.bound * q.normal[1] - q.bound * p.normal[1]) / det,
-                    (q.bound * p.normal[0] - p.bound * q.normal[0]) / det});
-      }
-    }
-    return std::isfinite(best);
+    shortest = {{0, 0}};
+    if(m_is_empty)
+      return false;
+    for(std::size_t i = 0; i < m_planes.size(); ++i)
+      if(!contains(m_planes[i], shortest))
+        shortest = shortest_on_line(i);
+    return std::all_of(m_planes.begin(), m_planes.end(),
+                       [&](const Half_plane& p) { return contains(p, shortest); });
   }
 
 private:
-  bool contains(const Uv& d, const double length) const
+  // The shortest displacement on the line of a half plane, within those before it: an interval.
+  Uv shortest_on_line(const std::size_t i) const
   {
-    return !m_is_empty && std::all_of(m_planes.begin(), m_planes.end(), [&](const Half_plane& p) {
-      return dot(p.normal, d) >= p.bound - 1e-9 * (std::abs(p.bound) + length);
-    });
+    const Half_plane& p = m_planes[i];
+    const Uv direction{{-p.normal[1], p.normal[0]}};
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for(std::size_t j = 0; j < i; ++j) {
+      const Half_plane& q = m_planes[j];
+      const double slope = dot(q.normal, direction);
+      const double bound = q.bound - p.bound * dot(q.normal, p.normal);
+      if(slope > 1e-14)
+        low = (std::max)(low, bound / slope);
+      else if(slope < -1e-14)
+        high = (std::min)(high, bound / slope);
+    }
+    const double along = (std::min)((std::max)(0., low), high);
+    return {{p.bound * p.normal[0] + along * direction[0],
+             p.bound * p.normal[1] + along * direction[1]}};
+  }
+
+  // Up to rounding.
+  static bool contains(const Half_plane& p, const Uv& d)
+  {
+    return dot(p.normal, d) >= p.bound - 1e-9 * (std::abs(p.bound) + std::sqrt(dot(d, d)));
   }
 
   std::array<bool, 2> m_is_fixed;

@@ -81,10 +81,13 @@ public:
   // \param reach the largest change of a coordinate, from the input
   std::vector<Watched> repair(std::vector<Watched> faces, const double reach, Uv_state& state) const
   {
-    for(std::size_t before = faces.size() + 1; !faces.empty() && faces.size() < before;) {
-      before = faces.size(); // a move can make room for another
+    // A move can make room for another. The last pass is one that gains little, so that all together
+    // take linear time.
+    for(bool gains = !faces.empty(); gains;) {
+      const std::size_t before = faces.size();
       faces.erase(std::remove_if(faces.begin(), faces.end(),
                                  [&](const Watched& w) { return repair(w, reach, state); }), faces.end());
+      gains = before - faces.size() > before / 16;
     }
     return faces;
   }
@@ -114,7 +117,7 @@ private:
     std::vector<Plan> plans;
     for(const Point_index p : target.face.points) {
       Plan plan{m_find_move(p), 0, {}, {}};
-      plan.unit = m_points.spacing(state, p, m_grid);
+      plan.unit = m_points.spacing(p, m_grid);
       if(plan.move.is_possible() && collect_ring(target, state, plan))
         plans.push_back(std::move(plan));
     }

@@ -108,7 +108,7 @@ private:
       const Uv& b = now[(i + 2) % 3];
       const Uv g{{(a[1] - b[1]) / m_step, (b[0] - a[0]) / m_step}};
       by_rounding += std::sqrt(dot(g, g)) *
-                     (m_points.spacing(at, w.face.points[i], m_solution.grid()) / m_step);
+                     (m_points.spacing(w.face.points[i], m_solution.grid()) / m_step);
       add_shift(result.gradient, w.face.points[i], g);
     }
     const double wanted = wanted_area(m_points.input(w.face), w.was_positive, m_step);

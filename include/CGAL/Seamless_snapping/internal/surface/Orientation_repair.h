@@ -62,7 +62,7 @@ public:
     const Sectors& sectors = m_points.sectors();
     m_reach = largest_move(sectors, m_uv_map, state);
     report.largest_change_before_repair = m_reach;
-    m_watched.add_all(corners_at_risk(sectors, m_uv_map, m_reach));
+    watch_within(m_reach);
     if(m_repair_flips)
       watch_flips();
     const std::size_t lost = m_watched.not_positive(state, true).size();
@@ -70,7 +70,9 @@ public:
     if(lost == 0 && flipped == 0)
       return;
     report.number_of_lost_faces = lost;
-    m_far = (std::max)(far * (std::max)(m_reach, report.violation_before), 16 * m_solution.grid().step());
+    m_far = (std::max)(far * (std::max)(m_reach, report.violation_before),
+                       16 * m_solution.grid().step());
+    m_flip_reach = (std::max)(m_far, largest_reach * report.extent);
     m_optimum = {nullptr, state};
     Attempt best{state, {}, {}};
     make_attempts(best, report);
@@ -160,7 +162,11 @@ private:
 
   static bool is_subset(const std::vector<Watched>& a, const std::vector<Watched>& b)
   {
-    return std::all_of(a.begin(), a.end(), [&](const Watched& w) { return contains(b, w); });
+    std::unordered_set<Halfedge> known;
+    for(const Watched& w : b)
+      known.insert(w.face.corners[0]);
+    return std::all_of(a.begin(), a.end(),
+                       [&](const Watched& w) { return known.count(w.face.corners[0]) != 0; });
   }
 
   static bool contains(const std::vector<Watched>& faces, const Watched& w)
@@ -170,15 +176,19 @@ private:
     });
   }
 
-  void watch_larger_moves()
+  // All faces that sectors can turn over if they move that far.
+  void watch_within(const double reach)
   {
-    m_watched.add_all(corners_at_risk(m_points.sectors(), m_uv_map, m_far));
+    if(reach <= m_watched_reach)
+      return;
+    m_watched.add_all(corners_at_risk(m_points.sectors(), m_uv_map, reach));
+    m_watched_reach = reach;
   }
 
   // For crowds of faces, whatever their number: solves again, for a target that spares slivers.
   void repair_by_weights(Attempt& best)
   {
-    watch_larger_moves();
+    watch_within(m_far);
     const auto weighted = std::make_shared<const Sectors>(m_points.sectors().with_weights(
       height_weights(m_points.sectors(), m_uv_map, m_far)));
     Uv_state state;
@@ -193,14 +203,16 @@ private:
 
   void repair_by_program(Attempt& best)
   {
-    watch_larger_moves();
+    watch_within(m_far);
     const Sectors& sectors = m_optimum.sectors ? *m_optimum.sectors : m_points.sectors();
     const Program program(m_points, sectors, m_solution, m_optimum.state);
-    for(const bool with_flips : {false, true})
-      for(const double reach : {m_reach, m_far})
-        for(const double margin : area_margins)
-          if(!best.lost.empty() || (with_flips && !best.flips.empty()))
-            search(program, margin, reach, with_flips, best);
+    for(const double reach : {m_reach, m_far})
+      for(const double margin : area_margins)
+        if(!best.lost.empty())
+          search(program, margin, reach, false, best);
+    for(const double margin : area_margins)
+      if(!best.flips.empty())
+        search(program, margin, m_flip_reach, true, best);
   }
 
   // Solves with the conditions of the faces that remain, and again with those of faces that this costs, linearized
@@ -224,8 +236,10 @@ private:
         forces.maxCoeff(&most);
         given_up.push_back(active[std::size_t(most)]);
         active.erase(active.begin() + most);
+        --idle;
         continue;
       }
+      watch_within(largest_move(m_points.sectors(), m_uv_map, next));
       watch_moved_vertices(next);
       const Attempt attempt = repaired_by_moves(next, m_reach);
       bool has_changed = is_better(attempt, best);
@@ -293,7 +307,9 @@ private:
   bool m_repair_flips;
   Optimum m_optimum;
   std::size_t m_work = 0;
-  double m_reach = 0, m_far = 0; // the largest change, and that which repairs may make
+  // The largest change; that which repairs may make; that of programs for flips of the input; and
+  // that for which all faces are watched.
+  double m_reach = 0, m_far = 0, m_flip_reach = 0, m_watched_reach = -1;
 };
 
 } // namespace internal

@@ -26,7 +26,6 @@
 #include <CGAL/Seamless_snapping/internal/surface/Sector_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -235,7 +234,8 @@ private:
     return add_unknown({base, sum / weights}, weights);
   }
 
-  void append(Row& row, const Sector_index s, const std::size_t c, const std::int64_t coefficient)
+  void append(Row& row, const Sector_index s, const std::size_t c,
+              const std::int64_t coefficient) const
   {
     row.push_back({m_unknown_of_sector[std::size_t(s)] + Column_index(c), coefficient});
   }
@@ -304,83 +304,76 @@ private:
     std::unordered_map<typename Transition_data<TriangleMesh>::Halfedge, Crossing> m_branch_of_halfedge;
   };
 
+  // The crossings of a path, in order.
+  template <typename Path>
+  std::vector<typename Branch_finder::Crossing> crossings(const Path& path,
+                                                          const Branch_finder& finder) const
+  {
+    std::vector<typename Branch_finder::Crossing> result;
+    for(const auto h : path) {
+      if(const auto* crossing = finder.find(h))
+        result.push_back(*crossing);
+      else if(const auto* turned = finder.find(opposite(h, m_sectors.mesh())))
+        result.push_back({turned->branch, !turned->along});
+    }
+    return result;
+  }
+
   // Eq. (6), the transitions composed: (R u(a) + t - u(b)) in one component, with t the sum of the branches'
   // translations as later transitions rotate them. Eqs. (7) and (9) are not needed.
   Row path_row(const Connection_constraint<TriangleMesh>& c, const Sector_index a, const Sector_index b,
-               const Branch_finder& finder)
+               const Branch_finder& finder) const
   {
-    std::array<Row, 2> t;
-    int rotation = 0, component = c.component;
-    for(const auto h : c.path) {
-      const typename Branch_finder::Crossing* crossing = finder.find(h);
-      bool turned = false;
-      if(crossing == nullptr) {
-        crossing = finder.find(opposite(h, m_sectors.mesh()));
-        turned = true;
-      }
-      if(crossing == nullptr)
-        continue;
-      const bool along = crossing->along != turned;
-      const int k = directed_rotation(*m_branches.cut.begin(crossing->branch));
-      const std::array<Row, 2> step = translation_terms(crossing->branch);
-      if(along) { // t <- R t + step
-        t = rotated_rows(k, t);
-        append_rows(t, step, 1);
-      } else {    // t <- R^-1 (t - step)
-        append_rows(t, step, -1);
-        t = rotated_rows(inverse_rotation(k), t);
-      }
-      const int turn = along ? k : inverse_rotation(k);
-      rotation = (rotation + turn) % number_of_rotations;
-      component = rotated_component(turn, component);
-    }
+    const auto path = crossings(c.path, finder);
+    const auto turn = [&](const typename Branch_finder::Crossing& crossing) {
+      const int k = directed_rotation(*m_branches.cut.begin(crossing.branch));
+      return crossing.along ? k : inverse_rotation(k);
+    };
+    int component = c.component;
+    for(const auto& crossing : path)
+      component = rotated_component(turn(crossing), component);
     const std::size_t l = std::size_t(component);
-    Row row = t[l];
-    const Rotation& r = rotation_matrix(rotation);
-    for(std::size_t d = 0; d < 2; ++d)
-      if(r.m[l][d] != 0)
-        append(row, a, d, r.m[l][d]);
+    Row row;
+    int rotation = 0; // by the transitions behind
+    for(auto crossing = path.rbegin(); crossing != path.rend(); ++crossing) {
+      const int before = (rotation + turn(*crossing)) % number_of_rotations;
+      if(crossing->along) // u' = R u + t
+        append_translation(row, crossing->branch, rotation, l, 1);
+      else                // u' = R^-1 (u - t)
+        append_translation(row, crossing->branch, before, l, -1);
+      rotation = before;
+    }
+    append_rotated(row, a, rotation, l, 1);
     append(row, b, l, -1);
     return row;
   }
 
-  // The translation of a branch: an unknown or, for a branch of one edge, u- - R u+ at its start.
-  std::array<Row, 2> translation_terms(const std::size_t b)
-  {
-    std::array<Row, 2> terms;
-    const Directed_cut first = *m_branches.cut.begin(b);
-    const Rotation& r = rotation_matrix(directed_rotation(first));
-    for(std::size_t c = 0; c < 2; ++c) {
-      if(translation(b) >= 0) {
-        terms[c].push_back({translation(b) + Column_index(c), 1});
-        continue;
-      }
-      append(terms[c], m_sectors.target_sector(opposite_cut(first)), c, 1);
-      for(std::size_t d = 0; d < 2; ++d)
-        if(r.m[c][d] != 0)
-          append(terms[c], m_sectors.source_sector(first), d, -r.m[c][d]);
-    }
-    return terms;
-  }
-
-  static std::array<Row, 2> rotated_rows(const int k, const std::array<Row, 2>& rows)
+  // A component of R u for a sector.
+  void append_rotated(Row& row, const Sector_index s, const int k, const std::size_t c,
+                      const std::int64_t factor) const
   {
     const Rotation& r = rotation_matrix(k);
-    std::array<Row, 2> result;
-    for(std::size_t c = 0; c < 2; ++c)
-      for(std::size_t d = 0; d < 2; ++d)
-        for(const Entry<std::int64_t>& e : rows[d])
-          if(r.m[c][d] != 0)
-            result[c].push_back({e.column, r.m[c][d] * e.coefficient});
-    return result;
+    for(std::size_t d = 0; d < 2; ++d)
+      if(r.m[c][d] != 0)
+        append(row, s, d, factor * r.m[c][d]);
   }
 
-  static void append_rows(std::array<Row, 2>& rows, const std::array<Row, 2>& more,
-                          const std::int64_t factor)
+  // A component of R t for the translation t of a branch: an unknown or, for a branch of one edge,
+  // u- - R' u+ at its start.
+  void append_translation(Row& row, const std::size_t b, const int k, const std::size_t c,
+                          const std::int64_t factor) const
   {
-    for(std::size_t c = 0; c < 2; ++c)
-      for(const Entry<std::int64_t>& e : more[c])
-        rows[c].push_back({e.column, factor * e.coefficient});
+    if(translation(b) < 0) {
+      const Directed_cut first = *m_branches.cut.begin(b);
+      const int turned = (k + directed_rotation(first)) % number_of_rotations;
+      append_rotated(row, m_sectors.target_sector(opposite_cut(first)), k, c, factor);
+      append_rotated(row, m_sectors.source_sector(first), turned, c, -factor);
+      return;
+    }
+    const Rotation& r = rotation_matrix(k);
+    for(std::size_t d = 0; d < 2; ++d)
+      if(r.m[c][d] != 0)
+        row.push_back({translation(b) + Column_index(d), factor * r.m[c][d]});
   }
 
   // The edge that a row comes from: an index into the transitions or the aligned edges.

@@ -58,12 +58,15 @@ public:
           set_mean(Sector_index(s), uv_map);
   }
 
-  // In steps of the grid of the largest coordinates; adds to earlier shifts.
-  void shift(const Sector_index s, const Uv& by)
+  // In steps of the grid of the largest coordinates; adds to earlier shifts. Returns false if the sum
+  // is too large for the grid's integers.
+  bool shift(const Sector_index s, const Uv& by)
   {
     Uv& sum = m_shifts[s];
     for(std::size_t c = 0; c < 2; ++c)
       sum[c] += std::ldexp(by[c], m_sectors.sector(s).magnification);
+    constexpr double largest = 1152921504606846976.; // 2^60
+    return std::abs(sum[0]) < largest && std::abs(sum[1]) < largest;
   }
 
   Grid_uv operator[](const Sector_index s) const

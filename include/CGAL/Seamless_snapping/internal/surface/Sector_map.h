@@ -99,6 +99,9 @@ public:
   const Vertex_incidences& cuts() const { return m_cuts; }
   const Vertex_incidences& aligned() const { return m_aligned; }
   bool is_node(const Vertex_index v) const { return m_is_node[std::size_t(v)]; }
+  // Else there are only corners to merge.
+  bool is_constrained(const Vertex_index v) const
+  { return is_node(v) || m_cuts.degree(v) > 0 || m_aligned.degree(v) > 0; }
 
   std::size_t number_of_singular_vertices() const { return m_number_of_singular_vertices; }
 
@@ -282,19 +285,20 @@ private:
       if(v % number_of_walks == 0)
         walk_around_vertices(starts.data() + v, (std::min)(starts.size() - v, number_of_walks), walks);
       m_first_sector.push_back(Sector_index(m_sectors.size()));
-      const bool on_border = form_sectors_at(Vertex_index(v), walks[v % number_of_walks]);
-      const bool is_singular = !on_border && holonomy(m_cuts, m_transitions.edges, Vertex_index(v)) != 0;
+      const std::size_t gaps = form_sectors_at(Vertex_index(v), walks[v % number_of_walks]);
+      const bool is_singular =
+        gaps == 0 && holonomy(m_cuts, m_transitions.edges, Vertex_index(v)) != 0;
       m_number_of_singular_vertices += is_singular ? 1 : 0;
-      m_is_node[v] = needs_node(Vertex_index(v), on_border, is_singular);
+      m_is_node[v] = needs_node(Vertex_index(v), gaps, is_singular);
     }
     m_first_sector.push_back(Sector_index(m_sectors.size()));
   }
 
-  // Returns whether the vertex lies on the border.
-  bool form_sectors_at(const Vertex_index v, const std::vector<Halfedge>& walk)
+  // Returns how often the border passes the vertex.
+  std::size_t form_sectors_at(const Vertex_index v, const std::vector<Halfedge>& walk)
   {
     collect_cuts_towards(v);
-    bool on_border = false;
+    std::size_t gaps = 0;
     bool begins = true;
     const Directed_cut first_cut = cut_towards(walk.front());
     Directed_cut cut = first_cut;
@@ -302,7 +306,8 @@ private:
       const Halfedge h = walk[i];
       const Directed_cut following_cut = i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
       if(is_border(h, m_tmesh)) {
-        on_border = begins = true;
+        ++gaps;
+        begins = true;
       } else {
         if(begins || cut >= 0)
           begin_sector(h, cut);
@@ -315,7 +320,7 @@ private:
       }
       cut = following_cut;
     }
-    return on_border;
+    return gaps;
   }
 
   // The cut edges at a vertex, each by its halfedge towards it.
@@ -388,17 +393,18 @@ private:
   }
 
   // Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned chains. (A
-  // vertex on a closed branch becomes a node later.)
-  bool needs_node(const Vertex_index v, const bool on_border, const bool is_singular) const
+  // vertex on a closed branch becomes a node later.) Chains don't pass vertices where only corners of
+  // the mesh touch.
+  bool needs_node(const Vertex_index v, const std::size_t gaps, const bool is_singular) const
   {
     const std::size_t cuts = m_cuts.degree(v);
     const std::size_t aligned = m_aligned.degree(v);
     if(cuts > 0)
-      return cuts != 2 || aligned > 0 || on_border || is_singular;
+      return cuts != 2 || aligned > 0 || gaps > 0 || is_singular;
     if(aligned == 0)
       return false;
     const Incidence* ends = m_aligned.begin(v);
-    return aligned != 2 ||
+    return aligned != 2 || gaps > 1 ||
            m_align_edges.component(ends[0].edge) != m_align_edges.component(ends[1].edge);
   }
 

@@ -64,8 +64,8 @@ public:
   {
     Coordinates targets = coordinates(sectors);
     for(const auto& s : shift)
-      if(std::size_t(s.first) < sectors.number_of_sectors())
-        targets.shift(s.first, s.second);
+      if(std::size_t(s.first) < sectors.number_of_sectors() && !targets.shift(s.first, s.second))
+        return false;
     const System reduced = system(sectors, targets);
     Snapping_report report; // of no interest: the same system had a solution before
     Step_timer timer(report);

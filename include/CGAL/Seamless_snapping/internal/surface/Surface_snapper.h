@@ -104,6 +104,11 @@ public:
                              sectors.largest_coordinate());
     if(constraints.empty()) // these may link anything
       magnify_small_parts(sectors, grid);
+    if(m_was_exact) {
+      finish({input_of_sectors(sectors), grid, 0}, transitions, align_edges, constraints, sectors,
+             branches);
+      return m_report;
+    }
     while(!snap_on(grid, transitions, align_edges, constraints, sectors, branches)) {}
     return m_report;
   }
@@ -176,29 +181,43 @@ private:
       return true;
     }
     m_timer.finish("coordinates");
+    finish({snapped.take(), solution.grid, snapped.optimal_squares()}, transitions, align_edges,
+           constraints, sectors, branches);
+    return true;
+  }
 
-    const typename Repair::Solution solve_again(branches, transitions, align_edges, constraints, m_uv_map,
-                                                solution.grid);
+  // Coordinates of sectors that satisfy all constraints.
+  struct Exact_solution
+  {
+    Uv_state uv;
+    Grid grid;
+    double optimal_squares;
+  };
+
+  // Repairs, verifies, and writes.
+  void finish(Exact_solution solution, const Transition_data<TriangleMesh>& transitions,
+              const Align_edges<TriangleMesh>& align_edges,
+              const Constraint_list<TriangleMesh>& constraints, const Sectors& sectors,
+              const Branches& branches)
+  {
+    const typename Repair::Solution solve_again(branches, transitions, align_edges, constraints,
+                                                m_uv_map, solution.grid);
     Repair repair(sectors, transitions, align_edges, m_uv_map, m_vertex_indices, solve_again,
                   m_repairs_flips);
-    Uv_state uv = m_was_exact ? repair.points().input_of_sectors() : snapped.take();
-    repair.run(uv, m_report);
+    repair.run(solution.uv, m_report);
     m_timer.finish("orientation");
-    if(m_was_exact && m_report.number_of_repaired_flips == 0) {
-      m_report.lost_faces.clear(); // nothing moves
-      return true;
-    }
+    if(m_was_exact && m_report.number_of_repaired_flips == 0)
+      return; // nothing moves
 
-    if(!is_exact(sectors, transitions, align_edges, constraints, uv))
+    if(!is_exact(sectors, transitions, align_edges, constraints, solution.uv))
       return fail("the result failed its exact verification and was discarded; please report this");
     m_timer.finish("verification");
-    if(!write(sectors, repair.points(), uv, solution.grid, snapped.optimal_squares()))
-      return fail("the uv map does not keep what is written to it; each corner needs a place of its own, and the "
-                  "full precision of the points' number type");
+    if(!write(sectors, repair.points(), solution))
+      return fail("the uv map does not keep what is written to it; each corner needs a place of its "
+                  "own, and the full precision of the points' number type");
     m_timer.finish("writing");
     m_report.grid_step = solution.grid.step();
     m_report.status = Snapping_status::SNAPPED;
-    return true;
   }
 
   bool is_exact(const Sectors& sectors, const Transition_data<TriangleMesh>& transitions,
@@ -214,10 +233,11 @@ private:
   }
 
   // All or nothing.
-  bool write(const Sectors& sectors, const typename Repair::Points& points, const Uv_state& uv,
-             const Grid& grid, const double optimal_squares)
+  bool write(const Sectors& sectors, const typename Repair::Points& points,
+             const Exact_solution& solution)
   {
-    Change_statistics statistics(grid.step());
+    const Uv_state& uv = solution.uv;
+    Change_statistics statistics(solution.grid.step());
     Free_vertex_writer<typename Repair::Points, HalfedgeUVMap> free_vertices(points, m_uv_map);
     Sector_writer<TriangleMesh, HalfedgeUVMap> sector_writer(sectors, m_uv_map);
     const auto take_back = [&]() {
@@ -235,15 +255,14 @@ private:
       take_back();
       throw;
     }
-    statistics.fill_in(m_report, optimal_squares);
+    statistics.fill_in(m_report, solution.optimal_squares);
     return true;
   }
 
-  bool fail(const char* message) // ends the search for a grid, too
+  void fail(const char* message)
   {
     m_report.status = Snapping_status::INTERNAL_ERROR;
     m_report.message = message;
-    return true;
   }
 
   // Translates a failure of the system into the constraints that the caller gave.

@@ -53,6 +53,16 @@ struct Sector_uv
   const Uv& uv(const Sector_index s) const { return state[std::size_t(s)]; }
 };
 
+// The input, where each sector has one coordinate pair only.
+template <typename Sectors>
+Uv_state input_of_sectors(const Sectors& sectors)
+{
+  Uv_state result;
+  for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
+    result.push_back(sectors.sector(Sector_index(s)).uv);
+  return result;
+}
+
 template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
 class Uv_points
 {
@@ -76,10 +86,13 @@ public:
     const Sector_index s = sector(corner);
     if(s >= 0)
       return s;
-    const auto found = m_free_points.emplace(vertex_index(corner), Point_index(size()));
-    if(found.second)
-      m_free_corners.push_back(corner);
-    return found.first->second;
+    const auto found = m_free_points.find(corner);
+    if(found != m_free_points.end())
+      return found->second;
+    const Point_index p = Point_index(size());
+    m_free_corners.push_back(corner);
+    for_each_corner(p, [&](const Halfedge h) { m_free_points.emplace(h, p); });
+    return p;
   }
 
   Face face(const Halfedge corner)
@@ -119,14 +132,18 @@ public:
     return {{uv(state, f.points[0]), uv(state, f.points[1]), uv(state, f.points[2])}};
   }
 
-  // The distance of neighboring numbers that the point can take: those of its grid or, off all grids, of its
-  // coordinates' type.
-  double spacing(const Uv_state& state, const Point_index p, const Grid& grid) const
+  // The distance of neighboring numbers that the point can take: those of its grid or, where no
+  // constraint concerns it, of its coordinates' type, anywhere in the ring around it.
+  double spacing(const Point_index p, const Grid& grid) const
   {
-    if(is_sector(p))
+    if(is_sector(p) && m_sectors.is_constrained(vertex_of(p)))
       return std::ldexp(grid.step(), -m_sectors.sector(p).magnification);
-    const Uv u = uv(state, p);
-    return Grid::finest(grid.format(), (std::max)(std::abs(u[0]), std::abs(u[1]))).step();
+    double largest = 0;
+    for_each_corner(p, [&](const Halfedge corner) {
+      for(const Halfedge h : {corner, next(corner, mesh()), prev(corner, mesh())})
+        largest = (std::max)(largest, largest_component(input(h)));
+    });
+    return Grid::finest(grid.format(), largest).step();
   }
 
   void set_uv(Uv_state& state, const Point_index p, const Uv& u) const
@@ -134,15 +151,6 @@ public:
     while(state.size() <= std::size_t(p))
       state.push_back(uv(state, Point_index(state.size())));
     state[std::size_t(p)] = u;
-  }
-
-  // The input, where each sector has one coordinate pair only.
-  Uv_state input_of_sectors() const
-  {
-    Uv_state result;
-    for(std::size_t s = 0; s < m_sectors.number_of_sectors(); ++s)
-      result.push_back(m_sectors.sector(Sector_index(s)).uv);
-    return result;
   }
 
   template <typename F>
@@ -153,13 +161,19 @@ public:
         f(*h);
       return;
     }
+    // all around, or up to the border on either side: beyond, there may be more corners of the vertex
     const Halfedge first = m_free_corners[std::size_t(p) - m_sectors.number_of_sectors()];
     Halfedge h = first;
     do {
-      if(!is_border(h, mesh()))
-        f(h);
+      f(h);
       h = opposite(next(h, mesh()), mesh());
-    } while(h != first);
+    } while(h != first && !is_border(h, mesh()));
+    if(h == first)
+      return;
+    for(h = opposite(first, mesh()); !is_border(h, mesh()); h = opposite(h, mesh())) {
+      h = prev(h, mesh());
+      f(h);
+    }
   }
 
 private:
@@ -189,7 +203,7 @@ private:
   const Sectors& m_sectors;
   const HalfedgeUVMap& m_uv_map;
   const VertexIndexMap& m_vertex_indices;
-  std::unordered_map<std::size_t, Point_index> m_free_points; // by vertex index
+  std::unordered_map<Halfedge, Point_index> m_free_points; // by corner
   std::vector<Halfedge> m_free_corners;
 };
 

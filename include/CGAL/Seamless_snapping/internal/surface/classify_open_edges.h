@@ -92,7 +92,8 @@ double largest_residual(const std::vector<Open_edge<Halfedge> >& edges)
   return largest;
 }
 
-// At a regular inner vertex where just two open edges meet, the one's branch goes on in the other.
+// At an inner vertex where just two open edges meet, the one's branch goes on in the other, unless it
+// is a cone: that can't be seen where edges hide their rotations.
 template <typename TriangleMesh, typename Halfedge>
 bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Open_edge<Halfedge> >& edges,
                      const Vertex_incidences& incidences, const Vertex_index v)
@@ -105,22 +106,26 @@ bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Open_edge<Half
 }
 
 // An edge not longer than a few residuals looks alike under all rotations: it takes its rotation from
-// the branch it lies on.
+// the branch it lies on. Not so if it is exact, and longer than what agrees by chance.
+// \param epsilon that of the coordinates' number type
 template <typename Halfedge>
-bool hides_its_rotation(const Open_edge<Halfedge>& edge, const double residual)
+bool hides_its_rotation(const Open_edge<Halfedge>& edge, const double residual,
+                        const double epsilon)
 {
-  return edge.is_cut && edge.length <= 4 * residual;
+  return edge.is_cut && edge.length <= 4 * residual &&
+         !(edge.is_exact && edge.length > 64 * epsilon);
 }
 
-template <typename TriangleMesh, typename Halfedge>
-void complete_rotations(const TriangleMesh& tmesh, const double scale, const double residual,
+// \param is_hidden whether an edge hides its rotation
+template <typename TriangleMesh, typename Halfedge, typename Predicate>
+void complete_rotations(const TriangleMesh& tmesh, const double scale, const Predicate& is_hidden,
                         const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
   std::vector<char> is_known(edges.size());
   std::vector<Edge_index> known;
   for(std::size_t i = 0; i < edges.size(); ++i) {
-    is_known[i] = !hides_its_rotation(edges[i], residual);
+    is_known[i] = !is_hidden(edges[i]);
     if(is_known[i] && edges[i].is_cut)
       known.push_back(Edge_index(i));
   }

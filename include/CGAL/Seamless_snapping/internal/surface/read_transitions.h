@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -259,13 +260,18 @@ private:
   void tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
   {
     const double residual = largest_residual(data.edges);
+    const auto is_hidden = [&](const Open_edge<Halfedge>& edge) {
+      constexpr double epsilon =
+        std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
+      return hides_its_rotation(edge, residual, epsilon);
+    };
     if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Open_edge<Halfedge>& edge)
-                    { return hides_its_rotation(edge, residual) || may_be_noise(edge, residual); }))
+                    { return is_hidden(edge) || may_be_noise(edge, residual); }))
       return;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
     if(!Given::has_rotations)
-      complete_rotations(m_tmesh, m_scale, residual, ends, incidences, data.edges);
+      complete_rotations(m_tmesh, m_scale, is_hidden, ends, incidences, data.edges);
     if(!Given::has_cuts)
       mark_merged_edges(m_tmesh, ends, incidences, residual, data.edges);
   }

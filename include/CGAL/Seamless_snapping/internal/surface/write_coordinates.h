@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Checks that the sectors' new coordinates satisfy all constraints exactly; and writes them to the uv map,
-// or takes them back if the map doesn't keep them, which would void the check.
+// Checks that the sectors' new coordinates satisfy all constraints exactly; and writes them to the uv
+// map, or takes them back if the map doesn't keep them, which would void the check.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/prefetch.h>

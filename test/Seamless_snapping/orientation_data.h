@@ -1,14 +1,16 @@
 // Tests of the orientation of faces on parametrizations that solvers made, where there are any: no face may be
 // lost, neither at their own accuracy nor with noise, and the changes must remain those of the closest solution.
 
+#ifndef SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H
+#define SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H
+
 #include "orientation_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 
-#include <CGAL/Surface_mesh.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,14 +19,12 @@
 #define SEAMLESS_SNAPPING_DATA_DIR ""
 #endif
 
-using namespace orientation_checks;
-using namespace surface_checks;
+namespace orientation_data {
 
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using namespace orientation_checks;
 
 // Moves the corners at all vertices on cuts by up to `size`, those of one sector alike, or each by itself.
-void perturb_at_cuts(const Mesh& mesh, UV_map uv, const SS::Seam_transitions<Mesh>& transitions,
+inline void perturb_at_cuts(const Mesh& mesh, UV_map uv, const SS::Seam_transitions<Mesh>& transitions,
                      double size, uv_noise::Noise kind, unsigned int seed)
 {
   std::mt19937_64 random(seed);
@@ -74,7 +74,7 @@ struct File
   }
 };
 
-void test_file(const File& original, const std::string& name, double noise, uv_noise::Noise kind,
+inline void test_file(const File& original, const std::string& name, double noise, uv_noise::Noise kind,
                unsigned int seed, Tally& tally)
 {
   const std::string context = name + ", seed " + std::to_string(seed);
@@ -105,12 +105,12 @@ void test_file(const File& original, const std::string& name, double noise, uv_n
   tally.add(report);
 }
 
-int main()
+inline void test_files()
 {
   const std::filesystem::path folder = std::filesystem::path(SEAMLESS_SNAPPING_DATA_DIR) / "uv";
   if(!std::filesystem::is_directory(folder)) {
     std::cout << "no data, skipped" << std::endl;
-    return report_checks();
+    return;
   }
   std::vector<std::filesystem::path> paths;
   for(const auto& entry : std::filesystem::directory_iterator(folder))
@@ -131,5 +131,8 @@ int main()
   }
   for(std::size_t i = 0; i < noises.size(); ++i)
     tallies[i].print("noise " + std::to_string(1e9 * noises[i]) + "e-9");
-  return report_checks();
 }
+
+} // namespace orientation_data
+
+#endif // SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H

@@ -1,0 +1,262 @@
+// Tests of faces that are not positive in the input: repaired if asked, left alone if not.
+
+#ifndef SEAMLESS_SNAPPING_TEST_ORIENTATION_FLIPS_H
+#define SEAMLESS_SNAPPING_TEST_ORIENTATION_FLIPS_H
+
+#include "orientation_checks.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace orientation_flips {
+
+using namespace orientation_checks;
+
+// Folds some free vertices over.
+inline std::size_t fold(Named& named, unsigned int seed)
+{
+  const Mesh& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(named.mesh);
+  const std::vector<bool> aligned = are_aligned(named);
+  const uv_noise::Cuts<Mesh, UV_map> cuts(mesh, uv);
+  std::mt19937_64 random(seed);
+  std::vector<Mesh::Halfedge_index> corners;
+  std::size_t result = 0;
+  for(const auto v : mesh.vertices()) {
+    uv_noise::corners_in_turn(mesh.halfedge(v), mesh, cuts, corners);
+    if(random() % 4 != 0 || mesh.is_border(v) || aligned[std::size_t(v)]
+       || !std::all_of(corners.begin(), corners.end(), [&](auto h) { return cuts.is_passable(h); }))
+      continue;
+    for(const auto h : corners)
+      uv[h] = uv[h] + Kernel::Vector_2(0.375, 0.125);
+    ++result;
+  }
+  return result;
+}
+
+inline void test_flips_of_exact_map()
+{
+  const std::string context = "flips of an exact map";
+  Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
+  const Mesh& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(named.mesh);
+  const std::size_t folds = fold(named, 3);
+  const Bits bits = all_bits(mesh, uv);
+  const auto np = SS::parameters::default_values();
+  CHECK_IN(context, folds > 0 && !are_all_positive(signs(mesh, uv)));
+  snap(mesh, uv, np, exact_check::No_edge_aligned(), context, false);
+  CHECK_IN(context, all_bits(mesh, uv) == bits);
+  const auto report = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
+  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context, report.number_of_repaired_flips > 0);
+  CHECK_IN(context, report.remaining_flips.empty() && are_all_positive(signs(mesh, uv)));
+  const auto again = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
+  CHECK_IN(context, again.status == SS::Snapping_status::ALREADY_EXACT);
+
+}
+
+// A map seen from behind: nothing to be done, and nothing done.
+inline void test_mirrored_map()
+{
+  const std::string context = "mirrored map";
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::double_torus(), 2);
+  const auto uv = test_meshes::uv_map(mesh);
+  for(const auto h : mesh.halfedges())
+    uv[h] = Kernel::Point_2(-uv[h].x(), uv[h].y());
+  const Bits mirrored = all_bits(mesh, uv);
+  const auto report = snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(),
+                           context, true);
+  CHECK_IN(context, report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(context, report.remaining_flips.size() == mesh.number_of_faces());
+  CHECK_IN(context, all_bits(mesh, uv) == mirrored);
+}
+
+// Flips of single free vertices anywhere in the domain, at any scale.
+inline void test_flips_near_origin()
+{
+  for(const double x : { 0., 1e-10, 0.1 })
+    for(const double scale : { 1., 0x1p-100, 0x1p100 }) {
+      const std::string context =
+        "flips at " + std::to_string(1e10 * x) + "e-10, scale " + std::to_string(std::log2(scale));
+      Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
+      const Mesh& mesh = named.mesh;
+      const auto uv = test_meshes::uv_map(named.mesh);
+      const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                   [&](auto w) { return !mesh.is_border(w); });
+      const Kernel::Vector_2 to_place = Kernel::Point_2(x, x / 3) - uv[mesh.halfedge(v)];
+      for(const auto h : mesh.halfedges()) {
+        const auto fold = mesh.target(h) == v ? CGAL::NULL_VECTOR : Kernel::Vector_2(0.375, 0.125);
+        const auto p = uv[h] + to_place - fold;
+        uv[h] = Kernel::Point_2(scale * p.x(), scale * p.y());
+      }
+      CHECK_IN(context, !are_all_positive(signs(mesh, uv)));
+      snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(), context, true);
+      CHECK_IN(context, are_all_positive(signs(mesh, uv)));
+    }
+}
+
+// Flips of an exact map at nodes of cuts, which no vertex can repair by itself.
+inline void test_flips_at_nodes()
+{
+  Tally tally;
+  const double height = 0x1p-16;
+  for(Named& named : test_meshes::all_meshes<Kernel>()) {
+    if(named.name != "torus" && named.name.find("closed cut around a hole, tr") != 0)
+      continue;
+    CHECK(squash(named, height));
+    for(unsigned int seed = 2; seed <= 16; seed += 2) {
+      const std::string context = named.name + ", flips, seed " + std::to_string(seed);
+      Named copy = named;
+      const auto uv = test_meshes::uv_map(copy.mesh);
+      const Known<Kernel> known(copy.mesh, uv);
+      uv_noise::perturb(copy.mesh, uv, 2 * height, seed, uv_noise::Noise::per_sector);
+      const auto np = SS::parameters::edge_is_cut_map(known.edge_is_cut)
+                        .halfedge_rotation_map(known.rotations)
+                        .tolerance(0.1);
+      SS::snap_to_seamless(copy.mesh, uv, np); // what noise turned over remains so
+      const auto report = snap(copy.mesh, uv, np, exact_check::No_edge_aligned(), context, true);
+      CHECK_IN(context, report.remaining_flips.empty());
+      tally.add(report);
+    }
+  }
+  tally.print("flips at nodes");
+  CHECK(tally.repaired_flips > 0);
+}
+
+// A map that is exact stays so where its constraints have no solution on one grid.
+inline void test_flips_off_grid()
+{
+  const std::string context = "flips off the grid";
+  Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
+  const auto uv = test_meshes::uv_map(named.mesh);
+  CHECK(fold(named, 3) > 0);
+  const auto corner = named.mesh.prev(named.mesh.halfedge(*named.mesh.faces().begin()));
+  const Kernel::Vector_2 to_origin = CGAL::ORIGIN - uv[corner];
+  for(const auto h : named.mesh.halfedges())
+    uv[h] = named.mesh.target(h) == named.mesh.target(corner) ? Kernel::Point_2(0x1p-80, 0)
+                                                              : uv[h] + to_origin;
+  const auto other = named.mesh.next(corner);
+  const std::vector<SS::Corner_constraint<Mesh> > constraints = {
+    { { { corner, 0, CGAL::Exact_rational(1) } }, CGAL::Exact_rational(0x1p-80) },
+    { { { other, 0, CGAL::Exact_rational(1) } }, CGAL::Exact_rational(uv[other].x()) } };
+  CHECK(uv[other].x() >= 0x1p-10);
+  const auto report = snap(named.mesh, uv, SS::parameters::corner_constraints(constraints),
+                           exact_check::No_edge_aligned(), context, true);
+  CHECK(report.remaining_flips.empty());
+}
+
+// --- corners of the mesh that touch --------------------------------------------------------------
+
+// Two discs of 2 x 2 squares that share a vertex, the second one in a chart of its own.
+struct Bow_tie
+{
+  Mesh mesh;
+  UV_map uv = test_meshes::uv_map(mesh);
+  Mesh::Vertex_index shared = mesh.add_vertex();
+
+  Bow_tie()
+  {
+    for(const int part : { 0, 1 }) {
+      std::vector<Mesh::Vertex_index> v;
+      for(int i = 0; i < 9; ++i)
+        v.push_back(i == 8 * (1 - part) ? shared : mesh.add_vertex());
+      const auto add = [&](int a, int b, int c) {
+        const auto f = mesh.add_face(v[std::size_t(a)], v[std::size_t(b)], v[std::size_t(c)]);
+        for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+          const int i = int(std::find(v.begin(), v.end(), mesh.target(h)) - v.begin());
+          uv[h] = Kernel::Point_2(i % 3 + 8 * part, i / 3);
+        }
+      };
+      for(const int i : { 0, 1, 3, 4 }) {
+        add(i, i + 1, i + 4);
+        add(i, i + 4, i + 3);
+      }
+    }
+  }
+
+  bool is_first(Mesh::Halfedge_index h) const { return uv[h].x() < 5; }
+};
+
+inline void test_bow_tie()
+{
+  const std::string context = "bow tie";
+  Bow_tie aligned;
+  const Mesh& mesh = aligned.mesh;
+  const auto features = test_meshes::feature_map(aligned.mesh);
+  std::size_t fans[2] = { 0, 0 }, marked = 0;
+  for(const auto h : CGAL::halfedges_around_target(aligned.shared, mesh)) {
+    if(mesh.is_border(h))
+      continue;
+    ++fans[aligned.is_first(h) ? 0 : 1];
+    if(mesh.is_border(mesh.opposite(h))) {
+      features[mesh.edge(h)] = true;
+      ++marked;
+    }
+  }
+  CHECK_IN(context, fans[0] == 2 && fans[1] == 2 && marked == 2);
+  uv_noise::perturb(aligned.mesh, aligned.uv, 1e-9, 1);
+  snap(mesh, aligned.uv, SS::parameters::edge_is_constrained_map(features),
+       is_aligned(mesh, features, false), context + ", aligned");
+
+  // the shared vertex turns a face of the first disc over
+  Bow_tie flipped;
+  for(const auto h : flipped.mesh.halfedges())
+    if(!flipped.mesh.is_border(h) && flipped.is_first(h) && flipped.mesh.target(h) == flipped.shared)
+      flipped.uv[h] = Kernel::Point_2(0.5, 0.75);
+  const std::vector<Kernel::Point_2> before = points(flipped.mesh, flipped.uv);
+  const auto report = snap(flipped.mesh, flipped.uv, SS::parameters::default_values(),
+                           exact_check::No_edge_aligned(), context + ", flipped", true);
+  CHECK_IN(context, report.number_of_repaired_flips > 0 && report.remaining_flips.empty());
+  for(const auto h : flipped.mesh.halfedges())
+    if(!flipped.mesh.is_border(h) && before[std::size_t(h)].x() > 5)
+      CHECK_IN(context, flipped.uv[h] == before[std::size_t(h)]);
+}
+
+inline void test_flips_with_noise()
+{
+  Tally tally;
+  for(const Named& original : test_meshes::all_meshes<Kernel>())
+    for(const bool repair_flips : { false, true }) {
+      Named named = original;
+      Mesh& mesh = named.mesh;
+      const auto uv = test_meshes::uv_map(mesh);
+      const auto features = test_meshes::feature_map(mesh);
+      const Known<Kernel> known(mesh, uv); // folds hide what is a cut
+      const std::string context = named.name + ", with flips";
+      fold(named, 1);
+      uv_noise::perturb(mesh, uv, 1e-6, 1);
+      const auto np = SS::parameters::edge_is_constrained_map(features)
+                        .align_border(named.align_border)
+                        .edge_is_cut_map(known.edge_is_cut)
+                        .halfedge_rotation_map(known.rotations);
+      const auto before = signs(mesh, uv);
+      const auto report = snap(mesh, uv, np, is_aligned(mesh, features, named.align_border),
+                               context, repair_flips);
+      CHECK_IN(context, not_positive(before, signs(mesh, uv), true).empty());
+      if(repair_flips)
+        tally.add(report);
+    }
+  tally.print("flips");
+  CHECK(tally.repaired_flips > 0);
+}
+
+inline void test_flips()
+{
+  test_flips_of_exact_map();
+  test_mirrored_map();
+  test_flips_near_origin();
+  test_flips_at_nodes();
+  test_flips_off_grid();
+  test_bow_tie();
+  test_flips_with_noise();
+}
+
+} // namespace orientation_flips
+
+#endif // SEAMLESS_SNAPPING_TEST_ORIENTATION_FLIPS_H
