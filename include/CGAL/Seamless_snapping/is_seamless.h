@@ -224,9 +224,10 @@ decides whether a parametrization is exactly seamless: whether for each interior
 a coordinate is constant along each edge that is to be aligned, and whether further constraints hold if any are
 given. The answer is that of exact arithmetic.
 
-Where constraints have contracted a cut edge to a point, any rotation satisfies the equation, and the
-coordinates do not tell which is meant. Connection and cycle constraints whose paths cross such an edge are
-then verified with a rotation that may be another one: pass `halfedge_rotation_map` as well.
+Where constraints have contracted a cut edge to a point, any rotation satisfies the equation. For
+connection and cycle constraints whose paths cross such an edge, it is taken from the edges where the cut
+goes on. If all of them are contracted, up to vertices where the cut ends or branches, the coordinates do
+not tell which is meant: pass `halfedge_rotation_map` as well.
 
 \tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -281,7 +282,8 @@ then verified with a rotation that may be another one: pass `halfedge_rotation_m
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `false` also if a coordinate of an interior edge is NaN or infinite
+\return `false` also if a coordinate of an interior edge or of a further constraint is NaN or infinite,
+        or if given rotations of opposite halfedges are not inverse to each other
 
 \par Complexity
 Linear in the number of edges; about as fast as comparing the coordinates on both sides of each edge.
