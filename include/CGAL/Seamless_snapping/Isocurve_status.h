@@ -38,7 +38,7 @@ enum class Isocurve_status
   CLOSED,           ///< it has closed exactly
   MAXIMUM_NUMBER,   ///< it has crossed as many edges and vertices as were allowed
   MAXIMUM_LENGTH,   ///< it has become as long as was allowed, or longer by a part of a face
-  CONSTANT_ON_FACE, ///< it has met, or starts at, degenerate faces on which its coordinate is constant
+  CONSTANT_ON_FACE, ///< it has met degenerate faces on which its coordinate is constant
   STUCK_AT_CUT,     ///< behind a cut edge it points back onto the edge, for ever
   FELL_INTO_GAP,    ///< the place behind a cut edge lies beside the edge
   NO_WAY_OUT,       ///< no direction leads on from a regular vertex

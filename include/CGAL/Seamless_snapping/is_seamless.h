@@ -59,8 +59,8 @@ struct Seamlessness
   double violation = 0; ///< the largest violation of a transition
   double misalignment = 0; ///< the largest change of the coordinate that changes less along an aligned edge
 
-  /// returns `true` if and only if all transitions and alignments hold exactly. Connection, cycle, and
-  /// corner constraints are not looked at.
+  /// returns `true` if and only if all transitions and alignments hold exactly. Connection, cycle,
+  /// and corner constraints are not looked at.
   bool is_exact() const
   {
     return number_of_inexact_edges == 0 && number_of_misaligned_edges == 0;

@@ -171,9 +171,9 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_vertex`: the vertex at which an isocurve ends
- * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are traced
- *   in floating point, the distance below which a curve is taken to have missed what it passes by;
- *   both relative to the extent of the coordinates (`double`)
+ * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are
+ *   traced in floating point, the distance below which a curve is taken to have missed what it
+ *   passes by; both relative to the extent of the coordinates (`double`)
  * - `weights`: one positive weight per value, in the sum of squared changes that is kept small
  *
  * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,

@@ -42,8 +42,8 @@ namespace Seamless_snapping {
 
 The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by which
 the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the singular
-vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither modified
-nor destroyed.
+vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither
+modified nor destroyed.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 */
@@ -82,8 +82,8 @@ public:
   /// returns `true` if the transitions could be read off.
   explicit operator bool() const { return m_data.status == Snapping_status::ALREADY_EXACT; }
 
-  /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`, `NOT_SEAMLESS`,
-  /// or `INVALID_ROTATIONS`; otherwise `ALREADY_EXACT`.
+  /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`,
+  /// `NOT_SEAMLESS`, or `INVALID_ROTATIONS`; otherwise `ALREADY_EXACT`.
   Snapping_status status() const { return m_data.status; }
 
   /// returns the place, the reason, and the remedy in these cases.
@@ -113,8 +113,9 @@ public:
   /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
   const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_merged_halfedges; }
 
-  /// returns the interior vertices around which the rotations do not add up to the identity. An angle of
-  /// 720 degrees, which `Isocurve_tracer::is_singular()` tells from 360, is not found this way.
+  /// returns the interior vertices around which the rotations do not add up to the identity. An
+  /// angle of 720 degrees, which `Isocurve_tracer::is_singular()` tells from 360, is not found this
+  /// way.
   const std::vector<Singular_vertex>& singular_vertices() const { return m_singular_vertices; }
 
   /// returns `true` if all transitions hold exactly and nothing is to be merged.

@@ -155,11 +155,12 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, or the
           tolerance is negative;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
-        - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints whose
-          right-hand sides are not zero; or because coordinates would exceed the largest number, as can
-          happen with `float`s close to it;
-        - `INTERNAL_ERROR`: the result, once written, failed its verification, and the old coordinates have
-          been restored. A `uv_map` that does not keep what is written to it causes this.
+        - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
+          whose right-hand sides are not zero; or because coordinates would exceed the largest
+          number, as can happen with `float`s close to it;
+        - `INTERNAL_ERROR`: the result failed its verification, or did not read back as it was
+          written, and the old coordinates have been restored. A `uv_map` that does not keep what is
+          written to it causes this.
         .
         The message names the place and the remedy.
 
