@@ -8,6 +8,7 @@
 // the reduced system, the shortest of several runs.
 
 #include "benchmark_tools.h"
+#include "command_line.h"
 #include "log_log_plot.h"
 
 #include "../../test/Seamless_snapping/Parametrized_model.h"
@@ -18,8 +19,6 @@
 
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -29,12 +28,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace options = boost::program_options;
+namespace options = benchmark::options;
 namespace SS = CGAL::Seamless_snapping;
 
 using Mesh = Parametrized_model::Mesh;
@@ -178,46 +178,32 @@ void print_growth(const std::vector<benchmark::Series>& series)
 
 // --- the command line ----------------------------------------------------------------------------
 
-bool read_command_line(int argc, char** argv, Settings& settings)
+std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
-  description.add_options()("help,h", "print this")(
-    "file", options::value(&settings.files), "OBJ files (may go without --file)")(
-    "connections", options::value(&settings.connections)->multitoken(),
-    "numbers of connections (default: 0 10 20 50 100)")(
+  description.add_options()(
+    "file", options::value(&settings.files)->required(), "OBJ files (may go without --file)")(
+    "connections",
+    options::value(&settings.connections)->multitoken()->default_value({ 0, 10, 20, 50, 100 },
+                                                                       "0 10 20 50 100"),
+    "numbers of connections")(
     "cycles", options::value(&settings.cycles)->default_value(0), "random cycles in addition")(
     "seed", options::value(&settings.seed)->default_value(1), "of connections and cycles")(
     "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "textbook", options::bool_switch(&settings.with_textbook),
     "also the largest coefficient of the textbook method: slow from a few hundred nodes on")(
     "svg", options::value(&settings.svg), "where to draw the times against the numbers of nodes");
-  options::positional_options_description positions;
-  positions.add("file", -1);
-  options::variables_map values;
-  options::store(
-    options::command_line_parser(argc, argv).options(description).positional(positions).run(),
-    values);
-  options::notify(values);
-  if(values.count("help") != 0 || settings.files.empty()) {
-    std::cout << "usage: connection_growth [options] FILE...\n" << description;
-    return false;
-  }
-  if(settings.connections.empty())
-    settings.connections = { 0, 10, 20, 50, 100 };
+  const auto exit_code = benchmark::read_command_line(
+    argc, argv, "connection_growth [options] FILE...", description, "file");
   settings.repeats = (std::max)(settings.repeats, 1);
-  return true;
+  return exit_code;
 }
 
 int main(int argc, char** argv)
 {
   Settings settings;
-  try {
-    if(!read_command_line(argc, argv, settings))
-      return EXIT_SUCCESS;
-  } catch(const options::error& error) {
-    std::cerr << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(const std::optional<int> exit_code = read_command_line(argc, argv, settings))
+    return *exit_code;
   std::vector<benchmark::Series> series;
   for(const std::size_t n : settings.connections)
     series.push_back({ std::to_string(n) + " connections", {} });

@@ -7,6 +7,7 @@
 // With --noise, every sector beside a cut is first moved by up to X times the extent, in both coordinates.
 
 #include "benchmark_tools.h"
+#include "command_line.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
@@ -15,8 +16,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,10 +26,11 @@
 #include <iostream>
 #include <random>
 #include <sstream>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace options = boost::program_options;
+namespace options = benchmark::options;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -212,14 +212,8 @@ int main(int argc, char** argv)
     ("features", options::bool_switch(&settings.features), "keep feature edges (OBJ l) on isocurves")
     ("align-border", options::bool_switch(&settings.align_border), "and the border too")
     ("csv", options::value(&settings.csv), "file to write the table to");
-  try {
-    options::variables_map values;
-    const auto folder = options::positional_options_description().add("folder", 1);
-    options::store(options::command_line_parser(argc, argv).options(description).positional(folder).run(), values);
-    options::notify(values);
-  } catch(const options::error& error) {
-    std::cerr << error.what() << "\n" << description;
-    return EXIT_FAILURE;
-  }
+  if(const auto exit_code = benchmark::read_command_line(
+       argc, argv, "dataset_statistics [options] FOLDER", description, "folder"))
+    return *exit_code;
   return run(settings);
 }

@@ -7,6 +7,7 @@
 // is this program's own check in rational arithmetic.
 
 #include "benchmark_tools.h"
+#include "command_line.h"
 
 #include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
@@ -14,8 +15,6 @@
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/SparseExtra>
-
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +25,12 @@
 #include <filesystem>
 #include <iostream>
 #include <random>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace options = boost::program_options;
+namespace options = benchmark::options;
 
 using Matrix = Eigen::SparseMatrix<int>;
 using Values = std::vector<double>;
@@ -164,42 +164,30 @@ std::vector<std::string> default_files()
   return result;
 }
 
-bool read_command_line(int argc, char** argv, Settings& settings)
+std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
-  description.add_options()("help,h", "print this")(
+  description.add_options()(
     "file", options::value(&settings.files), "MatrixMarket files (may go without --file)")(
     "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of the random values")(
     "noise", options::value(&settings.noise)->default_value(1e-8), "added to a solution");
-  options::positional_options_description positions;
-  positions.add("file", -1);
-  options::variables_map values;
-  options::store(
-    options::command_line_parser(argc, argv).options(description).positional(positions).run(),
-    values);
-  options::notify(values);
-  if(values.count("help") != 0) {
-    std::cout << description;
-    return false;
-  }
+  const auto exit_code = benchmark::read_command_line(
+    argc, argv, "elimination [options] [FILE...]", description, "file");
   if(settings.files.empty())
     settings.files = default_files();
-  if(settings.files.empty())
-    std::cout << "no systems: name MatrixMarket files on the command line" << std::endl;
-  return true;
+  if(!exit_code && settings.files.empty()) {
+    std::cerr << "no systems: name MatrixMarket files on the command line" << std::endl;
+    return EXIT_FAILURE;
+  }
+  return exit_code;
 }
 
 int main(int argc, char** argv)
 {
   Settings settings;
-  try {
-    if(!read_command_line(argc, argv, settings))
-      return EXIT_SUCCESS;
-  } catch(const options::error& error) {
-    std::cerr << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(const std::optional<int> exit_code = read_command_line(argc, argv, settings))
+    return *exit_code;
 
   std::vector<Measurement> all;
   print_head();

@@ -15,14 +15,13 @@
 
 #include "benchmark_tools.h"
 #include "child_process.h"
+#include "command_line.h"
 #include "compared_systems.h"
 
 #include "../../test/Seamless_snapping/naive_elimination.h"
 #include "../../test/Seamless_snapping/textbook_method.h"
 
 #include <CGAL/Exact_integer.h>
-
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +33,11 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace options = boost::program_options;
+namespace options = benchmark::options;
 
 using compared_systems::Problem;
 using exact_reference::Integer;
@@ -265,47 +265,37 @@ void check_names(const std::vector<std::string>& names, const std::vector<std::s
       throw options::error("unknown: " + name);
 }
 
-bool read_command_line(int argc, char** argv, Settings& settings)
+const std::vector<std::string> all_methods = { "ours", "textbook", "naive", "QP" };
+
+std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
-  description.add_options()("help,h", "print this")(
-    "file", options::value(&settings.files), "OBJ or MatrixMarket files (may go without --file)")(
-    "methods", options::value(&settings.methods)->multitoken(), "of: ours textbook naive QP")(
-    "systems", options::value(&settings.systems)->multitoken(),
-    "of: reduced sectors corners (default: the first two)")(
+  description.add_options()("file", options::value(&settings.files)->required(),
+                            "OBJ or MatrixMarket files (may go without --file)")(
+    "methods",
+    options::value(&settings.methods)
+      ->multitoken()
+      ->default_value(all_methods, "ours textbook naive QP")
+      ->notifier([](const auto& names) { check_names(names, all_methods); }),
+    "some of these")(
+    "systems",
+    options::value(&settings.systems)
+      ->multitoken()
+      ->default_value({ "reduced", "sectors" }, "reduced sectors")
+      ->notifier([](const auto& names) { check_names(names, { "reduced", "sectors", "corners" }); }),
+    "some of these, or corners")(
     "time-limit", options::value(&settings.limits.seconds)->default_value(600), "seconds a run")(
     "memory-limit", options::value(&settings.limits.megabytes)->default_value(8000),
     "megabytes a run");
-  options::positional_options_description positions;
-  positions.add("file", -1);
-  options::variables_map values;
-  options::store(
-    options::command_line_parser(argc, argv).options(description).positional(positions).run(),
-    values);
-  options::notify(values);
-  if(values.count("help") != 0 || settings.files.empty()) {
-    std::cout << "usage: exact_comparison [options] FILE...\n" << description;
-    return false;
-  }
-  if(settings.methods.empty())
-    settings.methods = { "ours", "textbook", "naive", "QP" };
-  if(settings.systems.empty())
-    settings.systems = { "reduced", "sectors" };
-  check_names(settings.methods, { "ours", "textbook", "naive", "QP" });
-  check_names(settings.systems, { "reduced", "sectors", "corners" });
-  return true;
+  return benchmark::read_command_line(argc, argv, "exact_comparison [options] FILE...", description,
+                                      "file");
 }
 
 int main(int argc, char** argv)
 {
   Settings settings;
-  try {
-    if(!read_command_line(argc, argv, settings))
-      return EXIT_SUCCESS;
-  } catch(const options::error& error) {
-    std::cerr << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(const std::optional<int> exit_code = read_command_line(argc, argv, settings))
+    return *exit_code;
   std::printf("Stopped after %g s or %zu MB a run.\n\n", settings.limits.seconds,
               settings.limits.megabytes);
   print_head();

@@ -6,6 +6,8 @@
 //
 // With --subdivide, each mesh is refined by N rounds of Loop subdivision first.
 
+#include "command_line.h"
+
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -17,16 +19,15 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <boost/program_options.hpp>
-
 #include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace po = boost::program_options;
+namespace po = benchmark::options;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SS = CGAL::Seamless_snapping;
 
@@ -87,15 +88,9 @@ int main(int argc, char** argv)
     ("subdivide", po::value(&subdivisions), "rounds of Loop subdivision")
     ("align-border", po::bool_switch(&align_border), "align border edges")
     ("mesh", po::value(&meshes)->required(), "the meshes, in any format that CGAL reads");
-  try {
-    po::variables_map values;
-    const auto files = po::positional_options_description().add("mesh", -1);
-    po::store(po::command_line_parser(argc, argv).options(options).positional(files).run(), values);
-    po::notify(values);
-  } catch(const po::error& error) {
-    std::cerr << error.what() << "\n" << options;
-    return EXIT_FAILURE;
-  }
+  if(const auto exit_code = benchmark::read_command_line(
+       argc, argv, "parameterization_table [options] MESH...", options, "mesh"))
+    return *exit_code;
   print_header();
   for(const std::string& mesh : meshes)
     print_row(mesh, subdivisions, align_border);

@@ -10,6 +10,7 @@
 
 #include "benchmark_tools.h"
 #include "child_process.h"
+#include "command_line.h"
 
 #include "../../test/Seamless_snapping/Height_field_surface.h"
 #include "../../test/Seamless_snapping/exact_seamless_check.h"
@@ -19,8 +20,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -28,13 +27,14 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <malloc.h>
 
-namespace options = boost::program_options;
+namespace options = benchmark::options;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -216,39 +216,30 @@ void print_growth(const std::vector<Measurement>& all)
 
 // --- the command line ----------------------------------------------------------------------------
 
-bool read_command_line(int argc, char** argv, Settings& settings)
+std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
-  description.add_options()("help,h", "print this")(
-    "faces", options::value(&settings.faces)->multitoken(), "sizes (default: 100000 1000000)")(
+  description.add_options()(
+    "faces",
+    options::value(&settings.faces)->multitoken()->default_value({ 100000, 1000000 },
+                                                                 "100000 1000000"),
+    "sizes")(
     "faces-per-node", options::value(&settings.faces_per_node)->default_value(200), "about")(
     "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of surface and noise")(
     "noise", options::value(&settings.noise)->default_value(1e-9), "relative to the extent");
-  options::variables_map values;
-  options::store(options::parse_command_line(argc, argv, description), values);
-  options::notify(values);
-  if(values.count("help") != 0) {
-    std::cout << description;
-    return false;
-  }
-  if(settings.faces.empty())
-    settings.faces = { 100000, 1000000 };
+  const auto exit_code =
+    benchmark::read_command_line(argc, argv, "snap_scaling [options]", description, "faces");
   settings.faces_per_node = (std::max)(settings.faces_per_node, std::size_t(1));
   settings.repeats = (std::max)(settings.repeats, 1);
-  return true;
+  return exit_code;
 }
 
 int main(int argc, char** argv)
 {
   Settings settings;
-  try {
-    if(!read_command_line(argc, argv, settings))
-      return EXIT_SUCCESS;
-  } catch(const options::error& error) {
-    std::cerr << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  if(const std::optional<int> exit_code = read_command_line(argc, argv, settings))
+    return *exit_code;
 
   std::printf("times in milliseconds\n");
   std::vector<Measurement> all;

@@ -3,6 +3,7 @@
 // several threads, where TBB is linked.
 
 #include "benchmark_tools.h"
+#include "command_line.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -12,16 +13,15 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/tags.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace po = boost::program_options;
+namespace po = benchmark::options;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -119,29 +119,17 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
 
 int main(int argc, char* argv[])
 {
-  int runs = 5;
-  std::size_t maximum_number = 10000;
+  int runs = 0;
+  std::size_t maximum_number = 0;
   std::vector<std::string> files;
   po::options_description options("Options");
-  options.add_options()("help", "print this")(
-    "runs", po::value(&runs), "the fastest of so many runs counts (default 5)")(
-    "maximum-number", po::value(&maximum_number), "crossings per curve (default 10000)")(
-    "files", po::value(&files), "parametrized meshes (OBJ)");
-  po::positional_options_description positional;
-  positional.add("files", -1);
-  po::variables_map given;
-  try {
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(),
-              given);
-    po::notify(given);
-  } catch(const po::error& e) {
-    std::cerr << e.what() << "\n" << options;
-    return EXIT_FAILURE;
-  }
-  if(given.count("help") != 0 || files.empty()) {
-    std::cout << "usage: tracing_speed [options] FILE.obj...\n" << options;
-    return files.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
-  }
+  options.add_options()(
+    "runs", po::value(&runs)->default_value(5), "the fastest of so many runs counts")(
+    "maximum-number", po::value(&maximum_number)->default_value(10000), "crossings per curve")(
+    "files", po::value(&files)->required(), "parametrized meshes (OBJ)");
+  if(const auto exit_code = benchmark::read_command_line(
+       argc, argv, "tracing_speed [options] FILE...", options, "files"))
+    return *exit_code;
   std::cout << std::fixed << std::setprecision(1)
             << "     faces   crossings     prep/ms     exact/s      kept/s  threaded/s     naive/s"
                "  (million crossings per second)" << std::endl;
