@@ -84,7 +84,8 @@ inline void test_flips_near_origin()
     for(const double scale : { 1., 0x1p-100, 0x1p100 }) {
       const std::string context =
         "flips at " + std::to_string(1e10 * x) + "e-10, scale " + std::to_string(std::log2(scale));
-      Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
+      Named named{ context, false,
+                   test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
       const Mesh& mesh = named.mesh;
       const auto uv = test_meshes::uv_map(named.mesh);
       const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
@@ -96,7 +97,8 @@ inline void test_flips_near_origin()
         uv[h] = Kernel::Point_2(scale * p.x(), scale * p.y());
       }
       CHECK_IN(context, !are_all_positive(signs(mesh, uv)));
-      snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(), context, true);
+      snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(), context,
+           true);
       CHECK_IN(context, are_all_positive(signs(mesh, uv)));
     }
 }
@@ -207,7 +209,8 @@ inline void test_bow_tie()
   // the shared vertex turns a face of the first disc over
   Bow_tie flipped;
   for(const auto h : flipped.mesh.halfedges())
-    if(!flipped.mesh.is_border(h) && flipped.is_first(h) && flipped.mesh.target(h) == flipped.shared)
+    if(!flipped.mesh.is_border(h) && flipped.is_first(h) &&
+       flipped.mesh.target(h) == flipped.shared)
       flipped.uv[h] = Kernel::Point_2(0.5, 0.75);
   const std::vector<Kernel::Point_2> before = points(flipped.mesh, flipped.uv);
   const auto report = snap(flipped.mesh, flipped.uv, SS::parameters::default_values(),

@@ -100,7 +100,7 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   for(const Halfedge h : model.mesh.halfedges())
     rotations[h] = model.transitions.rotation(h);
   check_left_alone(model, np.halfedge_rotation_map(rotations));
-  // Constraints may collapse cuts: their rotations are those of the rest of the branch, if anything is left.
+  // Constraints may collapse cuts: their rotations are those of the rest of the branch, if any.
   const bool is_seamless = CS::is_seamless(model.mesh, model.uv, np);
   CHECK(is_seamless || model.has_cut_of_no_length());
   CHECK_EQUAL(is_seamless, CS::snap_to_seamless(model.mesh, model.uv, np).status

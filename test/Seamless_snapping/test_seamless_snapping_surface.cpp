@@ -1,6 +1,6 @@
 // Tests of the surface function on small surfaces with every kind of cut, node, branch, border and
-// alignment: exactness, transitions, merged edges, and the distance from the exact optimum; and where uv maps
-// keep their values.
+// alignment: exactness, transitions, merged edges, and the distance from the exact optimum;
+// and where uv maps keep their values.
 
 #include "surface_checks.h"
 
@@ -304,8 +304,8 @@ struct Shared_map
   }
 };
 
-// Two inner vertices of a disc in the same place, each with other noise at all corners but one, which share
-// theirs; signs of zeros are mixed.
+// Two inner vertices of a disc in the same place, each with other noise at all corners but one, that
+// is shared; signs of zeros are mixed.
 void test_shared_places()
 {
   Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(6, 6), 1);
@@ -358,8 +358,8 @@ void test_shared_places()
 
 // --- small coordinates ---------------------------------------------------------------------------
 
-// A vertex that no constraint links to the rest, close to the origin; `closest` of its corners is closer than
-// the others, whose mean it is to take. Returns the step of the grid.
+// A vertex that no constraint links to the rest, close to the origin; `closest` of its corners is
+// closer than the others. It is to take the mean of all. Returns the step of the grid.
 double snap_vertex_at_origin(double ratio, std::size_t closest)
 {
   const std::string context = "vertex at the origin, ratio " + std::to_string(ratio) + ", corner "

@@ -187,8 +187,10 @@ void test_wrong_transitions()
 
 // --- short edges ---------------------------------------------------------------------------------
 
-// The two sectors of its target, which lies on a branch, take the coordinates of the edge's other end, or nearly.
-void shrink_cut_edge(const Mesh& mesh, const UV_map& uv, const Known& known, Halfedge h, double length)
+// The two sectors of its target, which lies on a branch, take the coordinates of the edge's other
+// end, or nearly.
+void shrink_cut_edge(const Mesh& mesh, const UV_map& uv, const Known& known, Halfedge h,
+                     double length)
 {
   const Halfedge sides[2] = { h, mesh.prev(mesh.opposite(h)) };
   const Point_2 ends[2] = { uv[mesh.prev(h)], uv[mesh.opposite(h)] };
@@ -206,8 +208,10 @@ void shrink_cut_edge(const Mesh& mesh, const UV_map& uv, const Known& known, Hal
   }
 }
 
-// Shrinks cut edges to points (or nearly), where one end is a vertex on a branch. Returns them, pointing there.
-std::vector<Halfedge> shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known, double length)
+// Shrinks cut edges to points (or nearly), where one end is a vertex on a branch. Returns them,
+// pointing there.
+std::vector<Halfedge> shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known& known,
+                                       double length)
 {
   std::vector<Halfedge> shrunk;
   std::set<Mesh::Vertex_index> used;
@@ -219,7 +223,8 @@ std::vector<Halfedge> shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known
     if(!known.is_cut(h) || cuts != 2 || known.indices().count(v) != 0
        || mesh.is_border(v) || used.count(v) != 0 || used.count(mesh.source(h)) != 0)
       continue;
-    if(uv[mesh.prev(h)] == uv[mesh.opposite(h)]) // the centre of the rotation: the edge would be no cut any more
+    // not to the centre of the rotation, where the edge would be no cut any more
+    if(uv[mesh.prev(h)] == uv[mesh.opposite(h)])
       continue;
     used.insert({ v, mesh.source(h) });
     shrink_cut_edge(mesh, uv, known, h, length);
@@ -229,8 +234,8 @@ std::vector<Halfedge> shrink_cut_edges(Mesh& mesh, const UV_map& uv, const Known
 }
 
 // Around regular vertices all isocurves close, if the rotations are right.
-std::vector<SS::Cycle_constraint<Mesh> > cycles_around_targets(const Mesh& mesh,
-                                                               const std::vector<Halfedge>& halfedges)
+std::vector<SS::Cycle_constraint<Mesh> >
+cycles_around_targets(const Mesh& mesh, const std::vector<Halfedge>& halfedges)
 {
   std::vector<SS::Cycle_constraint<Mesh> > result;
   for(const Halfedge h : halfedges) {
@@ -305,8 +310,8 @@ Halfedge far_corner(const Mesh& mesh, Halfedge edge)
   return Mesh::null_halfedge();
 }
 
-// An exact edge at a cone, much shorter than noise elsewhere: it turns by itself, though just one other cut ends
-// at the cone.
+// An exact edge at a cone, much shorter than noise elsewhere: it turns by itself, though just one
+// other cut ends at the cone.
 void test_short_edges_at_cones()
 {
   int count = 0;
@@ -409,6 +414,8 @@ void test_not_seamless()
                      Snapping_status::NOT_SEAMLESS, { vertex_name(named.mesh, h), "tolerance" },
                      context);
       CHECK_IN(context, !SS::is_seamless(named.mesh, uv));
+      CHECK_IN(context,
+               SS::snap_to_seamless(named.mesh, uv).violation_before >= error * known.extent);
       expect_refusal(named.mesh, uv, SS::parameters::tolerance(error / 2).verbose(false),
                      Snapping_status::NOT_SEAMLESS, {}, context + ", tolerance / 2");
       for(const double nonsense : { -1., std::numeric_limits<double>::quiet_NaN() })
