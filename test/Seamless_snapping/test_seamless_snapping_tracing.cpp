@@ -1,5 +1,5 @@
 // Tests of isocurve tracing: curves on exactly seamless maps end properly and are the same
-// backwards, to the last bit.
+// backwards, to the last bit, in all data structures, with one thread and with several.
 
 #include "Polyhedron_copy.h"
 #include "test_meshes.h"
@@ -17,21 +17,7 @@
 #include <iterator>
 #include <random>
 
-#ifndef SEAMLESS_SNAPPING_DATA_DIR
-#define SEAMLESS_SNAPPING_DATA_DIR ""
-#endif
-#ifndef SEAMLESS_SNAPPING_PACKAGE_DATA_DIR
-#define SEAMLESS_SNAPPING_PACKAGE_DATA_DIR ""
-#endif
-
 using namespace tracing_checks;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Start = SS::Isocurve_start<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
-using CGAL::Exact_rational;
 
 // --- levels --------------------------------------------------------------------------------------
 
@@ -66,15 +52,39 @@ void test_levels()
   CHECK(all_agree);
 }
 
-// --- curves on exact maps ------------------------------------------------------------------------
+// --- threads -------------------------------------------------------------------------------------
 
-bool is_unfolded(const Mesh& mesh, const UV_map& uv, const Mesh::Vertex_index v)
+bool are_identical(const Curve& a, const Curve& b)
 {
-  for(const auto h : CGAL::halfedges_around_target(v, mesh))
-    if(CGAL::orientation(uv[mesh.prev(h)], uv[h], uv[mesh.next(h)]) != CGAL::LEFT_TURN)
+  if(a.status != b.status || a.number_of_crossings != b.number_of_crossings ||
+     a.points.size() != b.points.size())
+    return false;
+  for(std::size_t i = 0; i < a.points.size(); ++i)
+    if(a.points[i].halfedge() != b.points[i].halfedge() ||
+       a.points[i].place() != b.points[i].place() ||
+       a.points[i].direction() != b.points[i].direction() ||
+       !(a.points[i].level() == b.points[i].level()))
       return false;
   return true;
 }
+
+// Separatrices traced by several threads, where TBB is linked, are those of one, in the same order.
+void test_threads(const Mesh& mesh, const UV_map& uv)
+{
+  const auto np = parameters::maximum_number(200);
+  std::vector<Curve> one, many;
+  SS::trace_all_separatrices(mesh, uv, std::back_inserter(one), np);
+  SS::trace_all_separatrices<CGAL::Parallel_if_available_tag>(mesh, uv, std::back_inserter(many),
+                                                              np);
+  if(!CHECK_EQUAL(one.size(), many.size()))
+    return;
+  std::size_t different = 0;
+  for(std::size_t i = 0; i < one.size(); ++i)
+    different += are_identical(one[i], many[i]) ? 0 : 1;
+  CHECK_EQUAL(different, std::size_t(0));
+}
+
+// --- curves on exact maps ------------------------------------------------------------------------
 
 // 4 - index curves leave a singular vertex, four a regular one.
 void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
@@ -85,7 +95,7 @@ void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer
     index[v] = i;
   std::size_t wrong = 0;
   for(const auto v : mesh.vertices())
-    if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) && is_unfolded(mesh, uv, v)) {
+    if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) && is_unfolded(mesh, uv, mesh.halfedge(v))) {
       const int n = int(tracer.outgoing(v).size());
       wrong += n % 4 != (4 - index[v]) % 4 ? 1 : 0; // whole turns don't show in the rotations
       wrong += tracer.is_singular(v) != (n != 4) ? 1 : 0;
@@ -179,6 +189,7 @@ void test_synthetic_meshes()
       test_numbers_of_directions(mesh, uv, tracer);
       test_other_starts(mesh, uv, tracer, 100);
       test_face_paths(mesh, uv, curves);
+      test_threads(mesh, uv);
     }
 }
 
@@ -251,6 +262,7 @@ void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact)
     std::cerr << "  in " << path << std::endl;
   test_numbers_of_directions(mesh, uv, tracer);
   test_other_starts(mesh, uv, tracer, 20);
+  test_threads(mesh, uv);
 }
 
 void test_files(const std::filesystem::path& folder)
@@ -265,6 +277,11 @@ void test_files(const std::filesystem::path& folder)
 
 int main()
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  std::cout << "with TBB" << std::endl;
+#else
+  std::cout << "without TBB" << std::endl;
+#endif
   test_levels();
   test_synthetic_meshes();
   test_floats();

@@ -19,15 +19,6 @@
 
 using namespace tracing_checks;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Start = SS::Isocurve_start<Mesh>;
-using Curve = SS::Isocurve<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
-using CGAL::Exact_rational;
-
 // Starts of all kinds, all over the mesh.
 std::vector<Start> starts_on(const Mesh& mesh, const UV_map& uv)
 {

@@ -1,17 +1,14 @@
 // Connections and cycles that may be asked for on a parametrization: random isocurves that nearly
-// meet a vertex, or nearly close.
+// meet a vertex, or nearly close. Snapping with these as constraints makes them exact.
 
 #ifndef SEAMLESS_SNAPPING_TEST_TRACING_CANDIDATES_H
 #define SEAMLESS_SNAPPING_TEST_TRACING_CANDIDATES_H
 
-#include "tracing_constraints.h"
+#include "tracing_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <cstddef>
@@ -23,15 +20,88 @@
 
 namespace tracing_checks {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Start = SS::Isocurve_start<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
-using Curve = SS::Isocurve<Mesh>;
-using Pass = Near_pass<Mesh>;
 using Random = std::mt19937_64;
+
+// A curve, and a corner that it meets at its end or passes by at a small distance.
+struct Near_pass
+{
+  Curve curve; // no longer than up to there
+  Mesh::Halfedge_index corner;
+};
+
+// The component that is constant along curves of a direction.
+inline int constant_component(const Direction direction) { return int(direction) % 2 == 0 ? 1 : 0; }
+
+// The first place where a curve passes by a corner for which is_wanted(corner, direction of the
+// curve in its chart) holds, closer than `near`. There the curve gets the status, and ends.
+template <typename IsWanted>
+bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double near, const Status status, const IsWanted& is_wanted,
+                    Near_pass& result)
+{
+  const auto& points = curve.points;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto& behind = points[i + 1];
+    if(points[i].place() != Place::EDGE || behind.place() != Place::EDGE)
+      continue;
+    const auto apex = next(opposite(points[i].halfedge(), mesh), mesh);
+    const auto p = get(uv, apex);
+    const double coordinate = constant_component(behind.direction()) == 0 ? p.x() : p.y();
+    if(std::abs(coordinate - behind.approximate_constant_coordinate()) <= near &&
+       is_wanted(apex, behind.direction())) {
+      result.corner = apex;
+      result.curve = curve;
+      result.curve.points.resize(i + 1);
+      result.curve.status = status;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether noise below `near` can't change on which side a curve passes a critical vertex: it meets
+// none on its way, and comes near none that it doesn't meet.
+inline bool is_clear(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double near,
+                     const std::vector<char>& is_critical)
+{
+  const auto& points = curve.points;
+  const auto is_met = [&](const std::size_t i, const auto v)
+  { return points[i].place() == Place::VERTEX && target(points[i].halfedge(), mesh) == v; };
+  for(std::size_t i = 1; i < points.size(); ++i) {
+    const double level = points[i].approximate_constant_coordinate();
+    const int c = constant_component(points[i].direction());
+    if(i + 1 < points.size() && points[i].place() == Place::VERTEX &&
+       is_critical[target(points[i].halfedge(), mesh)])
+      return false;
+    for(const auto h : CGAL::halfedges_around_face(points[i].halfedge(), mesh)) {
+      const auto v = target(h, mesh);
+      if(is_critical[v] && !is_met(i - 1, v) && !is_met(i, v) &&
+         std::abs((c == 0 ? get(uv, h).x() : get(uv, h).y()) - level) <= near)
+        return false;
+    }
+  }
+  return true;
+}
+
+// Noise that opens the seams. Corners of a vertex that have the same coordinates move together.
+inline void disturb(const Mesh& mesh, const UV_map& uv, const double size, Random& random)
+{
+  using Point = Kernel::Point_2;
+  for(const auto v : vertices(mesh)) {
+    std::map<std::pair<double, double>, Point> moved;
+    if(mesh.is_isolated(v))
+      continue;
+    for(const auto h : CGAL::halfedges_around_target(halfedge(v, mesh), mesh)) {
+      if(is_border(h, mesh))
+        continue;
+      const Point p = get(uv, h);
+      const std::pair<double, double> key(p.x(), p.y());
+      if(moved.count(key) == 0)
+        moved.emplace(key, Point(p.x() + size * uv_noise::symmetric_random(random),
+                                 p.y() + size * uv_noise::symmetric_random(random)));
+      put(uv, h, moved.at(key));
+    }
+  }
+}
 
 // Curves are followed for so many crossings; as a candidate, a curve may pass by at this part of an
 // edge's length; noise is smaller than the clearance by far.
@@ -99,10 +169,10 @@ struct Connections
   static Constraint constraint(const Curve& curve, const Mesh& mesh)
   { return SS::connection_along_isocurve(mesh, curve); }
 
-  static Vertex target(const Pass& pass, const Mesh& mesh) { return mesh.target(pass.corner); }
+  static Vertex target(const Near_pass& pass, const Mesh& mesh) { return mesh.target(pass.corner); }
 
   // A curve from a random end that meets or nearly meets another one.
-  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Pass& pass)
+  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
   {
     const Mesh& mesh = model.mesh;
     const Vertex v = model.ends[random() % model.ends.size()];
@@ -131,11 +201,11 @@ struct Cycles
   static Constraint constraint(const Curve& curve, const Mesh& mesh)
   { return SS::cycle_along_isocurve(mesh, curve); }
 
-  static Vertex target(const Pass&, const Mesh&) { return Mesh::null_vertex(); }
+  static Vertex target(const Near_pass&, const Mesh&) { return Mesh::null_vertex(); }
 
   // A random curve that crosses an edge twice, at about the same place: a curve from an end of this
   // edge may return to it.
-  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Pass& pass)
+  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
   {
     const Mesh& mesh = model.mesh;
     const Vertex v(Mesh::size_type(random() % mesh.number_of_vertices()));
@@ -158,7 +228,7 @@ struct Cycles
 
   // Whether the curve from the target of `h` returns to it.
   static bool find_return(const Model& model, const Tracer& tracer, const Mesh::Halfedge_index h,
-                          const Direction direction, Pass& pass)
+                          const Direction direction, Near_pass& pass)
   {
     const Mesh& mesh = model.mesh;
     const Vertex v = mesh.target(h);

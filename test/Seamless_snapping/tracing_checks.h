@@ -8,6 +8,8 @@
 
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -20,6 +22,13 @@
 #include <utility>
 #include <vector>
 
+#ifndef SEAMLESS_SNAPPING_DATA_DIR
+#define SEAMLESS_SNAPPING_DATA_DIR ""
+#endif
+#ifndef SEAMLESS_SNAPPING_PACKAGE_DATA_DIR
+#define SEAMLESS_SNAPPING_PACKAGE_DATA_DIR ""
+#endif
+
 namespace tracing_checks {
 
 namespace SS = CGAL::Seamless_snapping;
@@ -29,29 +38,37 @@ using Status = SS::Isocurve_status;
 using Place = SS::Isocurve_place;
 using Direction = SS::Isocurve_direction;
 
-template <typename Mesh>
-using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+using Start = SS::Isocurve_start<Mesh>;
+using Curve = SS::Isocurve<Mesh>;
+using Tracer = SS::Isocurve_tracer<Mesh>;
+using CGAL::Exact_rational;
+
+template <typename Graph>
+using Halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
 
 // Where to start to take the way back.
-template <typename Mesh, typename UVMap>
-SS::Isocurve_start<Mesh> start_at(const SS::Isocurve_point<Mesh>& point, const Mesh& mesh,
+template <typename Graph, typename UVMap>
+SS::Isocurve_start<Graph> start_at(const SS::Isocurve_point<Graph>& point, const Graph& mesh,
                                   const UVMap& uv)
 {
-  using Start = SS::Isocurve_start<Mesh>;
   if(point.place() == Place::VERTEX)
-    return Start::at_vertex(point.halfedge());
+    return SS::Isocurve_start<Graph>::at_vertex(point.halfedge());
   if(point.place() == Place::FACE) {
     const auto u = SS::isocurve_uv(point, mesh, uv);
-    return Start::in_face(point.halfedge(), u[0], u[1]);
+    return SS::Isocurve_start<Graph>::in_face(point.halfedge(), u[0], u[1]);
   }
-  return Start::on_edge(point.halfedge(), SS::isocurve_parameter(point, mesh, uv));
+  return SS::Isocurve_start<Graph>::on_edge(point.halfedge(), SS::isocurve_parameter(point, mesh, uv));
 }
 
 // Whether two points, passed in opposite directions, are the same: by exact parameters on the edge,
 // which are computed in the charts of its two faces.
-template <typename Mesh, typename UVMap>
-bool are_same(const SS::Isocurve_point<Mesh>& a, const SS::Isocurve_point<Mesh>& b,
-              const Mesh& mesh, const UVMap& uv)
+template <typename Graph, typename UVMap>
+bool are_same(const SS::Isocurve_point<Graph>& a, const SS::Isocurve_point<Graph>& b,
+              const Graph& mesh, const UVMap& uv)
 {
   if(a.place() != b.place())
     return false;
@@ -66,8 +83,8 @@ bool are_same(const SS::Isocurve_point<Mesh>& a, const SS::Isocurve_point<Mesh>&
 }
 
 // A curve that starts inside of an edge and runs along it.
-template <typename Mesh, typename UVMap>
-bool starts_along_edge(const SS::Isocurve<Mesh>& curve, const Mesh& mesh, const UVMap& uv)
+template <typename Graph, typename UVMap>
+bool starts_along_edge(const SS::Isocurve<Graph>& curve, const Graph& mesh, const UVMap& uv)
 {
   if(curve.start.place != Place::EDGE)
     return false;
@@ -77,9 +94,9 @@ bool starts_along_edge(const SS::Isocurve<Mesh>& curve, const Mesh& mesh, const 
 }
 
 // Traces a curve back from its end, and compares it point by point with the first one.
-template <typename Mesh, typename UVMap>
-bool is_symmetric(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Mesh>& curve,
-                  const Mesh& mesh, const UVMap& uv)
+template <typename Graph, typename UVMap>
+bool is_symmetric(const SS::Isocurve_tracer<Graph>& tracer, const SS::Isocurve<Graph>& curve,
+                  const Graph& mesh, const UVMap& uv)
 {
   const std::size_t n = curve.points.size();
   if(n < 2)
@@ -106,11 +123,22 @@ inline bool is_proper_end(const Status status)
 }
 
 // Ends properly, and is the same backwards.
-template <typename Mesh, typename UVMap>
-bool is_good(const SS::Isocurve_tracer<Mesh>& tracer, const SS::Isocurve<Mesh>& curve,
-             const Mesh& mesh, const UVMap& uv)
+template <typename Graph, typename UVMap>
+bool is_good(const SS::Isocurve_tracer<Graph>& tracer, const SS::Isocurve<Graph>& curve,
+             const Graph& mesh, const UVMap& uv)
 {
   return is_proper_end(curve.status) && is_symmetric(tracer, curve, mesh, uv);
+}
+
+// Whether all faces around a vertex are oriented alike.
+template <typename Graph, typename UVMap>
+bool is_unfolded(const Graph& mesh, const UVMap& uv, const Halfedge<Graph> at)
+{
+  for(const auto h : CGAL::halfedges_around_target(at, mesh))
+    if(!is_border(h, mesh) && CGAL::orientation(get(uv, prev(h, mesh)), get(uv, h),
+                                                get(uv, next(h, mesh))) != CGAL::LEFT_TURN)
+      return false;
+  return true;
 }
 
 // How many curves ended in which way.
@@ -127,10 +155,10 @@ inline std::ostream& operator<<(std::ostream& os, const Counts& counts)
 }
 
 // Traces all curves from all vertices in floating point.
-template <typename Mesh, typename UVMap>
-Counts naive_ends(const Mesh& mesh, const UVMap& uv, const double tolerance)
+template <typename Graph, typename UVMap>
+Counts naive_ends(const Graph& mesh, const UVMap& uv, const double tolerance)
 {
-  const SS::Isocurve_tracer<Mesh> tracer(mesh, uv);
+  const SS::Isocurve_tracer<Graph> tracer(mesh, uv);
   Counts result;
   for(const auto v : vertices(mesh))
     for(const auto& [start, direction] : tracer.outgoing(v))
@@ -140,12 +168,12 @@ Counts naive_ends(const Mesh& mesh, const UVMap& uv, const double tolerance)
 }
 
 // Noise in all charts but that of the first face: the seams open, while its isocurves stay aligned.
-template <typename Mesh, typename UVMap>
-void perturb_other_charts(Mesh& mesh, UVMap uv, const double size, const unsigned int seed)
+template <typename Graph, typename UVMap>
+void perturb_other_charts(Graph& mesh, UVMap uv, const double size, const unsigned int seed)
 {
-  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
-  const uv_noise::Cuts<Mesh, UVMap> cuts(mesh, uv);
-  std::map<Halfedge<Mesh>, typename boost::property_traits<UVMap>::value_type> kept;
+  using Face = typename boost::graph_traits<Graph>::face_descriptor;
+  const uv_noise::Cuts<Graph, UVMap> cuts(mesh, uv);
+  std::map<Halfedge<Graph>, typename boost::property_traits<UVMap>::value_type> kept;
   std::vector<Face> chart(1, *faces(mesh).begin());
   while(!chart.empty()) {
     const Face f = chart.back();
