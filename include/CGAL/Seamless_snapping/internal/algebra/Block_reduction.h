@@ -168,7 +168,7 @@ private:
 
   static void check_bound(const double bound, const std::vector<std::int64_t>&)
   {
-    if(!(bound < 4611686018427387904.)) // 2^62
+    if(!(bound < machine_integer_bound))
       throw Integer_overflow();
   }
   static void check_bound(const double, const std::vector<Exact_integer>&) { }

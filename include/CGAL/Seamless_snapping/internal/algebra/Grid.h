@@ -36,6 +36,8 @@ struct Grid_value
   double offset = 0;
 };
 
+inline double to_double(const Grid_value& v) { return static_cast<double>(v.base) + v.offset; }
+
 // What a floating point number type can hold.
 struct Number_format
 {
@@ -114,10 +116,9 @@ public:
   // The representable grid element nearest to a real number, up to ties; false if that exceeds 2^62.
   bool nearest(const Grid_value& v, std::int64_t& x) const
   {
-    const double bound = 4611686018427387904.; // 2^62
-    if(!(std::abs(static_cast<double>(v.base) + v.offset) < bound))
+    if(!(std::abs(to_double(v)) < machine_integer_bound))
       return false;
-    x = std::abs(v.offset) < bound ? v.base + nearest_integer(v.offset) : 0;
+    x = std::abs(v.offset) < machine_integer_bound ? v.base + nearest_integer(v.offset) : 0;
     const int excess = static_cast<int>(bit_length(x)) - m_format.digits;
     if(excess > 0 && !is_representable(x)) {
       const std::int64_t unit = std::int64_t(1) << excess;
@@ -136,15 +137,14 @@ private:
 // 2^62 there lose their exact part.
 inline void rescale(Grid_value& v, const int shift)
 {
-  const double bound = 4611686018427387904.; // 2^62
-  const double size = std::ldexp(static_cast<double>(v.base) + v.offset, -shift);
+  const double size = std::ldexp(to_double(v), -shift);
   const double offset = std::ldexp(v.offset, -shift);
-  if(shift > 0 && shift < 62 && std::abs(v.offset) < bound) {
+  if(shift > 0 && shift < 62 && std::abs(v.offset) < machine_integer_bound) {
     const std::int64_t unit = std::int64_t(1) << shift;
     v.offset = std::ldexp(static_cast<double>(v.base % unit) + v.offset, -shift);
     v.base /= unit;
-  } else if(shift <= 0 && std::ldexp(std::abs(static_cast<double>(v.base)), -shift) < bound &&
-            std::abs(offset) < bound) {
+  } else if(shift <= 0 && std::abs(offset) < machine_integer_bound &&
+            std::ldexp(std::abs(static_cast<double>(v.base)), -shift) < machine_integer_bound) {
     const double whole = std::nearbyint(offset);
     v.base = (v.base == 0 ? 0 : v.base * (std::int64_t(1) << -shift)) +
              static_cast<std::int64_t>(whole);

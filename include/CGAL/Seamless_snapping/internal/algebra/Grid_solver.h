@@ -140,19 +140,22 @@ public:
 
     solution.grid = point.grid;
     solution.target = point.values;
-    project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
-                         point.weights, solution.target);
+    const std::vector<Row_index> rows = independent_rows();
+    const auto project = [&]() {
+      project_to_solutions(m_system, rows, right_hand_shift(solution.grid), point.weights,
+                           solution.target);
+    };
+    project();
     if(exponent != point.grid.exponent()) { // right-hand sides want a finer grid
       rescale_target(exponent - point.grid.exponent(), solution);
       solution.grid = Grid(format, exponent);
       double size = largest_target(solution), previous = 0;
       do { // where values shrink by much, each round makes up for the rounding errors of the last one
         previous = size;
-        project_to_solutions(m_system, independent_rows(), right_hand_shift(solution.grid),
-                             point.weights, solution.target);
+        project();
         size = largest_target(solution);
-      } while(size >= largest_sum && size < previous / 2);
-      if(!(size < largest_sum))
+      } while(size >= machine_integer_bound && size < previous / 2);
+      if(!(size < machine_integer_bound))
         return false;
     }
     if(m_is_homogeneous)
@@ -182,8 +185,6 @@ public:
   }
 
 private:
-  static constexpr double largest_sum = 4611686018427387904.; // 2^62
-
   // How often right-hand sides are doubled on a grid.
   int right_hand_shift(const Grid& grid) const
   {
@@ -206,7 +207,7 @@ private:
       return;
     const double factor = limit / largest * (1 - std::ldexp(1., 4 - format.digits));
     for(Grid_value& v : solution.target)
-      v = {0, (static_cast<double>(v.base) + v.offset) * factor};
+      v = {0, to_double(v) * factor};
   }
 
   // The targets of the elimination's new unknowns.
@@ -218,7 +219,7 @@ private:
         const double sign = e.coefficient > 0 ? 1 : -1;
         const Grid_value& v = target[std::size_t(e.column)];
         const std::int64_t base = e.coefficient > 0 ? v.base : -v.base;
-        if(std::abs(static_cast<double>(sum.base) + static_cast<double>(base)) < largest_sum)
+        if(std::abs(static_cast<double>(sum.base) + static_cast<double>(base)) < machine_integer_bound)
           sum.base += base;
         else
           sum.offset += static_cast<double>(base);
@@ -239,7 +240,7 @@ private:
   {
     double largest = 0;
     for(const Grid_value& v : solution.target)
-      largest = (std::max)(largest, std::abs(static_cast<double>(v.base) + v.offset));
+      largest = (std::max)(largest, std::abs(to_double(v)));
     return largest;
   }
 

@@ -203,11 +203,9 @@ private:
     return CGAL::abs(exact_quotient(b, gcd));
   }
 
-  static Exact_integer odd_part(Exact_integer a)
+  static Exact_integer odd_part(const Exact_integer& a)
   {
-    while(a != 0 && Exact_integer(a % 2) == 0)
-      a = Exact_integer(a / 2);
-    return a;
+    return a == 0 ? a : exact_quotient(a, power_of_two(std::size_t(number_of_halvings(a))));
   }
 
   Lattice_solution inconsistent(const std::size_t step) const

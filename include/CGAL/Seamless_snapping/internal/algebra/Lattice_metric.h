@@ -72,7 +72,7 @@ public:
       return;
     std::vector<Exact_integer> difference(point.size());
     for(std::size_t i = 0; i < point.size(); ++i)
-      difference[i] = Exact_integer(to_exact(target[i].base) - point[i]);
+      difference[i] = Exact_integer(from_64_bits<Exact_integer>(target[i].base) - point[i]);
     long smallest_exponent = (std::numeric_limits<long>::max)();
     std::vector<double> row;
     for(int rounds_left = 3; rounds_left > 0; --rounds_left) {
@@ -89,14 +89,6 @@ public:
   }
 
 private:
-  static Exact_integer to_exact(const std::int64_t a)
-  {
-    const std::int64_t radix = 2147483648LL; // both halves are exact as doubles
-    const Exact_integer high(static_cast<double>(a / radix));
-    const Exact_integer low(static_cast<double>(a % radix));
-    return Exact_integer(Exact_integer(high * Exact_integer(static_cast<double>(radix))) + low);
-  }
-
   static void convert(const Exact_integer& a, Exact_integer& b) { b = a; }
   static void convert(const Exact_integer& a, std::int64_t& b)
   {
@@ -104,7 +96,7 @@ private:
       throw Integer_overflow();
     b = to_64_bits(a);
   }
-  static void convert(const std::int64_t a, Exact_integer& b) { b = to_exact(a); }
+  static void convert(const std::int64_t a, Exact_integer& b) { b = from_64_bits<Exact_integer>(a); }
 
   template <typename Integer>
   static std::vector<std::vector<Integer> > dense_vectors(const std::vector<Vector>& basis,

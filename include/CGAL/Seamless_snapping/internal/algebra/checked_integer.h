@@ -138,6 +138,18 @@ inline std::size_t bit_length(const Exact_integer& a)
 }
 
 // Whether |a| <= 2^62: the range of all integers handed on as 64 bits.
+// 2^62: such integers can be added, and lose nothing in a sign.
+constexpr double machine_integer_bound = 4611686018427387904.;
+
+// The integer that is `a`, in a number type that need not take 64 bits.
+template <typename Exact, typename Machine_integer>
+Exact from_64_bits(const Machine_integer a)
+{
+  const Machine_integer radix = 2147483648; // both halves are exact as doubles
+  return Exact(Exact(Exact(static_cast<double>(a / radix)) * Exact(static_cast<double>(radix))) +
+               Exact(static_cast<double>(a % radix)));
+}
+
 // How often `a` can be halved.
 // \pre a != 0
 template <typename Integer>
@@ -157,7 +169,7 @@ inline bool fits_64_bits(const std::int64_t a)
 
 inline bool fits_64_bits(const Exact_integer& a)
 {
-  static const Exact_integer bound(4611686018427387904.0); // 2^62
+  static const Exact_integer bound(machine_integer_bound);
   return CGAL::abs(a) <= bound;
 }
 

@@ -49,9 +49,7 @@ template <typename Number>
 Exact_rational to_exact_rational(const Number& a)
 {
   if constexpr(is_built_in_integer<Number> && sizeof(Number) == 8) {
-    const Number radix = 2147483648; // number types of CGAL need not take 64-bit integers
-    return Exact_rational(static_cast<double>(a / radix)) * Exact_rational(static_cast<double>(radix)) +
-           Exact_rational(static_cast<double>(a % radix));
+    return from_64_bits<Exact_rational>(a);
   } else {
     static_assert(std::is_constructible<Exact_rational, Number>::value && sizeof(Number) != 0,
                   "coefficients and right-hand sides must be integers of up to 64 bits, float, double, "

@@ -40,7 +40,7 @@ template <>
 inline std::int64_t scaled_integer<std::int64_t>(const double mantissa, const long exponent)
 {
   const double value = scaled_by_power(mantissa, exponent);
-  if(!(std::abs(value) < 4611686018427387904.)) // 2^62
+  if(!(std::abs(value) < machine_integer_bound))
     throw Integer_overflow();
   return static_cast<std::int64_t>(value);
 }
@@ -117,12 +117,11 @@ public:
   // To be called before vector k loses a multiple of vector j.
   void subtract(const std::size_t k, const std::int64_t factor, const std::size_t j)
   {
-    const double largest = 4611686018427387904.; // 2^62
     const double f = std::abs(static_cast<double>(factor));
-    if(!(m_bounds[k] + f * m_bounds[j] < largest)) {
+    if(!(m_bounds[k] + f * m_bounds[j] < machine_integer_bound)) {
       m_bounds[k] = largest_absolute_value(m_vectors[k]);
       m_bounds[j] = largest_absolute_value(m_vectors[j]);
-      if(!(m_bounds[k] + f * m_bounds[j] < largest))
+      if(!(m_bounds[k] + f * m_bounds[j] < machine_integer_bound))
         throw Integer_overflow();
     }
     m_bounds[k] += f * m_bounds[j];

@@ -136,7 +136,7 @@ private:
   static double difference(const Grid_value& target, const double before, const Grid& grid)
   {
     if(!(std::abs(before) < std::ldexp(grid.step(), 62))) // the grid is finer than that of the input
-      return (static_cast<double>(target.base) + target.offset) * grid.step() - before;
+      return to_double(target) * grid.step() - before;
     const Grid_value start = grid.split(before);
     return (static_cast<double>(target.base - start.base) + (target.offset - start.offset)) * grid.step();
   }

@@ -160,11 +160,18 @@ private:
            (a.flips.size() < b.flips.size() && is_subset(a.lost, b.lost) && is_subset(a.flips, b.flips));
   }
 
+  // Each face has one first corner.
+  static std::unordered_set<Halfedge> first_corners(const std::vector<Watched>& faces)
+  {
+    std::unordered_set<Halfedge> result;
+    for(const Watched& w : faces)
+      result.insert(w.face.corners[0]);
+    return result;
+  }
+
   static bool is_subset(const std::vector<Watched>& a, const std::vector<Watched>& b)
   {
-    std::unordered_set<Halfedge> known;
-    for(const Watched& w : b)
-      known.insert(w.face.corners[0]);
+    const std::unordered_set<Halfedge> known = first_corners(b);
     return std::all_of(a.begin(), a.end(),
                        [&](const Watched& w) { return known.count(w.face.corners[0]) != 0; });
   }
@@ -278,9 +285,7 @@ private:
   std::vector<std::size_t> face_indices(const std::vector<Watched>& watched) const
   {
     std::vector<std::size_t> result;
-    std::unordered_set<Halfedge> wanted;
-    for(const Watched& w : watched)
-      wanted.insert(w.face.corners[0]);
+    const std::unordered_set<Halfedge> wanted = first_corners(watched);
     if(wanted.empty())
       return result;
     std::size_t index = 0;
