@@ -180,6 +180,33 @@ inline void mollify_lengths(Triangle_surface& surface)
     surface.length[h] += increase[surface.component[S::face(h)]];
 }
 
+// Spanning trees of the faces of each component, by breadth: visit(h) for each halfedge by whose edge
+// a tree goes on from the face of h. Trees cross only edges for which may_cross(h).
+template <typename MayCross, typename Visit>
+void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross& may_cross,
+                                 const Visit& visit)
+{
+  std::vector<char> is_visited(surface.number_of_faces, false);
+  std::vector<std::size_t> queue;
+  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
+    if(is_visited[seed])
+      continue;
+    is_visited[seed] = true;
+    queue.assign(1, seed);
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+        if(surface.is_border_edge(h) || !may_cross(h))
+          continue;
+        const std::size_t g = surface.face(surface.opposite[h]);
+        if(is_visited[g])
+          continue;
+        is_visited[g] = true;
+        visit(h);
+        queue.push_back(g);
+      }
+  }
+}
+
 } // namespace parameterization
 } // namespace internal
 } // namespace Seamless_snapping

@@ -34,28 +34,12 @@ inline void comb(const Triangle_surface& surface, const std::vector<char>& is_cu
                  std::vector<double>& angles, Matching& matching)
 {
   std::vector<int> turns(surface.number_of_faces, 0);
-  std::vector<char> is_visited(surface.number_of_faces, false);
-  std::vector<std::size_t> stack;
-  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
-    if(is_visited[seed])
-      continue;
-    is_visited[seed] = true;
-    stack.push_back(seed);
-    while(!stack.empty()) {
-      const std::size_t f = stack.back();
-      stack.pop_back();
-      for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
-        if(surface.is_border_edge(h) || is_cut[h])
-          continue;
-        const std::size_t g = surface.face(surface.opposite[h]);
-        if(is_visited[g])
-          continue;
-        is_visited[g] = true;
-        turns[g] = (turns[f] + matching.rotation[h]) % 4;
-        stack.push_back(g);
-      }
-    }
-  }
+  for_each_edge_of_face_trees(
+    surface, [&](const std::size_t h) { return !is_cut[h]; },
+    [&](const std::size_t h) {
+      turns[surface.face(surface.opposite[h])] =
+        (turns[surface.face(h)] + matching.rotation[h]) % 4;
+    });
 
   for(std::size_t f = 0; f < surface.number_of_faces; ++f)
     angles[f] += turns[f] * quarter_turn;

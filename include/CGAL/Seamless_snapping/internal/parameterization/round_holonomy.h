@@ -41,26 +41,14 @@ inline Integrated_field integrate_connection(const Triangle_surface& surface,
 {
   Integrated_field field{std::vector<double>(surface.number_of_faces, 0),
                          std::vector<char>(surface.number_of_halfedges(), false)};
-  std::vector<char> is_visited(surface.number_of_faces, false);
-  std::vector<std::size_t> queue;
-  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
-    if(is_visited[seed])
-      continue;
-    is_visited[seed] = true;
-    queue.assign(1, seed);
-    for(std::size_t i = 0; i < queue.size(); ++i)
-      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
-        if(surface.is_border_edge(h))
-          continue;
-        const std::size_t g = surface.face(surface.opposite[h]);
-        if(is_visited[g])
-          continue;
-        is_visited[g] = true;
-        field.is_followed[h] = field.is_followed[surface.opposite[h]] = true;
-        field.angles[g] = field.angles[queue[i]] + surface.transport(h) - deviation[h];
-        queue.push_back(g);
-      }
-  }
+  for_each_edge_of_face_trees(
+    surface, [](std::size_t) { return true; },
+    [&](const std::size_t h) {
+      const std::size_t g = surface.opposite[h];
+      field.is_followed[h] = field.is_followed[g] = true;
+      field.angles[surface.face(g)] =
+        field.angles[surface.face(h)] + surface.transport(h) - deviation[h];
+    });
   return field;
 }
 
