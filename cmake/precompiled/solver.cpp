@@ -1,0 +1,14 @@
+// The solver, compiled for all programs that use the precompiled headers.
+
+#include "solver.h"
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+SEAMLESS_SNAPPING_INSTANTIATE(, std::int64_t)
+SEAMLESS_SNAPPING_INSTANTIATE(, Exact_integer)
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
