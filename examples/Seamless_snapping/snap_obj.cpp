@@ -3,6 +3,7 @@
 //   snap_obj IN.obj OUT.obj [--align-border] [--features] [--tolerance T]
 //                           [--report R.json] [--svg PICTURE.svg] [--verbose]
 
+#include "output_file.h"
 #include "snap_obj_summary.h"
 #include "svg_picture.h"
 
@@ -19,12 +20,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace po = boost::program_options;
 namespace SS = CGAL::Seamless_snapping;
@@ -75,6 +77,17 @@ po::options_description description_of(Options& options)
   return description;
 }
 
+// Each file is written after the one before, so that two with one name leave the last of them.
+void check_files(const Options& options)
+{
+  const std::vector<std::string> files = {options.input, options.output, options.report,
+                                          options.svg};
+  for(std::size_t i = 0; i < files.size(); ++i)
+    for(std::size_t j = (std::max)(i + 1, std::size_t(2)); j < files.size(); ++j) // IN may be OUT
+      if(are_same_file(files[i], files[j]))
+        throw Failure(USAGE, "'" + files[i] + "' and '" + files[j] + "' are the same file");
+}
+
 Options parse_command_line(int argc, char** argv)
 {
   Options options;
@@ -93,6 +106,8 @@ Options parse_command_line(int argc, char** argv)
     throw Failure(USAGE, "an input and an output file are needed; see snap_obj --help");
   if(!(options.tolerance > 0 && options.tolerance < 1))
     throw Failure(USAGE, "the tolerance must be between 0 and 1");
+  if(!options.help)
+    check_files(options);
   return options;
 }
 
@@ -107,29 +122,6 @@ void print_help()
     << description_of(ignored)
     << "\nExit status: 0 the output is exact; 1 no exact solution was found;\n"
        "2 wrong usage; 3 unreadable input; 4 a file cannot be written.\n";
-}
-
-// A file that appears under its name when it is complete, and not at all otherwise.
-template <typename Write>
-void write_file(const std::string& filename, const Write& write)
-{
-  const std::string unfinished = filename + ".unfinished";
-  std::error_code error;
-  try {
-    std::ofstream os(unfinished, std::ios::binary);
-    if(!os)
-      throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
-    write(os, unfinished);
-    os.close();
-    if(!os)
-      throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
-    std::filesystem::rename(unfinished, filename, error);
-    if(error)
-      throw Failure(UNWRITABLE, "cannot write '" + filename + "': " + error.message());
-  } catch(...) {
-    std::filesystem::remove(unfinished, error);
-    throw;
-  }
 }
 
 // All that the program works on.
@@ -198,28 +190,49 @@ struct Model
                           SS::parameters::edge_is_constrained_map(is_feature));
       if(!status)
         throw Failure(UNWRITABLE, filename + ": " + status.message);
-
+      if(unfinished.empty()) // a device or a pipe
+        return;
       Model written;
       Summary ignored;
       written.read(unfinished, ignored);
-      if(!has_same_coordinates(written))
+      if(!is_same(written))
         throw Failure(UNWRITABLE, filename + ": does not read back as it was written; removed");
     });
   }
 
-  // For meshes with the same faces in the same order.
-  bool has_same_coordinates(const Model& other) const
+  // Whether points, faces, coordinates, and features are the same, to the bit, in the same order.
+  bool is_same(const Model& other) const
   {
-    if(mesh.number_of_faces() != other.mesh.number_of_faces())
+    if(mesh.number_of_vertices() != other.mesh.number_of_vertices() ||
+       mesh.number_of_faces() != other.mesh.number_of_faces())
       return false;
-    auto f = other.mesh.faces().begin();
-    for(const auto face : mesh.faces()) {
-      Halfedge g = other.mesh.halfedge(*f++);
-      for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face))) {
-        if(uv_map[h] != other.uv_map[g])
-          return false;
-        g = other.mesh.next(g);
-      }
+    const auto are_same_points = [&](const auto v) {
+      const Kernel::Point_3 &p = mesh.point(v), &q = other.mesh.point(v);
+      return is_same_number(p.x(), q.x()) && is_same_number(p.y(), q.y()) &&
+             is_same_number(p.z(), q.z());
+    };
+    return std::all_of(mesh.vertices_begin(), mesh.vertices_end(), are_same_points) &&
+           std::all_of(mesh.faces_begin(), mesh.faces_end(),
+                       [&](const auto f) { return is_same_face(other, f); });
+  }
+
+private:
+  static bool is_same_number(double x, double y)
+  {
+    return x == y && std::signbit(x) == std::signbit(y);
+  }
+
+  // Elements that were read from files have the same indices, as none is removed.
+  bool is_same_face(const Model& other, Mesh::Face_index f) const
+  {
+    Halfedge g = other.mesh.halfedge(f);
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Kernel::Point_2 &p = uv_map[h], &q = other.uv_map[g];
+      if(mesh.target(h) != other.mesh.target(g) ||
+         !is_same_number(p.x(), q.x()) || !is_same_number(p.y(), q.y()) ||
+         is_feature[mesh.edge(h)] != other.is_feature[other.mesh.edge(g)])
+        return false;
+      g = other.mesh.next(g);
     }
     return true;
   }
@@ -294,6 +307,10 @@ int main(int argc, char** argv)
     status = failure.status;
     message = failure.what();
     std::cerr << message << std::endl;
+  } catch(const Unwritable& failure) {
+    status = UNWRITABLE;
+    message = failure.what();
+    std::cerr << message << std::endl;
   } catch(const std::exception& error) { // no memory, and the like
     status = NOT_SNAPPED;
     message = error.what();
@@ -303,7 +320,7 @@ int main(int argc, char** argv)
   try {
     if(!options.report.empty())
       write_file(options.report, [&](std::ostream& os, const std::string&) {
-        os << to_json(summary, status == EXACT, message).dump(2) << '\n';
+        os << to_text(to_json(summary, status == EXACT, message)) << '\n';
       });
   } catch(const std::exception& error) {
     std::cerr << error.what() << std::endl;

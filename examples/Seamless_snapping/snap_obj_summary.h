@@ -135,4 +135,10 @@ inline nlohmann::json to_json(const Summary& s, bool success, const std::string&
                        {"writing", s.writing_time}, {"steps", steps}}}};
 }
 
+// Names of files in messages may hold bytes that are not UTF-8; JSON cannot.
+inline std::string to_text(const nlohmann::json& json)
+{
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 #endif // SEAMLESS_SNAPPING_EXAMPLES_SNAP_OBJ_SUMMARY_H
