@@ -50,7 +50,8 @@ void test_valid_variants()
   check_same_as_square("normals", replaced(replaced(square, "/3", "/3/1"), "/4", "/4/-1"));
   check_same_as_square("empty normals", replaced(square, "/3", "/3/"));
   check_same_as_square("third texture coordinate", replaced(square, "vt 1 1\n", "vt 1 1 0.5\n"));
-  check_same_as_square("weights, colors", replaced(square, "v 1 1 0\n", "v 1 1 0 .1 .2 .3\n"));
+  check_same_as_square("color", replaced(square, "v 1 1 0\n", "v 1 1 0 .1 .2 .3\n"));
+  check_same_as_square("weight", replaced(square, "v 1 1 0\n", "v 1 1 0 1.0\n"));
   check_same_as_square("plus", replaced(square, "v 1 1 0\n", "v +1 +1. +.0e+9\n"));
   check_same_as_square("scientific", replaced(square, "vt 1 1\n", "vt 100e-2 0.001E+3\n"));
   check_same_as_square("underflow", replaced(square, "vt 0 1\n", "vt 1e-99999999999999999999 1\n"));
@@ -172,6 +173,7 @@ void test_refused_statements()
   check_refused("", 1, "without a face");
   check_refused("v 0 0 0\n\nOFF\n", 3, "without a face");
   check_refused(with("v 1 1 0\n", "v 1 1\n"), 3, "v needs 3 coordinates, but has 2");
+  check_refused(with("v 1 1 0\n", "v 1 1 0 2\n"), 3, "point has a weight other than 1");
   check_refused(with("vt 1 1\n", "vt 1\n"), 7, "vt needs 2 coordinates, but has 1");
   check_refused(with("vt 1 1\n", "vt\n"), 7, "vt needs 2 coordinates, but has 0");
   for(const std::string number : {"1x", "1e", "1,5", "0x1p0", "1d5", "1..2", "1e+"})
@@ -239,6 +241,33 @@ void test_refused_surfaces()
   check_refused(band(5, true), 21, "(lines 12 and 21): the surface is not orientable");
 }
 
+// Streams that throw: at failures, not at their ends.
+void test_exceptions()
+{
+  for(const std::ios::iostate mask : {std::ios::failbit | std::ios::badbit,
+                                      std::ios::failbit | std::ios::badbit | std::ios::eofbit}) {
+    const auto try_to_read = [mask](auto& is) {
+      is.exceptions(mask);
+      Surface_model model;
+      bool has_thrown = false;
+      try {
+        CHECK(SS::IO::read_OBJ(is, model.mesh, model.uv_map));
+      } catch(const std::ios_base::failure&) {
+        has_thrown = true;
+      }
+      CHECK(is.exceptions() == mask);
+      CHECK(has_thrown || num_faces(model.mesh) == 2);
+      return !has_thrown;
+    };
+    std::istringstream is(square);
+    CHECK(try_to_read(is));
+    CHECK(is);
+    std::ifstream folder(".");
+    if(folder) // which can be opened, but not read, on some systems
+      CHECK(!try_to_read(folder));
+  }
+}
+
 void test_failing_files()
 {
   Surface_model model;
@@ -272,6 +301,11 @@ void test_failing_files()
   Surface_model other;
   CHECK(SS::IO::read_OBJ(is, other.mesh, other.uv_map));
   CHECK(is); // at its end, but not failed
+  CHECK(is.eof());
+  if(std::filesystem::exists("/dev/full")) {
+    status = SS::IO::write_OBJ("/dev/full", other.mesh, other.uv_map);
+    CHECK_EQUAL(status.message, "cannot write to '/dev/full'");
+  }
   os.setstate(std::ios::badbit);
   status = SS::IO::write_OBJ(os, other.mesh, other.uv_map);
   CHECK_EQUAL(status.message, "cannot write to the stream");
@@ -285,6 +319,7 @@ int main()
   test_split_vertices();
   test_refused_statements();
   test_refused_surfaces();
+  test_exceptions();
   test_failing_files();
   return report_checks();
 }

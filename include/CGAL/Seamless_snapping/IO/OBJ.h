@@ -75,19 +75,25 @@ inline std::ostream& operator<<(std::ostream& os, const OBJ_status& status)
 The statements `v` (points), `vt` (coordinates), and `f` (triangles whose corners are `v/vt` or
 `v/vt/vn`) are read; `l` (polylines along edges of the mesh) are the feature edges. Other statements
 are skipped. The numbers become the nearest ones of the number types of `uv_map` and of the vertex
-point map, independent of the locale and of the rounding mode.
+point map, independent of the locale and of the rounding mode. The color of a point and the third
+coordinate of a texture are dropped; so are indices `vn`, and those `vt` of `l` elements, which only
+have to be integers other than 0.
 
-The mesh is as in the file: vertices and faces come in its order,
-`target(halfedge(f, tmesh), tmesh)` is the first corner of face `f`, vertices without faces are
-kept, no face is reversed. There is one exception: where the faces around a vertex form several
-fans, which no halfedge data structure can hold, the fan that comes first in the file keeps the
-vertex and each other fan gets a copy, after all other vertices.
+The mesh is as in the file: vertices and faces come in its order (where `tmesh` has no removed
+elements, whose places new ones may take), `target(halfedge(f, tmesh), tmesh)` is the first corner
+of face `f`, vertices without faces are kept, no face is reversed. There is one exception: where the
+faces around a vertex form several fans, which no halfedge data structure can hold, the fan that
+comes first in the file keeps the vertex and each other fan gets a copy, after all other vertices.
 
 A file is refused, with the line and the reason, if it has a statement of the above kinds that is
-malformed, a number that is not finite, an index out of range, a face that is no triangle, a corner
-without coordinates, an edge with more than two faces or with two faces that are not oriented
+malformed, a number that is not finite, an index out of range, a point with a weight other than 1,
+coordinates `vt` with one number only, a face that is no triangle, a corner without coordinates, an
+edge with more than two faces or with two faces that are not oriented
 consistently, an `l` element that is no edge of the mesh (if `edge_is_constrained_map` is given), or
 no face at all. The mesh and the maps are then left as they were.
+
+The stream is left at its end. It may have been asked to throw exceptions: only one for `badbit` is
+thrown, if reading fails.
 
 As with other readers of \cgal, the data are added to what is in `tmesh`.
 
@@ -124,7 +130,8 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
 \returns an object that converts to `true` if the mesh was read, and that holds the reason and the
          line otherwise
 
-Runs in \f$ O(n \log n) \f$ time and needs the memory for the whole text.
+Runs in \f$ O(n \log n) \f$ time where the degrees of vertices are bounded (for each face that is
+added, the faces around its vertices are visited), and needs the memory for the whole text.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -236,7 +243,9 @@ OBJ_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap 
 /*!
 \ingroup PkgSeamlessSnappingIO
 \brief writes a triangle mesh with coordinates per corner to a file in the OBJ format.
-Parameters, named parameters, and result are those of the function that writes to a stream.
+Parameters, named parameters, and result are those of the function that writes to a stream. If the
+status says that the file cannot be written to, for example as there is no space left, it may hold a
+part of the text.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -251,7 +260,7 @@ OBJ_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Hal
   std::ofstream os(filename, std::ios::binary); // not earlier, since this empties the file
   if(!os)
     status.message = "cannot open '" + filename + "' for writing";
-  else if(!internal::write_text(os, text))
+  else if(!internal::write_text(os, text) || !os.rdbuf()->close())
     status.message = "cannot write to '" + filename + "'";
   return status;
 }

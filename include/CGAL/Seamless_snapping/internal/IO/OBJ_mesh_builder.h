@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cstddef>
+#include <ios>
 #include <istream>
 #include <string>
 #include <type_traits>
@@ -36,20 +37,26 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Reads a stream to its end. Throws if that fails.
+// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the stream
+// would take the end for a failure, for which it may have been asked to throw.
 inline std::string text_of_stream(std::istream& is)
 {
   if(!is)
     throw OBJ_refusal(0, "cannot read the stream");
   std::string text;
   std::vector<char> buffer(std::size_t(1) << 20);
-  do {
-    is.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    text.append(buffer.data(), static_cast<std::size_t>(is.gcount()));
-  } while(is);
-  if(is.bad())
+  const std::streamsize size = static_cast<std::streamsize>(buffer.size());
+  try {
+    for(std::streamsize count = size; count == size;) {
+      count = is.rdbuf()->sgetn(buffer.data(), size);
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+  } catch(const std::ios_base::failure&) { // how some libraries tell that a file cannot be read
+    is.setstate(std::ios::badbit);
     throw OBJ_refusal(0, "cannot read the stream");
-  is.clear(std::ios::eofbit); // not failed
+  }
+  if((is.exceptions() & std::ios::eofbit) == 0)
+    is.setstate(std::ios::eofbit);
   return text;
 }
 

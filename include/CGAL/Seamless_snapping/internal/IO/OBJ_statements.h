@@ -77,9 +77,9 @@ public:
     for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
         keyword = m_scanner.next_statement()) {
       if(keyword == "v")
-        m_statements.points.push_back(parse_numbers<PointNumber, 3>("v"));
+        m_statements.points.push_back(parse_point());
       else if(keyword == "vt")
-        m_statements.uvs.push_back(parse_numbers<UVNumber, 2>("vt"));
+        m_statements.uvs.push_back(parse_uv());
       else if(keyword == "f")
         parse_triangle();
       else if(keyword == "l")
@@ -95,11 +95,28 @@ private:
   using Triangle = typename Statements::Triangle;
   using Segment = typename Statements::Segment;
 
-  // Further numbers (a weight, a color, the third coordinate of a texture) are checked and dropped.
-  template <typename Number, std::size_t n>
-  std::array<Number, n> parse_numbers(const char* keyword)
+  // A fourth number is a weight, unless it begins a color, which is dropped.
+  std::array<PointNumber, 3> parse_point()
   {
-    std::array<Number, n> numbers;
+    std::array<PointNumber, 4> numbers{};
+    if(parse_numbers("v", 3, numbers) == 4 && numbers[3] != 1)
+      m_scanner.refuse("point has a weight other than 1");
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
+  // The third coordinate of a texture is dropped.
+  std::array<UVNumber, 2> parse_uv()
+  {
+    std::array<UVNumber, 2> numbers{};
+    parse_numbers("vt", 2, numbers);
+    return numbers;
+  }
+
+  // Returns how many numbers there are; those for which there is no place are checked and dropped.
+  template <typename Number, std::size_t n>
+  std::size_t parse_numbers(const char* keyword, const std::size_t needed,
+                            std::array<Number, n>& numbers)
+  {
     std::size_t count = 0;
     for(std::string_view token = m_scanner.next_token(); !token.empty();
         token = m_scanner.next_token()) {
@@ -108,10 +125,10 @@ private:
         numbers[count] = number;
       ++count;
     }
-    if(count < n)
-      m_scanner.refuse(std::string(keyword) + " needs " + std::to_string(n)
+    if(count < needed)
+      m_scanner.refuse(std::string(keyword) + " needs " + std::to_string(needed)
                        + " coordinates, but has " + std::to_string(count));
-    return numbers;
+    return count;
   }
 
   void parse_triangle()
