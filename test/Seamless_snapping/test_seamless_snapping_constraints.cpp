@@ -11,6 +11,8 @@
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/boost/graph/generators.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -282,8 +284,44 @@ void test_invalid_paths(const std::string& name)
   }
 }
 
+// A pinned coordinate that only a fine grid holds concerns no others: neither the second one of the same
+// corners, nor corners that are merged elsewhere.
+void test_fine_pin(double value)
+{
+  Mesh mesh;
+  CGAL::make_grid(3, 3, mesh, [](double x, double y) { return Kernel::Point_3(x, y, 0); }, true);
+  auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+  const double columns[4] = { -0.5, value * (1 + 1e-9), 0.7, 1 };
+  Mesh::Vertex_index pinned, merged;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    if(p.x() == 1 && p.y() == 1)
+      pinned = v;
+    if(p.x() == 2 && p.y() == 2)
+      merged = v;
+    for(const Halfedge h : CGAL::halfedges_around_target(v, mesh))
+      uv[h] = Kernel::Point_2(columns[int(p.x())], p.y() / 3);
+  }
+  const Kernel::Point_2 before = uv[mesh.halfedge(merged)];
+  uv[mesh.halfedge(merged)] = Kernel::Point_2(before.x() + 1e-12, before.y());
+
+  const std::vector<Corner> constraints = { pin(mesh.halfedge(pinned), 0, Rational(value)) };
+  const CS::Snapping_report report =
+    CS::snap_to_seamless(mesh, uv, parameters::corner_constraints(constraints));
+  if(!CHECK(bool(report)))
+    std::cerr << value << ": " << report << std::endl;
+  for(const Halfedge h : CGAL::halfedges_around_target(pinned, mesh))
+    CHECK(uv[h] == Kernel::Point_2(value, 1. / 3));
+  const Kernel::Point_2 after = uv[mesh.halfedge(merged)];
+  CHECK(before.x() < after.x() && after.x() < before.x() + 1e-12 && after.y() == before.y());
+  for(const Halfedge h : CGAL::halfedges_around_target(merged, mesh))
+    CHECK(uv[h] == after);
+}
+
 int main()
 {
+  for(const double value : { 0.1, 1e-5, 1e-300 })
+    test_fine_pin(value);
   for(const std::string name : { "genus0", "genus1", "genus2", "genus3", "genus0_border",
                                  "genus2_features", "genus2_features_border" })
     for(std::uint64_t seed = 1; seed <= 3; ++seed)

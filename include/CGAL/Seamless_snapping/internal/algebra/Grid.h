@@ -85,10 +85,17 @@ public:
   int exponent() const { return m_exponent; }
   double step() const { return m_step; }
 
-  // \pre |x| <= 2^62 step(); exact, but for values that are subnormal numbers in units of the step
+  // x / step(), which may be infinite
+  double in_steps(const double x) const
+  { return (x * m_half_inverse) * m_other_half_inverse; } // 1 / step() may overflow
+
+  // Exact, but for values that are subnormal numbers, or infinite, in units of the step. Beyond 2^62 steps
+  // there is no base.
   Grid_value split(const double x) const
   {
-    const double scaled = (x * m_half_inverse) * m_other_half_inverse; // 1 / step() may overflow
+    const double scaled = in_steps(x);
+    if(!(std::abs(scaled) < machine_integer_bound))
+      return {0, scaled};
     const std::int64_t base = nearest_integer(scaled);
     return {base, scaled - static_cast<double>(base)};
   }

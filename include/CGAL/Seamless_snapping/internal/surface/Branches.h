@@ -44,6 +44,17 @@ private:
   std::vector<std::size_t> m_begin;
 };
 
+inline Vertex_index source_of(const std::int32_t directed_edge, const std::vector<Edge_ends>& ends)
+{
+  const Edge_ends& edge = ends[std::size_t(directed_edge / 2)];
+  return directed_edge % 2 == 0 ? edge.source : edge.target;
+}
+
+inline Vertex_index target_of(const std::int32_t directed_edge, const std::vector<Edge_ends>& ends)
+{
+  return source_of(directed_edge ^ 1, ends);
+}
+
 // Walks along the chains of one set of edges.
 class Branch_tracer
 {
@@ -72,13 +83,8 @@ public:
   }
 
 private:
-  Vertex_index source(const std::int32_t d) const
-  {
-    const Edge_ends& ends = m_ends[std::size_t(d / 2)];
-    return d % 2 == 0 ? ends.source : ends.target;
-  }
-
-  Vertex_index target(const std::int32_t d) const { return source(d ^ 1); }
+  Vertex_index source(const std::int32_t d) const { return source_of(d, m_ends); }
+  Vertex_index target(const std::int32_t d) const { return target_of(d, m_ends); }
 
   // At a vertex that is no node, two edges meet; this is the other one, away from the vertex.
   std::int32_t continuation(const std::int32_t d) const

@@ -248,6 +248,9 @@ private:
     for(std::size_t i = 0; i < system.number_of_rows(); ++i)
       for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
         m_is_in_row[std::size_t(e->column)] = true;
+    for(std::size_t j = 0; j < m_is_in_row.size(); ++j)
+      if(!m_is_in_row[j])
+        m_point.values[j] = Grid_value(); // must not keep others from a fine grid
   }
 
   void add_row(const bool is_cut, const std::size_t edge, System_builder& builder)

@@ -40,8 +40,8 @@ struct Grid_uv
   Uv offset;
 };
 
-// In steps of the sector's own grid. Sectors whose corners differ are represented by their mean. All others are computed when asked for, which
-// is cheaper than to store them.
+// In steps of the sector's own grid, computed when asked for, which is cheaper than to store them. Sectors whose
+// corners differ are represented by their mean.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 class Sector_coordinates
 {
@@ -49,10 +49,10 @@ class Sector_coordinates
 
 public:
   Sector_coordinates(const Sectors& sectors, const HalfedgeUVMap& uv_map, const Grid& grid)
-    : m_sectors(sectors), m_grid(grid), m_means(sectors.number_of_mixed_sectors()),
+    : m_sectors(sectors), m_grid(grid), m_deviations(sectors.number_of_mixed_sectors()),
       m_squares(sectors.number_of_mixed_sectors())
   {
-    if(!m_means.empty())
+    if(!m_deviations.empty())
       for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
         if(!sectors.sector(Sector_index(s)).is_uniform())
           set_mean(Sector_index(s), uv_map);
@@ -72,13 +72,26 @@ public:
   Grid_uv operator[](const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
-    Grid_uv result = sector.is_uniform() ? split(sector.uv, sector.magnification) : m_means[std::size_t(sector.mixed)];
+    Grid_uv result = split(sector.uv, sector.magnification);
+    if(!sector.is_uniform())
+      for(std::size_t c = 0; c < 2; ++c)
+        result.offset[c] += in_steps(m_deviations[std::size_t(sector.mixed)][c], sector.magnification);
     if(m_shifts.empty())
       return result;
     const auto found = m_shifts.find(s);
     for(std::size_t c = 0; c < 2 && found != m_shifts.end(); ++c)
       result.offset[c] += found->second[c];
     return result;
+  }
+
+  // The mean of the corners, on no grid.
+  Uv mean(const Sector_index s) const
+  {
+    const Sector& sector = m_sectors.sector(s);
+    if(sector.is_uniform())
+      return sector.uv;
+    const Uv& deviation = m_deviations[std::size_t(sector.mixed)];
+    return {{sector.uv[0] + deviation[0], sector.uv[1] + deviation[1]}};
   }
 
   // The mean squared distance of the corners from their mean, in steps of the sector's grid.
@@ -97,33 +110,39 @@ private:
     return {{{u.base, v.base}}, {{u.offset, v.offset}}};
   }
 
+  double in_steps(const double x, const int magnification) const
+  {
+    return m_grid.in_steps(magnification == 0 ? x : std::ldexp(x, magnification));
+  }
+
+  // The corners are so close together that their differences are exact, or nearly so.
   void set_mean(const Sector_index s, const HalfedgeUVMap& uv_map)
   {
     const Sector& sector = m_sectors.sector(s);
-    Grid_uv& mean = m_means[std::size_t(sector.mixed)];
-    mean = split(sector.uv, sector.magnification);
     Uv sum{{0, 0}};
     double squares = 0;
     const auto first = m_sectors.corners_begin(s), last = m_sectors.corners_end(s);
     for(auto h = first; h != last; ++h) {
-      const Grid_uv corner = split(get_uv(uv_map, *h), sector.magnification);
+      const Uv corner = get_uv(uv_map, *h);
       for(std::size_t c = 0; c < 2; ++c) {
-        const double d = static_cast<double>(corner.base[c] - mean.base[c]) + (corner.offset[c] - mean.offset[c]);
-        sum[c] += d;
-        squares += d * d;
+        const double difference = corner[c] - sector.uv[c];
+        const double steps = in_steps(difference, sector.magnification);
+        sum[c] += difference;
+        squares += steps * steps;
       }
     }
     const double count = static_cast<double>(last - first);
     for(std::size_t c = 0; c < 2; ++c) {
-      mean.offset[c] += sum[c] / count;
-      squares -= sum[c] * sum[c] / count;
+      m_deviations[std::size_t(sector.mixed)][c] = sum[c] / count;
+      const double steps = in_steps(sum[c], sector.magnification);
+      squares -= steps * (steps / count);
     }
     m_squares[std::size_t(sector.mixed)] = (std::max)(squares, 0.) / count;
   }
 
   const Sectors& m_sectors;
   Grid m_grid;
-  std::vector<Grid_uv> m_means; // of mixed sectors
+  std::vector<Uv> m_deviations; // of the means of mixed sectors from their first corners
   std::vector<double> m_squares;
   std::unordered_map<Sector_index, Uv> m_shifts;
 };

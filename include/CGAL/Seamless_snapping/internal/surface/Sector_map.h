@@ -131,16 +131,6 @@ public:
   // The largest absolute value of a coordinate of any corner in a sector.
   double largest_coordinate() const { return m_largest_coordinate; }
 
-  // The same in one sector.
-  double largest_coordinate(const Sector_index s) const
-  {
-    double result = largest_component(sector(s).uv);
-    if(!sector(s).is_uniform())
-      for(auto h = corners_begin(s); h != corners_end(s); ++h)
-        result = (std::max)(result, largest_component(get_uv(m_uv_map, *h)));
-    return result;
-  }
-
 private:
   using Ends = std::vector<Indexed_edge<Halfedge> >;
   static constexpr std::size_t number_of_walks = 64; // at a time

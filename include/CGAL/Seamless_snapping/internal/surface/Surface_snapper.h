@@ -103,7 +103,7 @@ public:
     Grid grid = Grid::finest(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
                              sectors.largest_coordinate());
     if(constraints.empty()) // these may link anything
-      magnify_small_parts(sectors, grid);
+      magnify_small_parts(sectors, branches, grid);
     if(m_was_exact) {
       finish({input_of_sectors(sectors), grid, 0}, transitions, align_edges, constraints, sectors,
              branches);

@@ -20,6 +20,7 @@
 // for the time of the computation, and one grid serves all.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/surface/Branches.h>
 #include <CGAL/Seamless_snapping/internal/surface/Sector_map.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -36,31 +37,41 @@ namespace internal {
 // \param grid the finest for the largest coordinate of all
 // \pre the cut and aligned edges are all constraints that there are
 template <typename TriangleMesh, typename HalfedgeUVMap>
-void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Grid& grid)
+void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const Branches& branches,
+                         const Grid& grid)
 {
   const std::size_t size = sectors.number_of_vertices();
   std::vector<Vertex_index> parent(size), rank(size, 0);
   boost::disjoint_sets<Vertex_index*, Vertex_index*> parts(rank.data(), parent.data());
   for(std::size_t v = 0; v < size; ++v)
     parts.make_set(Vertex_index(v));
-  std::size_t number_of_parts = size;
-  for(const auto* edges : {&sectors.cut_ends(), &sectors.align_ends()})
-    for(const Edge_ends& edge : *edges) {
-      const Vertex_index a = parts.find_set(edge.source), b = parts.find_set(edge.target);
-      if(a == b)
-        continue;
-      parts.link(a, b);
-      --number_of_parts;
-    }
+  const auto link = [&](const Vertex_index a, const Vertex_index b) {
+    const Vertex_index x = parts.find_set(a), y = parts.find_set(b);
+    if(x != y)
+      parts.link(x, y);
+    return x != y;
+  };
+
+  // The nodes alone tell whether there is one part only, as there mostly is.
+  std::ptrdiff_t number_of_parts = std::count(branches.is_node.begin(), branches.is_node.end(), true);
+  const auto link_nodes = [&](const Branch_list& list, const std::vector<Edge_ends>& ends) {
+    for(std::size_t b = 0; b < list.size(); ++b)
+      number_of_parts -= link(source_of(*list.begin(b), ends), target_of(*(list.end(b) - 1), ends)) ? 1 : 0;
+  };
+  link_nodes(branches.cut, sectors.cut_ends());
+  link_nodes(branches.aligned, sectors.align_ends());
   if(number_of_parts <= 1)
     return;
 
+  for(const auto* edges : {&sectors.cut_ends(), &sectors.align_ends()})
+    for(const Edge_ends& edge : *edges)
+      link(edge.source, edge.target);
   std::vector<double> largest(size, 0);
   for(std::size_t v = 0; v < size; ++v) {
     double& l = largest[std::size_t(parts.find_set(Vertex_index(v)))];
     const Sector_index end = sectors.first_sector(Vertex_index(v) + 1);
     for(Sector_index s = sectors.first_sector(Vertex_index(v)); s != end; ++s)
-      l = (std::max)(l, sectors.largest_coordinate(s));
+      l = (std::max)(l, largest_component(sectors.sector(s).uv));
   }
   for(std::size_t v = 0; v < size; ++v) {
     const double l = largest[std::size_t(parts.find_set(Vertex_index(v)))];

@@ -29,19 +29,22 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Invariant after construction: if `fits()`, components that are constrained are grid elements that
-// satisfy all constraints; the others keep their values, or the mean of their corners' where these differ.
+// satisfy all constraints; the others keep their values, or the mean of their corners' where these differ,
+// and need no grid.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 class Snapped_coordinates
 {
   using Sectors = Sector_map<TriangleMesh, HalfedgeUVMap>;
   using Coordinates = Sector_coordinates<TriangleMesh, HalfedgeUVMap>;
   using System = Reduced_system<TriangleMesh, HalfedgeUVMap>;
+  using Number = typename Uv_number<HalfedgeUVMap>::type;
 
 public:
   // `coordinates` on the grid of `solution`
   Snapped_coordinates(const Sectors& sectors, const Branches& branches, const System& system,
                       const Coordinates& coordinates, const Grid_solution& solution)
     : m_sectors(sectors), m_system(system), m_coordinates(coordinates), m_solution(solution),
+      m_is_too_fine(solution.grid.in_steps(sectors.largest_coordinate()) >= machine_integer_bound / 4),
       m_uv(sectors.number_of_sectors())
   {
     for(std::size_t s = 0; s < m_uv.size(); ++s)
@@ -65,11 +68,12 @@ public:
 private:
   void set_unsnapped(const Sector_index s)
   {
-    m_uv[std::size_t(s)] = m_sectors.sector(s).uv;
+    Uv& uv = m_uv[std::size_t(s)];
+    uv = m_sectors.sector(s).uv;
     if(!m_sectors.sector(s).is_uniform()) {
-      const Grid_uv mean = m_coordinates[s];
+      const Uv mean = m_coordinates.mean(s);
       for(std::size_t c = 0; c < 2; ++c)
-        set(s, c, mean.base[c] + nearest_integer(mean.offset[c]));
+        uv[c] = static_cast<double>(static_cast<Number>(mean[c]));
       add_optimal_change(s, std::sqrt(m_coordinates.squares_within(s)));
     }
     const Column_index unknown = m_system.unknown(s);
@@ -114,6 +118,10 @@ private:
     const Column_index unknown = m_system.translation(b);
     if(unknown < 0)
       return;
+    if(m_is_too_fine) { // and some right-hand side needs it
+      m_fits = false;
+      return;
+    }
     const int k = m_system.directed_rotation(*first);
     const Rotation& r = rotation_matrix(k);
     const Rotation& inverse = rotation_matrix(inverse_rotation(k));
@@ -159,6 +167,7 @@ private:
   const System& m_system;
   const Coordinates& m_coordinates;
   const Grid_solution& m_solution;
+  bool m_is_too_fine; // to compute with all coordinates as integers
   std::vector<Uv> m_uv; // per sector
   double m_optimal_squares = 0;
   bool m_fits = true;
