@@ -56,18 +56,29 @@ std::vector<bool> used_columns(const System& system)
   return result;
 }
 
-// The coarsest grid that may be needed: its step is such that the largest value has all p bits.
-template <typename Number>
-double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
-                     const std::vector<bool>& used)
+double step_of(const double largest, const int digits)
 {
-  double largest = 0;
-  for(std::size_t i = 0; i < before.size(); ++i)
-    if(used[i])
-      largest = (std::max)({ largest, std::abs(double(before[i])), std::abs(double(after[i])) });
   int exponent = 0;
   std::frexp(largest, &exponent);
-  return std::ldexp(1., exponent - std::numeric_limits<Number>::digits);
+  return std::ldexp(1., exponent - digits);
+}
+
+// The coarsest grid that may be needed: its step is such that the largest value has all p bits. Where the
+// optimum is much smaller than the input, that is the largest value of the output, with 4 bits to spare.
+template <typename Number>
+double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
+                     const Optimum& optimum, const std::vector<bool>& used)
+{
+  double largest_before = 0, largest_after = 0;
+  for(std::size_t i = 0; i < before.size(); ++i)
+    if(used[i]) {
+      largest_before = (std::max)(largest_before, std::abs(double(before[i])));
+      largest_after = (std::max)({ largest_after, std::abs(double(after[i])),
+                                   std::abs(CGAL::to_double(optimum.x[i])) });
+    }
+  constexpr int digits = std::numeric_limits<Number>::digits;
+  return (std::min)(step_of((std::max)(largest_before, largest_after), digits),
+                    8 * step_of(largest_after, digits));
 }
 
 struct Tally
@@ -89,7 +100,7 @@ void check_distance(const std::vector<Number>& before, const std::vector<Number>
   const Rational change = exact_reference::squared_distance(
     exact_reference::to_rationals(after), exact_reference::to_rationals(before), weights);
   const double excess = CGAL::to_double(Rational(change - optimum.value));
-  const double step = expected_step(before, after, used_columns(system));
+  const double step = expected_step(before, after, optimum, used_columns(system));
   const double grid = 2 * step * exact_reference::grid_radius(kernel, weights).first;
   const double allowed = 0.01 * CGAL::to_double(optimum.value) + grid * grid;
   CHECK(excess >= 0);
@@ -208,6 +219,8 @@ void test_random_system(std::uint64_t seed, std::size_t largest, Tally& tally)
     for(Number& value : values)
       value = std::ldexp(value, exponent);
   }
+  if(random() % 8 == 0) // an outlier
+    values[random() % columns] = std::ldexp(Number(1), random_integer(random, 20, 80));
   std::vector<double> weights(columns, 1.);
   if(random() % 2 == 0)
     for(double& weight : weights)
@@ -364,6 +377,38 @@ void test_right_hand_sides_of_other_sizes()
                     {0x1p-30, 0x1p20}, close);
 }
 
+// One value much larger than the optimum: the others must not be rounded to multiples of its ulp.
+void test_outliers()
+{
+  const double close = 1e-14;
+  const Rows pin_of_outlier = {{{{0, 1}}, 0}, {{{0, 1}, {1, 1}, {2, -1}}, 0}};
+  test_rows<double>("outlier", pin_of_outlier, {1e20, .3, .3}, {0, .3, .3}, close);
+  test_rows<double>("small outlier", pin_of_outlier, {1e10, .3, .3}, {0, .3, .3}, close);
+  test_rows<double>("large outlier", pin_of_outlier, {-1e300, 1e280, 1e280}, {0, 1e280, 1e280}, close);
+  test_rows<float>("outlier, float", pin_of_outlier, {1e20f, .5f, .5f}, {0, .5, .5}, 1e-6);
+  test_rows<double>("outlier and right-hand side",
+                    {{{{0, 1}}, 0.25}, {{{0, 1}, {1, 1}, {2, -1}}, 0}}, {1e20, .125, .375},
+                    {.25, .125, .375}, close);
+
+  CS::Linear_constraints<> constraints(2);
+  constraints.add_constraint({{0, 1}, {1, -1}});
+  std::vector<double> x = {1e20, 1};
+  const std::vector<double> weights = {1e-30, 1};
+  CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::weights(weights))));
+  CHECK(x[0] == x[1] && std::abs(x[0] - (1 + 1e-10)) < close);
+}
+
+// Projections that no floating point number holds, and a system too large to try them for long.
+void test_projection_beyond_range()
+{
+  const std::size_t n = 100000;
+  CS::Linear_constraints<Rational> chain(n);
+  for(std::size_t i = 0; i + 1 < n; ++i)
+    chain.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 0.);
+  std::vector<double> x(n, 1);
+  CHECK(CS::snap_to_linear_constraints(chain, x).status == CS::Snapping_status::NOT_REPRESENTABLE);
+}
+
 // Products and sums that exceed the range of the number type, though there are solutions within.
 void test_large_numbers()
 {
@@ -419,7 +464,7 @@ void test_coefficient_type(const std::string& name)
   CHECK(bool(snap_and_check(name, matrix, y, system)));
   const std::vector<long long> b = {1};
   CHECK(bool(CS::snap_to_linear_constraints(matrix, b, y)));
-  CHECK(2 * y[0] + 3 * y[1] == 1);
+  CHECK(2. * y[0] + 3. * y[1] == 1); // in double, which holds the products
 }
 
 void test_figures()
@@ -493,6 +538,8 @@ int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
   test_right_hand_sides_of_other_sizes();
+  test_outliers();
+  test_projection_beyond_range();
   test_large_numbers();
   test_large_images();
   test_coefficient_type<short>("short");

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct Grid_point
   // Only the columns before this one must be representable; the others are quantities of the system
   // alone, such as translations of branches.
   std::size_t number_of_representable_columns;
+  // Whether the solution may lie on a finer grid than the values, where it is much smaller than these:
+  // not if other values, which stay on their grid, depend on it.
+  bool may_be_finer;
 };
 
 // Where the unknowns end up, and the real-valued optimum that was approximated, on one grid.
@@ -134,30 +138,8 @@ public:
       coarsest = (std::min)(coarsest, -m_system.right_hand_scale() -
                                         static_cast<int>(*m_core.right_hand_shift()));
     }
-    int exponent = (std::min)(point.grid.exponent(), coarsest);
-    if(exponent < format.minimum_exponent)
+    if(coarsest < format.minimum_exponent || !find_target(point, coarsest, solution))
       return false;
-
-    solution.grid = point.grid;
-    solution.target = point.values;
-    const std::vector<Row_index> rows = independent_rows();
-    const auto project = [&]() {
-      project_to_solutions(m_system, rows, right_hand_shift(solution.grid), point.weights,
-                           solution.target);
-    };
-    project();
-    if(exponent != point.grid.exponent()) { // right-hand sides want a finer grid
-      rescale_target(exponent - point.grid.exponent(), solution);
-      solution.grid = Grid(format, exponent);
-      double size = largest_target(solution), previous = 0;
-      do { // where values shrink by much, each round makes up for the rounding errors of the last one
-        previous = size;
-        project();
-        size = largest_target(solution);
-      } while(size >= machine_integer_bound && size < previous / 2);
-      if(!(size < machine_integer_bound))
-        return false;
-    }
     if(m_is_homogeneous)
       pull_into_range(solution);
     add_definitions(solution.target);
@@ -167,16 +149,13 @@ public:
     timer.finish("least-squares target");
 
     for(int excess = 0; (excess = evaluate(point, metric, solution)) > 0;) {
-      if(exponent == coarsest) {
+      if(solution.grid.exponent() == coarsest) {
         if(!m_is_homogeneous)
           return false;
         solution.x.assign(solution.x.size(), 0);
         break;
       }
-      excess = (std::min)(excess, coarsest - exponent);
-      exponent += excess;
-      solution.grid = Grid(format, exponent);
-      rescale_target(excess, solution);
+      change_grid((std::min)(solution.grid.exponent() + excess, coarsest), solution);
     }
     solution.x.resize(point.values.size());
     solution.target.resize(point.values.size());
@@ -185,6 +164,51 @@ public:
   }
 
 private:
+  // Projects the values, and chooses a grid for that: right-hand sides may want a finer one, and so does a
+  // projection much smaller than the values. Returns false if no grid holds it.
+  bool find_target(const Grid_point& point, const int coarsest, Grid_solution& solution) const
+  {
+    solution.grid = point.grid;
+    solution.target = point.values;
+    const std::vector<Row_index> rows = independent_rows();
+    // A single solution lies on the coarsest grid.
+    const bool may_be_finer = point.may_be_finer && rows.size() < m_system.number_of_columns();
+    // Where values shrink by much, each round makes up for the rounding errors of the last one.
+    double size = std::numeric_limits<double>::infinity(); // of the target, in steps of the grid
+    for(bool again = true; again;) {
+      project_to_solutions(m_system, rows, right_hand_shift(solution.grid), point.weights,
+                           solution.target);
+      const double previous = size;
+      size = largest_target(solution);
+      again = size >= machine_integer_bound && size < previous / 2;
+      int wanted = (std::min)(solution.grid.exponent(), coarsest);
+      if(may_be_finer)
+        wanted = finer_exponent(solution.grid, size, wanted);
+      if(wanted != solution.grid.exponent()) {
+        change_grid(wanted, solution);
+        size = std::numeric_limits<double>::infinity();
+        again = true;
+      }
+    }
+    if(std::isfinite(size) && (size < machine_integer_bound || solution.grid.exponent() < coarsest))
+      return true;
+    std::fill(solution.target.begin(), solution.target.end(), Grid_value());
+    return m_is_homogeneous;
+  }
+
+  // That of the finest grid that holds numbers of a size, if it is worth another projection.
+  static int finer_exponent(const Grid& grid, const double size, const int exponent)
+  {
+    constexpr int worthwhile = 4; // bits
+    if(size == 0 || !std::isfinite(size))
+      return exponent;
+    int bits = 0;
+    std::frexp(size, &bits);
+    const int finest = (std::max)(grid.exponent() + bits - grid.format().digits,
+                                  grid.format().minimum_exponent);
+    return finest <= exponent - worthwhile ? finest : exponent;
+  }
+
   // How often right-hand sides are doubled on a grid.
   int right_hand_shift(const Grid& grid) const
   {
@@ -229,18 +253,22 @@ private:
     }
   }
 
-  // To a grid 2^shift times as coarse.
-  static void rescale_target(const int shift, Grid_solution& solution)
+  static void change_grid(const int exponent, Grid_solution& solution)
   {
     for(Grid_value& v : solution.target)
-      rescale(v, shift);
+      rescale(v, exponent - solution.grid.exponent());
+    solution.grid = Grid(solution.grid.format(), exponent);
   }
 
+  // Infinity if a target is not a number.
   static double largest_target(const Grid_solution& solution)
   {
     double largest = 0;
-    for(const Grid_value& v : solution.target)
-      largest = (std::max)(largest, std::abs(to_double(v)));
+    for(const Grid_value& v : solution.target) {
+      const double size = std::abs(to_double(v));
+      if(!(size <= largest))
+        largest = std::isnan(size) ? std::numeric_limits<double>::infinity() : size;
+    }
     return largest;
   }
 

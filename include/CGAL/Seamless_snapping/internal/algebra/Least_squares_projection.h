@@ -189,7 +189,7 @@ void project_to_solutions(const Integer_system<Integer>& system,
     r[i] = row_scales[i] * row_violation(system, std::size_t(independent_rows[std::size_t(i)]),
                                          right_hand_shift, values);
   const double size = r.lpNorm<Eigen::Infinity>();
-  if(size == 0)
+  if(size == 0 || !r.allFinite())
     return;
   const Eigen::VectorXd y = shortest_solution(m, r / size); // r itself may have any magnitude
   for(std::size_t j = 0; j < values.size(); ++j)

@@ -72,7 +72,7 @@ Grid_point point_on_grid(const System_component<Integer>& component, const std::
   double largest = (std::min)(size_of_solutions(component.system), std::ldexp(1., format.maximum_exponent - 1));
   for(const std::size_t j : component.columns)
     largest = (std::max)(largest, std::abs(x[j]));
-  Grid_point point{Grid::finest(format, largest), {}, {}, component.columns.size()};
+  Grid_point point{Grid::finest(format, largest), {}, {}, component.columns.size(), true};
   for(const std::size_t j : component.columns) {
     point.values.push_back(point.grid.split(x[j]));
     point.weights.push_back(weights[j]);

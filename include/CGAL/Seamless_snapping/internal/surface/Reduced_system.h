@@ -52,7 +52,7 @@ public:
                  const Constraint_list<TriangleMesh>& constraints,
                  const Coordinates& coordinates, const Grid& grid)
     : m_sectors(sectors), m_branches(branches), m_transitions(transitions), m_align_edges(align_edges),
-      m_coordinates(coordinates), m_point{grid, {}, {}, 0},
+      m_coordinates(coordinates), m_point{grid, {}, {}, 0, false},
       m_unknown_of_sector(sectors.number_of_sectors(), -1)
   {
     add_node_unknowns(branches.is_node);
