@@ -49,13 +49,11 @@ class Sector_coordinates
 
 public:
   Sector_coordinates(const Sectors& sectors, const HalfedgeUVMap& uv_map, const Grid& grid)
-    : m_sectors(sectors), m_grid(grid), m_deviations(sectors.number_of_mixed_sectors()),
-      m_squares(sectors.number_of_mixed_sectors())
+    : m_sectors(sectors), m_grid(grid), m_deviations(sectors.mixed_sectors().size()),
+      m_squares(sectors.mixed_sectors().size())
   {
-    if(!m_deviations.empty())
-      for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s)
-        if(!sectors.sector(Sector_index(s)).is_uniform())
-          set_mean(Sector_index(s), uv_map);
+    for(const Sector_index s : sectors.mixed_sectors())
+      set_mean(s, uv_map);
   }
 
   // In steps of the grid of the largest coordinates; adds to earlier shifts. Returns false if the sum
@@ -72,16 +70,8 @@ public:
   Grid_uv operator[](const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
-    Grid_uv result = split(sector.uv, sector.magnification);
-    if(!sector.is_uniform())
-      for(std::size_t c = 0; c < 2; ++c)
-        result.offset[c] += in_steps(m_deviations[std::size_t(sector.mixed)][c], sector.magnification);
-    if(m_shifts.empty())
-      return result;
-    const auto found = m_shifts.find(s);
-    for(std::size_t c = 0; c < 2 && found != m_shifts.end(); ++c)
-      result.offset[c] += found->second[c];
-    return result;
+    const bool is_plain = sector.is_uniform() && sector.magnification == 0 && m_shifts.empty();
+    return is_plain ? split(sector.uv) : changed_coordinates(s); // nearly all are
   }
 
   // The mean of the corners, on no grid.
@@ -102,12 +92,24 @@ public:
   }
 
 private:
-  Grid_uv split(Uv uv, const int magnification) const
+  Grid_uv split(const Uv& uv) const
   {
-    for(std::size_t c = 0; c < 2 && magnification != 0; ++c)
-      uv[c] = std::ldexp(uv[c], magnification);
     const Grid_value u = m_grid.split(uv[0]), v = m_grid.split(uv[1]);
     return {{{u.base, v.base}}, {{u.offset, v.offset}}};
+  }
+
+  Grid_uv changed_coordinates(const Sector_index s) const
+  {
+    const Sector& sector = m_sectors.sector(s);
+    const int magnification = sector.magnification;
+    Grid_uv result = split({{std::ldexp(sector.uv[0], magnification),
+                             std::ldexp(sector.uv[1], magnification)}});
+    for(std::size_t c = 0; c < 2 && !sector.is_uniform(); ++c)
+      result.offset[c] += in_steps(m_deviations[std::size_t(sector.mixed)][c], magnification);
+    const auto found = m_shifts.find(s);
+    for(std::size_t c = 0; c < 2 && found != m_shifts.end(); ++c)
+      result.offset[c] += found->second[c];
+    return result;
   }
 
   double in_steps(const double x, const int magnification) const

@@ -106,7 +106,7 @@ public:
   std::size_t number_of_singular_vertices() const { return m_number_of_singular_vertices; }
 
   std::size_t number_of_sectors() const { return m_sectors.size(); }
-  std::size_t number_of_mixed_sectors() const { return std::size_t(m_number_of_mixed_sectors); }
+  const std::vector<Sector_index>& mixed_sectors() const { return m_mixed_sectors; }
   const Sector& sector(const Sector_index s) const { return m_sectors[std::size_t(s)]; }
   Sector_index first_sector(const Vertex_index v) const { return m_first_sector[std::size_t(v)]; }
 
@@ -122,7 +122,7 @@ public:
   Sector_index target_sector(const Directed_cut d) const { return m_target_sector[std::size_t(d)]; }
   Sector_index source_sector(const Directed_cut d) const { return m_source_sector[std::size_t(d)]; }
 
-  // The same for an aligned edge.
+  // The sectors at the ends of an aligned edge, likewise.
   Sector_index align_target_sector(const Edge_index a) const
   { return m_align_target_sector[std::size_t(a)]; }
   Sector_index align_source_sector(const Edge_index a) const
@@ -348,8 +348,10 @@ private:
     if(uv == sector.uv)
       return;
     m_largest_coordinate = (std::max)(m_largest_coordinate, largest_component(uv));
-    if(sector.is_uniform())
-      sector.mixed = m_number_of_mixed_sectors++;
+    if(!sector.is_uniform())
+      return;
+    sector.mixed = std::int32_t(m_mixed_sectors.size());
+    m_mixed_sectors.push_back(Sector_index(m_sectors.size()) - 1);
   }
 
   // At the target of a cut.
@@ -409,11 +411,10 @@ private:
   std::vector<Sector_index> m_target_sector, m_source_sector;
   std::vector<Sector_index> m_align_target_sector, m_align_source_sector;
   std::vector<Sector> m_sectors;
-  std::vector<Sector_index> m_first_sector;
+  std::vector<Sector_index> m_first_sector, m_mixed_sectors;
   std::vector<Sector_index> m_node_corner_sectors;
   std::vector<Halfedge> m_corners;
   std::vector<bool> m_is_node, m_has_merged_edge;
-  std::int32_t m_number_of_mixed_sectors = 0;
   std::size_t m_number_of_singular_vertices = 0;
   double m_largest_coordinate = 0;
 };
