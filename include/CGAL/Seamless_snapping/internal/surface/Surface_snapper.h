@@ -76,14 +76,15 @@ public:
     const Transition_data<TriangleMesh> transitions = read_transitions(m_tmesh, m_uv_map, m_np);
     fill_in(transitions);
     m_timer.finish("transitions");
-    if(failed(transitions))
+    if(failed(transitions.status, transitions.message))
       return m_report;
 
     const Align_edges<TriangleMesh> align_edges =
       read_align_edges(m_tmesh, m_uv_map, transitions.extent, m_np);
     const Constraint_list<TriangleMesh> constraints(m_tmesh, m_np);
     m_report.violation_before = (std::max)(transitions.violation, align_edges.violation());
-    if(failed(align_edges) || failed(constraints))
+    if(failed(align_edges.status(), align_edges.message()) ||
+       failed(constraints.status(), constraints.message()))
       return m_report;
     m_was_exact =
       transitions.is_exact && align_edges.is_exact() &&
@@ -92,7 +93,7 @@ public:
       return m_report;
 
     Sectors sectors(m_tmesh, m_uv_map, transitions, align_edges, constraints.corners(),
-                          m_vertex_indices);
+                    m_vertex_indices);
     m_timer.finish("sectors");
 
     const Branches branches(sectors);
@@ -114,17 +115,11 @@ public:
   }
 
 private:
-  template <typename Step>
-  bool failed(const Step& step)
+  bool failed(const Snapping_status status, const std::string& message)
   {
-    if constexpr(std::is_same<Step, Transition_data<TriangleMesh> >::value) {
-      m_report.status = step.status;
-      m_report.message = step.message;
-    } else {
-      m_report.status = step.status();
-      m_report.message = step.message();
-    }
-    return m_report.status != Snapping_status::ALREADY_EXACT;
+    m_report.status = status;
+    m_report.message = message;
+    return status != Snapping_status::ALREADY_EXACT;
   }
 
   void fill_in(const Transition_data<TriangleMesh>& transitions)
@@ -272,8 +267,8 @@ private:
       m_report.message = constraints.corner_constraints().empty()
         ? "the exact coordinates would exceed the largest number of their type; scale them down"
         : "the corner constraints have solutions, but none whose coordinates are multiples of "
-                         "one power of two that the number type can hold at the size of the coordinates; "
-                         "round their right-hand sides to fewer bits";
+          "one power of two that the number type can hold at the size of the coordinates; "
+          "round their right-hand sides to fewer bits";
       return;
     }
     m_report.message = "constraints contradict each other:";
