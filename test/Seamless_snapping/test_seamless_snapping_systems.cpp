@@ -21,7 +21,9 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <new>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -486,6 +488,113 @@ void test_figures()
   }
 }
 
+bool contains(const CS::Snapping_report& report, const std::string& words)
+{
+  const bool result = report.message.find(words) != std::string::npos;
+  if(!result)
+    std::cerr << "    \"" << words << "\" is missing in: " << report << std::endl;
+  return result;
+}
+
+// The messages name the place.
+void test_refusals()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> x = {1, 2, 4, 5};
+  const auto snap = [&](const auto&... arguments)
+  {
+    const std::vector<double> before = x;
+    const CS::Snapping_report report = CS::snap_to_linear_constraints(arguments..., x);
+    CHECK(same_bits(before, x));
+    return report;
+  };
+  CS::Linear_constraints<double> constraints(4);
+  constraints.add_constraint({{0, 1.}, {1, -1.}});
+  constraints.add_constraint({{2, 1.}, {3, 1.}});
+  CHECK(contains(snap(constraints, std::vector<double>{0, infinity}), "constraint 1 "));
+  CHECK(contains(snap(constraints, std::vector<double>{0}), "2"));
+  constraints.add_constraint({{1, 1.}, {3, nan}});
+  CHECK(contains(snap(constraints), "unknown 3 in constraint 2 "));
+
+  CS::Linear_constraints<> no_solution(4);
+  no_solution.add_constraint({{0, 1}, {1, -1}}, 1);
+  no_solution.add_constraint({{2, 1}, {3, -1}});
+  no_solution.add_constraint({{2, 1}, {3, 2}}, 1);
+  const CS::Snapping_report report = snap(no_solution);
+  CHECK(report.status == CS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(contains(report, "constraints 2 to "));
+}
+
+// A number that throws when it is copied, if asked to.
+struct Fragile
+{
+  Fragile() = default;
+  Fragile(const Fragile&) { if(throws) throw std::bad_alloc(); }
+  Fragile& operator=(const Fragile&) = default;
+  static bool throws;
+};
+bool Fragile::throws = false;
+
+template <typename Exception, typename F>
+bool throws(const F& f)
+{
+  try {
+    f();
+  } catch(const Exception&) {
+    return true;
+  }
+  return false;
+}
+
+// Constraints that can't be added leave nothing behind.
+void test_adding_constraints()
+{
+  CS::Linear_constraints<> constraints(2);
+  for(const double b : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL}) {
+    CHECK(throws<std::invalid_argument>([&] { constraints.add_constraint({{0, 1}}, b); }));
+    const std::vector<std::pair<std::size_t, std::int64_t> > terms = {{1, 1}};
+    CHECK(throws<std::invalid_argument>([&] { constraints.add_constraint(terms, float(b)); }));
+  }
+  CHECK_EQUAL(constraints.number_of_constraints(), 0u);
+  constraints.add_constraint({{0, 1}}, 0.1f);
+  constraints.add_constraint({{0, 1}}, std::int64_t(9007199254740993)); // 2^53 + 1
+  CHECK(constraints.right_hand_side(0) == Rational(double(0.1f)));
+  CHECK(constraints.right_hand_side(1) - Rational(9007199254740992.) == 1);
+
+  CS::Linear_constraints<Fragile> fragile(3);
+  const std::vector<std::pair<std::size_t, Fragile> > row(3);
+  fragile.add_constraint(row);
+  for(int i = 0; i < 3; ++i) { // whether or not there is room
+    Fragile::throws = true;
+    CHECK(throws<std::bad_alloc>([&] { fragile.add_constraint(row); }));
+    Fragile::throws = false;
+    CHECK_EQUAL(fragile.add_constraint(row), std::size_t(i) + 1);
+    CHECK_EQUAL(fragile.end(std::size_t(i) + 1) - fragile.begin(std::size_t(i) + 1), 3);
+  }
+}
+
+// Systems that are large in one respect only; with a test that is slow otherwise.
+void test_many_rows()
+{
+  CS::Linear_constraints<> repeated(102);
+  for(std::size_t i = 0; i < 100000; ++i)
+    repeated.add_constraint({{i % 100, 1}, {(i + 1 + i / 100 % 50) % 100, -1}});
+  repeated.add_constraint({{0, 2}, {100, 3}, {101, 5}}, 1);
+  std::vector<double> x(102, 1.);
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(repeated, x);
+  CHECK(report.status == CS::Snapping_status::SNAPPED);
+  CHECK_EQUAL(report.number_of_redundant_constraints, 100001u - 100u);
+  CHECK_EQUAL(report.number_of_non_unit_pivots, 1u);
+
+  const std::size_t n = 100000;
+  CS::Linear_constraints<> halvings(n);
+  for(std::size_t i = 0; i + 1 < n; ++i)
+    halvings.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 1.);
+  x.assign(n, 1.);
+  CHECK(CS::snap_to_linear_constraints(halvings, x).status == CS::Snapping_status::NOT_REPRESENTABLE);
+}
+
 // --- files ---------------------------------------------------------------------------------------
 
 // Seam systems and random ones of thousands of unknowns: for the references they are too big.
@@ -550,6 +659,9 @@ int main(int argc, char** argv)
   test_coefficient_type<double>("double");
   test_coefficient_type<Rational>("rational");
   test_figures();
+  test_refusals();
+  test_adding_constraints();
+  test_many_rows();
   test_random_systems<double>("up to 4 unknowns", seed, 600, 4);
   test_random_systems<float>("up to 4 unknowns, float", seed + 10000, 400, 4);
   test_random_systems<double>("up to 12 unknowns", seed + 20000, 900, 12);

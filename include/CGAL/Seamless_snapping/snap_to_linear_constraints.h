@@ -158,7 +158,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with spars
 pivots first, and a least-squares target.
 
 \tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer type,
-        `double` (every `double` is a rational number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`
+        `float`, `double` (each of which is a rational number), `CGAL::Exact_integer`, or
+        `CGAL::Exact_rational`
 \tparam RightHandSide a random access range of numbers that convert exactly to `CGAL::Exact_rational`: integers,
         `float`, `double`, `CGAL::Exact_integer`, `CGAL::Exact_rational`
 \tparam Values a random access range of `float` or `double`, for example `std::vector<double>` or
@@ -193,8 +194,10 @@ pivots first, and a least-squares target.
         - `NOT_FINITE`: a value is NaN or infinite;
         - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
           that contradict each other;
-        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none on a grid that
-          the number type has at the size of the values. This can't happen for \f$ b = 0 \f$.
+        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near the
+          values on a grid that the number type has at their size. All values are looked for on one
+          grid, so there may be one in which some are finer: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
+          \f$ (1, -1, 0) \f$, that is \f$ (1, -1, 2^{-60}) \f$. This can't happen for \f$ b = 0 \f$.
 
 \par Complexity
 Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless

@@ -16,7 +16,7 @@
 
 // What unit pivots can't reach goes to the complete integer solver; most systems have nothing of the kind.
 // Of large systems it is the rows that the elimination left over. Of others it is all rows as they were
-// given: a solution near by in all unknowns is wanted, and implied ones amplify changes of the core.
+// given, but for redundant ones: a solution near by in all unknowns is wanted, and implied ones amplify changes of the core.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -41,7 +40,7 @@ public:
               const Unit_pivot_elimination<Integer>& elimination)
     : m_is_whole(!elimination.core_rows().empty() &&
                  system.number_of_columns() <= largest_whole_system),
-      m_lattice(m_is_whole ? core_of(system, all_rows(system)) : core_of(elimination))
+      m_lattice(m_is_whole ? core_of(system, nonzero_rows(system, elimination)) : core_of(elimination))
   {
     for(const Row_index i : m_lattice.independent_rows())
       m_independent_rows.push_back(m_rows[std::size_t(i)]);
@@ -53,7 +52,7 @@ public:
       m_right_hand_shift = solution.power_of_two;
   }
 
-  // Whether all rows of the system are here, so that back-substitution has nothing left to do.
+  // Whether all rows of the system are here, but for redundant ones, so that back-substitution has nothing left to do.
   bool is_whole() const { return m_is_whole; }
 
   // Whether there are solutions over the rationals.
@@ -106,10 +105,19 @@ public:
 private:
   static constexpr std::size_t largest_whole_system = 2000; // columns
 
-  static std::vector<Row_index> all_rows(const Integer_system<Integer>& system)
+  // Those that the elimination left something of: about the others it said all.
+  static std::vector<Row_index> nonzero_rows(const Integer_system<Integer>& system,
+                                             const Unit_pivot_elimination<Integer>& elimination)
   {
-    std::vector<Row_index> rows(system.number_of_rows());
-    std::iota(rows.begin(), rows.end(), Row_index(0));
+    std::vector<bool> is_zero(system.number_of_rows(), false);
+    for(const Row_index row : elimination.redundant_rows())
+      is_zero[std::size_t(row)] = true;
+    for(const Row_index row : elimination.contradictory_rows())
+      is_zero[std::size_t(row)] = true;
+    std::vector<Row_index> rows;
+    for(std::size_t i = 0; i < is_zero.size(); ++i)
+      if(!is_zero[i])
+        rows.push_back(Row_index(i));
     return rows;
   }
 

@@ -108,10 +108,9 @@ public:
   // Adds to the figures of other systems.
   void fill_in(Snapping_report& report) const
   {
-    const std::size_t core_redundant = m_core.number_of_redundant_rows();
     const std::size_t core_rank = m_core.independent_rows().size();
     report.number_of_redundant_constraints +=
-      m_core.is_whole() ? core_redundant : m_elimination.redundant_rows().size() + core_redundant;
+      m_elimination.redundant_rows().size() + m_core.number_of_redundant_rows();
     report.number_of_non_unit_pivots +=
       m_core.is_whole() ? core_rank - number_of_unit_pivots() : core_rank;
     report.number_of_coefficients += m_system.number_of_entries();

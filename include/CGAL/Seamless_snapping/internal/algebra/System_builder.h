@@ -53,7 +53,7 @@ inline std::pair<Exact_integer, Exact_integer> numerator_and_denominator(const E
 struct Scaled_system
 {
   Any_system system;
-  std::map<std::size_t, Exact_rational> scales; // of rows where they are not 1
+  std::map<std::size_t, Exact_rational> scales; // 1 for rows that aren't here
 
   // Multipliers of the system's rows, as multipliers of the caller's: integers without a common factor.
   void rescale(std::vector<std::pair<std::size_t, Exact_integer> >& certificate) const
@@ -252,7 +252,7 @@ private:
   Integer_system<std::int64_t> m_rows;
   std::vector<Entry<std::int64_t> > m_row; // under way
   std::vector<Large_row> m_large_rows; // by index
-  std::map<std::size_t, Exact_rational> m_scales; // other than 1
+  std::map<std::size_t, Exact_rational> m_scales; // of large rows
 };
 
 } // namespace internal

@@ -137,7 +137,6 @@ inline std::size_t bit_length(const Exact_integer& a)
   return bits + 1;
 }
 
-// Whether |a| <= 2^62: the range of all integers handed on as 64 bits.
 // 2^62: such integers can be added, and lose nothing in a sign.
 constexpr double machine_integer_bound = 4611686018427387904.;
 
@@ -150,17 +149,7 @@ Exact from_64_bits(const Machine_integer a)
                Exact(static_cast<double>(a % radix)));
 }
 
-// How often `a` can be halved.
-// \pre a != 0
-template <typename Integer>
-int number_of_halvings(Integer a)
-{
-  int count = 0;
-  for(; Integer(a % Integer(2)) == 0; ++count)
-    a = exact_quotient(a, Integer(2));
-  return count;
-}
-
+// Whether |a| <= 2^62: the range of all integers handed on as 64 bits.
 inline bool fits_64_bits(const std::int64_t a)
 {
   constexpr std::int64_t bound = std::int64_t(1) << 62;
@@ -195,6 +184,41 @@ inline Exact_integer power_of_two(std::size_t exponent)
     square = Exact_integer(square * square);
   }
   return result;
+}
+
+// How often `a` can be halved.
+// \pre a != 0
+inline int number_of_halvings(std::int64_t a)
+{
+  int count = 0;
+  for(; a % 2 == 0; ++count)
+    a /= 2;
+  return count;
+}
+
+inline int number_of_halvings(Exact_integer a)
+{
+  std::vector<Exact_integer> powers(1, Exact_integer(2)); // 2^(2^i), as far as they divide a
+  while(Exact_integer(a % powers.back()) == 0)
+    powers.push_back(Exact_integer(powers.back() * powers.back()));
+  int count = 0;
+  for(std::size_t i = powers.size() - 1; i-- > 0;)
+    if(Exact_integer(a % powers[i]) == 0) {
+      a = exact_quotient(a, powers[i]);
+      count += 1 << i;
+    }
+  return count;
+}
+
+// \pre `a` can be halved that often
+inline std::int64_t halved(const std::int64_t a, const int times)
+{
+  return a == 0 ? 0 : a / (std::int64_t(1) << times);
+}
+
+inline Exact_integer halved(const Exact_integer& a, const int times)
+{
+  return times == 0 ? a : exact_quotient(a, power_of_two(std::size_t(times)));
 }
 
 } // namespace internal

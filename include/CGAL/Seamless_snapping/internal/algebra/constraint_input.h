@@ -114,12 +114,18 @@ bool is_finite_number(const T& t)
     return true;
 }
 
-inline bool has_finite_right_hand_side(const No_right_hand_side&) { return true; }
+inline bool has_finite_right_hand_side(const No_right_hand_side&, std::string&) { return true; }
 
 template <typename RightHandSide>
-bool has_finite_right_hand_side(const RightHandSide& b)
+bool has_finite_right_hand_side(const RightHandSide& b, std::string& problem)
 {
-  return std::all_of(std::begin(b), std::end(b), [](const auto& t) { return is_finite_number(t); });
+  const auto first = std::find_if(std::begin(b), std::end(b),
+                                  [](const auto& t) { return !is_finite_number(t); });
+  if(first == std::end(b))
+    return true;
+  problem = "the right-hand side of constraint " + std::to_string(std::distance(std::begin(b), first)) +
+            " is NaN or infinite";
+  return false;
 }
 
 inline bool has_size(const No_right_hand_side&, std::size_t) { return true; }
@@ -130,7 +136,7 @@ bool has_size(const RightHandSide& b, const std::size_t size)
   return std::distance(std::begin(b), std::end(b)) == std::ptrdiff_t(size);
 }
 
-// Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
+// Tells the first problem if there is one.
 template <typename Coefficient>
 bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& problem)
 {
@@ -150,6 +156,7 @@ bool has_valid_indices(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&
   return true;
 }
 
+// Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
 // \pre has_valid_indices(c)
 template <typename Coefficient, typename F>
 bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
@@ -214,11 +221,7 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
               std::to_string(number_of_rows(c));
     return false;
   }
-  if(!has_finite_right_hand_side(b)) {
-    problem = "a right-hand side is NaN or infinite";
-    return false;
-  }
-  if(!has_valid_indices(c, problem))
+  if(!has_finite_right_hand_side(b, problem) || !has_valid_indices(c, problem))
     return false;
   constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
   if(number_of_columns(c) > largest || number_of_rows(c) > largest) {
@@ -230,7 +233,8 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
     using Coefficient = std::decay_t<decltype(row.front().coefficient)>;
     for(const auto& e : row)
       if(!is_finite_number(e.coefficient)) {
-        problem = "a coefficient of constraint " + std::to_string(i) + " is NaN or infinite";
+        problem = "the coefficient of unknown " + std::to_string(e.column) + " in constraint " +
+                  std::to_string(i) + " is NaN or infinite";
         return false;
       }
     if constexpr(std::is_arithmetic<Coefficient>::value)

@@ -45,7 +45,6 @@ std::vector<double> component_values(const System_component<Integer>& component,
   return values;
 }
 
-// The values of a part of the system on the finest grid that holds the largest of them.
 // Any solution has a value of this size or larger.
 template <typename Integer>
 double size_of_solutions(const Integer_system<Integer>& system)
@@ -65,6 +64,7 @@ double size_of_solutions(const Integer_system<Integer>& system)
   return largest;
 }
 
+// The values of a part of the system on the finest grid that holds the largest of them.
 template <typename Integer>
 Grid_point point_on_grid(const System_component<Integer>& component, const std::vector<double>& x,
                          const std::vector<double>& weights, const Number_format& format)
@@ -80,8 +80,7 @@ Grid_point point_on_grid(const System_component<Integer>& component, const std::
   return point;
 }
 
-// The largest violation, in floating point.
-// Of the caller's rows, of which the system's are multiples.
+// The largest violation of the caller's rows, of which the system's are multiples; in floating point.
 template <typename Integer>
 double largest_violation(const System_component<Integer>& component, const Grid_point& point,
                          const std::map<std::size_t, Exact_rational>& scales)
@@ -145,20 +144,37 @@ private:
   double m_largest = 0, m_sum = 0, m_squares = 0, m_optimal_squares = 0, m_count = 0;
 };
 
-inline std::string failure_message(const Snapping_report& report)
+// The first of them.
+inline std::string list_of_rows(const std::vector<std::size_t>& rows)
 {
-  if(report.status == Snapping_status::INCONSISTENT) {
-    std::string rows;
-    for(std::size_t k = 0; k < report.certificate.size() && k < 8; ++k)
-      rows += (k == 0 ? " " : ", ") + std::to_string(report.certificate[k].first);
-    if(report.certificate.size() > 8)
-      rows += ", ...";
-    return "the constraints contradict each other: a combination of the rows" + rows +
-           " (multipliers in the certificate) reads 0 = c with c != 0; remove or correct one of them";
-  }
-  return "the constraints have rational solutions, but none whose values are multiples of one power of "
-         "two that the number type can hold at this size; round the right-hand sides to fewer bits, "
-         "or remove factors that they are not divisible by";
+  constexpr std::size_t at_most = 8;
+  std::string list;
+  for(std::size_t k = 0; k < rows.size() && k < at_most; ++k)
+    list += (k == 0 ? "" : ", ") + std::to_string(rows[k]);
+  return rows.size() > at_most ? list + ", ..." : list;
+}
+
+inline std::string contradiction_message(const Snapping_report& report)
+{
+  std::vector<std::size_t> rows;
+  for(const auto& multiple : report.certificate)
+    rows.push_back(multiple.first);
+  return "the constraints contradict each other: a combination of the rows " + list_of_rows(rows) +
+         " (multipliers in the certificate) reads 0 = c with c != 0; remove or correct one of them";
+}
+
+// Without right-hand sides, 0 would be a solution: those are what to look at.
+template <typename Integer>
+std::string not_representable_message(const System_component<Integer>& component)
+{
+  std::vector<std::size_t> rows;
+  for(std::size_t k = 0; k < component.rows.size(); ++k)
+    if(component.system.right_hand_side(k) != 0)
+      rows.push_back(component.rows[k]);
+  return "the constraints have rational solutions, but near the values none was found whose values are "
+         "all multiples of one power of two that the number type can hold at this size; round the "
+         "right-hand sides of the constraints " + list_of_rows(rows) + " to fewer bits, or remove factors "
+         "that they are not divisible by";
 }
 
 // One part. Writes its new values to `snapped`, or returns false and says why in the report.
@@ -177,6 +193,8 @@ bool snap_component(const System_component<Integer>& component, const std::vecto
   if(!solve_on_grid(component.system, point, solution, report, timer)) {
     for(auto& multiple : report.certificate)
       multiple.first = component.rows[multiple.first];
+    report.message = report.status == Snapping_status::INCONSISTENT
+      ? contradiction_message(report) : not_representable_message(component);
     return false;
   }
   report.grid_step = (std::max)(report.grid_step, solution.grid.step());
@@ -218,7 +236,6 @@ void snap_values(const Integer_system<Integer>& system,
   }
   report.status = status;
   if(status != Snapping_status::SNAPPED) {
-    report.message = failure_message(report);
     return;
   }
   if(next_violated_row(system, snapped) != system.number_of_rows()) {

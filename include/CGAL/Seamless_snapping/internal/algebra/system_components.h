@@ -44,9 +44,12 @@ template <typename Integer>
 int common_number_of_halvings(const std::vector<Integer>& numbers)
 {
   std::optional<int> count;
-  for(const Integer& a : numbers)
+  for(const Integer& a : numbers) {
     if(a != 0)
       count = count ? (std::min)(*count, number_of_halvings(a)) : number_of_halvings(a);
+    if(count && *count == 0)
+      break;
+  }
   return count ? *count : 0;
 }
 
@@ -98,10 +101,7 @@ std::vector<System_component<Integer> > system_components(const Integer_system<I
         e.column = local[std::size_t(e.column)];
       std::sort(row.begin(), row.end(), [](const Entry<Integer>& a, const Entry<Integer>& b)
                 { return a.column < b.column; });
-      Integer b = right_hand_sides[k];
-      for(int h = 0; h < halvings; ++h)
-        b = exact_quotient(b, Integer(2));
-      component.system.add_row(row, b);
+      component.system.add_row(row, halved(right_hand_sides[k], halvings));
     }
   }
   return components;
