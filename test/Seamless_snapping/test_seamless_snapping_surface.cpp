@@ -190,8 +190,8 @@ void test_float_files()
     const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
     uv_noise::perturb(mesh, uv, 1e-6 * truth.extent, ++seed);
     CHECK_IN(named.name, bool(SS::snap_to_seamless(mesh, uv)));
-    auto u = mesh.add_property_map<Mesh::Halfedge_index, float>("h:u").first;
-    auto v = mesh.add_property_map<Mesh::Halfedge_index, float>("h:v").first;
+    const auto u = mesh.add_property_map<Mesh::Halfedge_index, float>("h:u").first;
+    const auto v = mesh.add_property_map<Mesh::Halfedge_index, float>("h:v").first;
     for(const auto h : mesh.halfedges()) {
       u[h] = uv[h].x();
       v[h] = uv[h].y();
@@ -202,11 +202,12 @@ void test_float_files()
     Mesh read;
     std::string comments;
     CHECK_IN(named.name, CGAL::IO::read_PLY(file, read, comments));
-    u = read.property_map<Mesh::Halfedge_index, float>("h:u").first;
-    v = read.property_map<Mesh::Halfedge_index, float>("h:v").first;
+    const auto read_u = read.add_property_map<Mesh::Halfedge_index, float>("h:u");
+    const auto read_v = read.add_property_map<Mesh::Halfedge_index, float>("h:v");
+    CHECK_IN(named.name, !read_u.second && !read_v.second); // not new
     const auto read_uv = read.add_property_map<Mesh::Halfedge_index, Float_kernel::Point_2>("h:read").first;
     for(const auto h : read.halfedges())
-      read_uv[h] = Float_kernel::Point_2(u[h], v[h]);
+      read_uv[h] = Float_kernel::Point_2(read_u.first[h], read_v.first[h]);
     CHECK_EQUAL(read.number_of_faces(), mesh.number_of_faces());
     CHECK_IN(named.name, SS::is_seamless(read, read_uv));
     CHECK_IN(named.name, exact_check::check_edges(read, read_uv).is_exact());
