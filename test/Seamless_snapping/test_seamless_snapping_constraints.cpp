@@ -284,6 +284,22 @@ void test_invalid_paths(const std::string& name)
   }
 }
 
+// Halfedges without a face begin and end no path.
+void test_paths_on_border(const std::string& name)
+{
+  Model model(data_file(name));
+  std::size_t count = 0;
+  for(const Halfedge h : model.mesh.halfedges()) {
+    if(!model.mesh.is_border(h))
+      continue;
+    const Halfedge inner = model.mesh.opposite(h);
+    for(const auto& ends : { std::make_pair(h, inner), std::make_pair(inner, h), std::make_pair(h, h) })
+      CHECK(CS::shortest_face_path(model.mesh, ends.first, ends.second).empty());
+    ++count;
+  }
+  CHECK(count > 0);
+}
+
 // A pinned coordinate that only a fine grid holds concerns no others: neither the second one of the same
 // corners, nor corners that are merged elsewhere.
 void test_fine_pin(double value)
@@ -320,6 +336,7 @@ void test_fine_pin(double value)
 
 int main()
 {
+  test_paths_on_border("genus2_border");
   for(const double value : { 0.1, 1e-5, 1e-300 })
     test_fine_pin(value);
   for(const std::string name : { "genus0", "genus1", "genus2", "genus3", "genus0_border",

@@ -284,7 +284,7 @@ void test_no_values_on_border()
   }
 }
 
-// Keeps the values of corners in places that they may share, and throws after some writing.
+// Keeps the values of corners in places that they may share, and throws after some writing or reading.
 struct Shared_map
 {
   using key_type = Halfedge;
@@ -295,8 +295,14 @@ struct Shared_map
   std::shared_ptr<std::vector<Point_2> > values;
   std::vector<std::size_t> places; // of halfedges
   std::shared_ptr<long> credit = std::make_shared<long>((std::numeric_limits<long>::max)());
+  std::shared_ptr<long> reads = std::make_shared<long>((std::numeric_limits<long>::max)());
 
-  friend Point_2 get(const Shared_map& map, Halfedge h) { return (*map.values)[map.places[h]]; }
+  friend Point_2 get(const Shared_map& map, Halfedge h)
+  {
+    if(--*map.reads == 0)
+      throw std::runtime_error("no more to read");
+    return (*map.values)[map.places[h]];
+  }
   friend void put(const Shared_map& map, Halfedge h, const Point_2& p)
   {
     if(--*map.credit == 0)
@@ -339,6 +345,18 @@ void test_shared_places()
   // nothing remains of what was written before something is thrown
   map.places = places;
   const Bits separate = all_bits(mesh, map);
+  const auto values = *map.values;
+  long reads = 0;
+  for(bool is_done = false; !is_done; ++reads) {
+    *map.reads = reads + 1;
+    try {
+      is_done = bool(SS::snap_to_seamless(mesh, map, np));
+    } catch(const std::runtime_error&) { }
+    *map.reads = (std::numeric_limits<long>::max)();
+    CHECK((all_bits(mesh, map) == separate) == !is_done);
+  }
+  CHECK(reads > 20);
+  *map.values = values;
   long writes = 0;
   for(bool is_done = false; !is_done; ++writes) {
     *map.credit = writes + 1;

@@ -246,6 +246,26 @@ cycles_around_targets(const Mesh& mesh, const std::vector<Halfedge>& halfedges)
   return result;
 }
 
+// The violation is that of the rotations that are read, also where an edge takes that of its branch.
+void check_violation(const Mesh& mesh, const UV_map& uv, const std::string& context)
+{
+  const auto transitions = SS::seam_transitions(mesh, uv);
+  if(!transitions) // told by other tests
+    return;
+  double violation = 0;
+  for(const auto h : mesh.halfedges()) {
+    const auto g = mesh.opposite(h);
+    if(!is_interior(mesh, h))
+      continue;
+    const auto edge = uv[h] - uv[mesh.prev(h)], image = uv[mesh.prev(g)] - uv[g];
+    const auto rotated = square_complex::rotated({ { edge.x(), edge.y() } }, transitions.rotation(h));
+    violation = (std::max)({ violation, std::abs(rotated[0] - image.x()),
+                             std::abs(rotated[1] - image.y()) });
+  }
+  CHECK_IN(context, std::abs(transitions.violation() - violation)
+                      <= 1e-6 * violation + 1e-15 * transitions.extent());
+}
+
 void test_short_edges(unsigned int seed)
 {
   std::size_t shrunk = 0;
@@ -276,6 +296,7 @@ void test_short_edges(unsigned int seed)
         uv_noise::perturb(noisy.mesh, noisy_uv, noise, seed);
         for(const auto h : mesh.halfedges())
           uv[h] = uv[h] + (noisy_uv[h] - whole_uv[h]);
+        check_violation(mesh, uv, context);
         if(length == 0 || noise > 1e-11)
           check_transitions(mesh, known, SS::seam_transitions(mesh, uv), context, false);
         const auto snapped = snap_and_check(named, context);
@@ -399,6 +420,58 @@ void test_quads()
   expect_refusal(quads, test_meshes::uv_map(quads), SS::parameters::default_values(),
                  Snapping_status::NOT_TRIANGULAR, { "face 0", "4" }, "quads beside garbage");
 }
+
+// A digon and a quad: on average, they have three corners. The quad folds round an edge to a vertex
+// that is in no other face.
+void test_digon()
+{
+  Mesh mesh;
+  Mesh::Vertex_index v[3];
+  for(auto& vertex : v)
+    vertex = mesh.add_vertex();
+  const Halfedge there = mesh.add_edge(v[0], v[1]), back = mesh.add_edge(v[1], v[0]);
+  const Halfedge out = mesh.add_edge(v[1], v[2]), in = mesh.opposite(out);
+  const auto digon = mesh.add_face(), quad = mesh.add_face();
+  const auto link = [&](Mesh::Face_index f, const std::vector<Halfedge>& around) {
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      mesh.set_next(around[i], around[(i + 1) % around.size()]);
+      mesh.set_face(around[i], f);
+      mesh.set_halfedge(mesh.target(around[i]), around[i]);
+    }
+    mesh.set_halfedge(f, around[0]);
+  };
+  link(digon, { there, back });
+  link(quad, { mesh.opposite(back), out, in, mesh.opposite(there) });
+  CHECK(mesh.is_valid(false));
+  expect_refusal(mesh, test_meshes::uv_map(mesh), SS::parameters::default_values(),
+                 Snapping_status::NOT_TRIANGULAR, { "face 0", "2 corners" }, "a digon and a quad");
+}
+
+#ifdef NDEBUG // else CGAL asserts that the indices are as they should
+void test_bad_indices()
+{
+  Named_mesh<Kernel> named = named_mesh("divided cube", 1);
+  const Mesh& mesh = named.mesh;
+  const UV_map uv = test_meshes::uv_map(named.mesh);
+  uv_noise::perturb(named.mesh, uv, 1e-9, 1);
+  const auto indices = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const auto np = SS::parameters::vertex_index_map(indices);
+  const std::size_t n = mesh.number_of_vertices();
+  const auto refuse_with = [&](const std::string& context, const auto& index_of) {
+    for(const auto v : mesh.vertices())
+      put(indices, v, index_of(std::size_t(v)));
+    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ARGUMENT, { "vertex_index_map" }, context);
+    CHECK_IN(context, SS::seam_transitions(mesh, uv, np).status() == Snapping_status::INVALID_ARGUMENT);
+  };
+  refuse_with("indices that were not set", [](std::size_t) { return std::size_t(-1); });
+  refuse_with("no different indices", [](std::size_t) { return std::size_t(0); });
+  refuse_with("two vertices of one index", [&](std::size_t i) { return i == 0 ? n - 1 : i; });
+  refuse_with("an index out of range", [&](std::size_t i) { return i == 0 ? n : i; });
+  for(const auto v : mesh.vertices())
+    put(indices, v, n - 1 - std::size_t(v));
+  CHECK(bool(SS::snap_to_seamless(mesh, uv, np)));
+}
+#endif
 
 void test_not_seamless()
 {
@@ -576,6 +649,12 @@ void test_degenerate_faces(unsigned int seed)
       CHECK_IN(context, exact_check::check_edges(named.mesh, uv).is_exact());
       CHECK_IN(context, is_noisy || all_bits(named.mesh, uv) == before);
       CHECK_IN(context, report.largest_change <= 8 * noise);
+
+      // no extent, and any violation will do
+      const auto all = SS::parameters::edge_is_cut_map(
+        CGAL::Static_boolean_property_map<Edge, true>()).tolerance(
+        std::numeric_limits<double>::infinity());
+      CHECK_IN(context, bool(SS::snap_to_seamless(named.mesh, uv, all)));
     }
   }
 }
@@ -593,6 +672,10 @@ int main()
   test_bad_numbers();
   test_constraints_on_bad_numbers();
   test_quads();
+  test_digon();
+#ifdef NDEBUG
+  test_bad_indices();
+#endif
   test_not_seamless();
   test_not_aligned();
   test_last_bits();

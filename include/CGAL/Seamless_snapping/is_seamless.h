@@ -229,7 +229,9 @@ connection and cycle constraints whose paths cross such an edge, it is taken fro
 goes on. If all of them are contracted, up to vertices where the cut ends or branches, the coordinates do
 not tell which is meant: pass `halfedge_rotation_map` as well.
 
-\tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`
+\tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`; with connection or cycle constraints, of
+        `FaceListGraph` and `VertexListGraph` too, of which all named parameters are those of
+        `seam_transitions()`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
         with coordinates `x()` and `y()` of type `double` or `float` as value type
@@ -283,7 +285,8 @@ not tell which is meant: pass `halfedge_rotation_map` as well.
 \cgalNamedParamsEnd
 
 \return `false` also if a coordinate of an interior edge or of a further constraint is NaN or infinite,
-        or if given rotations of opposite halfedges are not inverse to each other
+        (with connection or cycle constraints also if one is beyond 1e300), or if given rotations of
+        opposite halfedges are not inverse to each other
 
 \par Complexity
 Linear in the number of edges; about as fast as comparing the coordinates on both sides of each edge.

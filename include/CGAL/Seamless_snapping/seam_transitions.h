@@ -43,7 +43,8 @@ namespace Seamless_snapping {
 The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by which
 the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the singular
 vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither
-modified nor destroyed.
+modified nor destroyed. They must not outlive it: they hold a dynamic property of its edges, which is
+removed from the mesh together with the last copy.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 */
@@ -188,8 +189,9 @@ of the largest violation of the whole map are no cuts either, but noise: their c
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index; they
-                          appear in messages and determine the order of processing}
+    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between
+                          `0` and `num_vertices(tmesh) - 1`; the indices appear in messages and
+                          determine the order of processing}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t`
                    as value type}

@@ -45,7 +45,8 @@ ordinary floating point numbers.
 
 The result approximates the least-squares optimum, that is the exactly seamless parametrization that
 minimizes the sum of squared changes of the sectors at cut vertices. Corners that no constraint
-concerns keep their bits, unless the orientation of a face requires otherwise. A parametrization that is
+concerns keep their bits, unless the orientation of a face requires otherwise (and but for signs of zeros,
+where those of several corners in one place differ). A parametrization that is
 exactly seamless already is not touched at all. The result is verified exactly before the function reports
 success; on failure nothing has changed.
 
@@ -130,8 +131,9 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index; they appear
-                          in messages and determine the order of processing}
+    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between
+                          `0` and `num_vertices(tmesh) - 1`; the indices appear in messages and
+                          determine the order of processing}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as
                    value type}
@@ -146,14 +148,14 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \return the status and figures; converts to `true` if and only if the parametrization is exactly seamless
         and aligned. On failure, `Snapping_report::status` is
-        - `NOT_TRIANGULAR`: a face has more than three corners;
+        - `NOT_TRIANGULAR`: a face has more or less than three corners;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each other, or an
           edge that is given as no cut has a rotation;
-        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, or the
-          tolerance is negative;
+        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, the
+          tolerance is negative, or the given indices of vertices are not unique or out of range;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest

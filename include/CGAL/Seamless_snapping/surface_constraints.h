@@ -100,7 +100,8 @@ struct Corner_constraint
 \ingroup PkgSeamlessSnappingConstraints
 
 returns a path from `face(a)` to `face(b)` that crosses as few edges as possible. If both are the same face,
-or if the faces are not connected, the path is empty.
+if the faces are not connected, or if one of the halfedges is on the border and has no face, the path is
+empty.
 
 \tparam TriangleMesh a model of `FaceGraph`
 
@@ -119,6 +120,9 @@ shortest_face_path(const TriangleMesh& tmesh,
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  std::vector<Halfedge> path;
+  if(is_border(a, tmesh) || is_border(b, tmesh))
+    return path;
   struct Arrival { Halfedge halfedge; bool is_set = false; };
   auto arrivals = get(CGAL::dynamic_face_property_t<Arrival>(), tmesh);
   const Face first = face(a, tmesh), last = face(b, tmesh);
@@ -135,7 +139,6 @@ shortest_face_path(const TriangleMesh& tmesh,
       queue.push_back(face(g, tmesh));
     }
   }
-  std::vector<Halfedge> path;
   if(!get(arrivals, last).is_set)
     return path;
   for(Face f = last; f != first; f = face(path.back(), tmesh))

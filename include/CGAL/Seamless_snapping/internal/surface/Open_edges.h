@@ -71,7 +71,7 @@ struct Edge_ends
 class Vertex_numbers
 {
 public:
-  // \param number_of_vertices of the mesh; indices may be larger
+  // \param number_of_vertices of the mesh; indices of views of a mesh may be larger
   explicit Vertex_numbers(const std::size_t number_of_vertices) : m_numbers(number_of_vertices, -1) { }
 
   template <typename Edges>

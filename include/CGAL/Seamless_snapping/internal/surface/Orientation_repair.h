@@ -150,6 +150,10 @@ private:
     result.lost = m_move.repair(m_watched.not_positive(state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
+    for(std::vector<Watched>* faces : {&result.lost, &result.flips}) // moves for others may have saved some
+      faces->erase(std::remove_if(faces->begin(), faces->end(), [&](const Watched& w) {
+                     return orientation(m_points.uv(result.state, w.face)) == CGAL::POSITIVE;
+                   }), faces->end());
     return result;
   }
 

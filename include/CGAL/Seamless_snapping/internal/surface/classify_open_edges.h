@@ -116,9 +116,10 @@ bool hides_its_rotation(const Open_edge<Halfedge>& edge, const double residual,
          !(edge.is_exact && edge.length > 64 * epsilon);
 }
 
+// Returns whether a rotation has changed.
 // \param is_hidden whether an edge hides its rotation
 template <typename TriangleMesh, typename Halfedge, typename Predicate>
-void complete_rotations(const TriangleMesh& tmesh, const double scale, const Predicate& is_hidden,
+bool complete_rotations(const TriangleMesh& tmesh, const double scale, const Predicate& is_hidden,
                         const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
                         std::vector<Open_edge<Halfedge> >& edges)
 {
@@ -130,7 +131,8 @@ void complete_rotations(const TriangleMesh& tmesh, const double scale, const Pre
       known.push_back(Edge_index(i));
   }
   if(std::find(is_known.begin(), is_known.end(), 0) == is_known.end())
-    return;
+    return false;
+  bool has_changed = false;
   while(!known.empty()) {
     const Edge_index i = known.back();
     known.pop_back();
@@ -145,12 +147,15 @@ void complete_rotations(const TriangleMesh& tmesh, const double scale, const Pre
       // towards the vertex the rotations of both add up to 0
       const int k = edges[std::size_t(i)].rotation;
       Open_edge<Halfedge>& edge = edges[std::size_t(other.edge)];
+      const int old_rotation = edge.rotation;
       set_rotation(edge, Edge_vectors(edge.sides),
                    here.points_to_vertex == other.points_to_vertex ? inverse_rotation(k) : k, scale);
+      has_changed = has_changed || edge.rotation != old_rotation;
       is_known[std::size_t(other.edge)] = true;
       known.push_back(other.edge);
     }
   }
+  return has_changed;
 }
 
 // Chains of edges without rotation whose sides would coincide but for noise are no cuts: their corners

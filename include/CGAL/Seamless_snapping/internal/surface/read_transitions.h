@@ -173,9 +173,9 @@ public:
     Vertex_numbers numbers(num_vertices(m_tmesh));
     numbers.mark_ends(survey.open_edges);
     numbers.assign_numbers();
-    if(!read_rotations(survey.open_edges, numbers, data) || !check_residuals(data))
+    if(!read_rotations(survey.open_edges, numbers, data) || !check_residuals(data) ||
+       !tell_cuts_from_noise(numbers, data))
       return data;
-    tell_cuts_from_noise(numbers, data);
     std::stable_partition(data.edges.begin(), data.edges.end(),
                           [](const Open_edge<Halfedge>& edge) { return edge.is_cut; });
     data.number_of_cuts = std::size_t(std::count_if(data.edges.begin(), data.edges.end(),
@@ -234,12 +234,14 @@ private:
     const Open_edge<Halfedge>* worst = nullptr;
     std::size_t count = 0;
     double worst_violation = 0;
+    data.is_exact = true;
+    data.violation = 0;
     for(const Open_edge<Halfedge>& edge : data.edges) {
       data.is_exact = data.is_exact && edge.is_exact;
       data.violation = (std::max)(data.violation, edge.residual / m_scale);
       // the sides of an edge that is known to be no cut must coincide
       const double violation = edge.is_cut ? edge.residual : (std::max)(edge.residual, edge.gap);
-      if(violation <= m_tolerance * (data.extent * m_scale))
+      if(violation == 0 || violation <= m_tolerance * (data.extent * m_scale)) // 0 times infinity is NaN
         continue;
       ++count;
       if(worst == nullptr || violation > worst_violation) {
@@ -257,7 +259,8 @@ private:
     return false;
   }
 
-  void tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
+  // Returns false if a rotation that an edge takes from its branch does not fit it.
+  bool tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
   {
     const double residual = largest_residual(data.edges);
     const auto is_hidden = [&](const Open_edge<Halfedge>& edge) {
@@ -267,13 +270,16 @@ private:
     };
     if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Open_edge<Halfedge>& edge)
                     { return is_hidden(edge) || may_be_noise(edge, residual); }))
-      return;
+      return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
-    if(!Given::has_rotations)
-      complete_rotations(m_tmesh, m_scale, is_hidden, ends, incidences, data.edges);
+    if(!Given::has_rotations &&
+       complete_rotations(m_tmesh, m_scale, is_hidden, ends, incidences, data.edges) &&
+       !check_residuals(data))
+      return false;
     if(!Given::has_cuts)
       mark_merged_edges(m_tmesh, ends, incidences, residual, data.edges);
+    return true;
   }
 
   void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
@@ -291,6 +297,21 @@ private:
   double m_scale = 1; // lengths are measured after multiplication with it
 };
 
+// Whether indices are as for CGAL's functions: different, and less than the number of vertices. Callers
+// can give others, which would be places outside of arrays.
+template <typename TriangleMesh, typename VertexIndexMap>
+bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
+{
+  std::vector<bool> is_taken(std::size_t(num_vertices(tmesh)), false);
+  for(const auto v : vertices(tmesh)) {
+    const std::size_t i = std::size_t(get(vertex_indices, v));
+    if(i >= is_taken.size() || is_taken[i])
+      return false;
+    is_taken[i] = true;
+  }
+  return true;
+}
+
 // The residual, relative to the extent, up to which a map counts as seamless by default.
 constexpr double default_tolerance = 1e-4;
 
@@ -301,6 +322,15 @@ Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const 
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  if(!CGAL::parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>::value &&
+     !are_valid_indices(tmesh, vertex_indices)) {
+    Transition_data<TriangleMesh> data;
+    data.status = Snapping_status::INVALID_ARGUMENT;
+    data.message = "the indices of vertex_index_map must be different, from 0 to " +
+                   std::to_string(num_vertices(tmesh)) + " - 1, as many as there are vertices; "
+                   "leave the parameter out to have them made";
+    return data;
+  }
   const auto given = given_transitions(tmesh, np);
   const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
                                             default_tolerance);

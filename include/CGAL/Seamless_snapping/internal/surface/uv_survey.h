@@ -166,6 +166,13 @@ void explain_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
   }
 }
 
+// Whether the face of a halfedge, or the hole that it borders, has less than three corners.
+template <typename TriangleMesh, typename Halfedge>
+bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
+{
+  return next(h, tmesh) == prev(h, tmesh);
+}
+
 constexpr std::size_t survey_lookahead = 24; // edges
 
 // `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
@@ -178,6 +185,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
   survey.open_edges.reserve(std::size_t(num_edges(tmesh)) / 16); // growing would copy and touch more memory
   Uv_box box;
   std::size_t number_of_corners = 0;
+  bool has_digon = false; // or a hole of two edges, which is allowed
   bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
   const auto range = edges(tmesh);
   auto ahead = std::begin(range);
@@ -193,6 +201,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
     }
     const auto h = halfedge(e, tmesh);
     const auto g = opposite(h, tmesh);
+    has_digon = has_digon || is_in_digon(h, tmesh) || is_in_digon(g, tmesh);
     if(is_border(h, tmesh) || is_border(g, tmesh)) {
       for(const auto corner : {h, g})
         if(!is_border(corner, tmesh)) {
@@ -217,9 +226,10 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
     in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
   }
   survey.extent = box.extent();
-  // Faces have at least three corners, so that all are triangles if there are no more corners than that.
+  // If faces have at least three corners, all are triangles if there are no more corners than that.
   // num_faces() counts removed ones too.
-  if(!in_range || !box.is_in_range() || number_of_corners != 3 * std::size_t(faces(tmesh).size()))
+  if(!in_range || has_digon || !box.is_in_range() ||
+     number_of_corners != 3 * std::size_t(faces(tmesh).size()))
     explain_bad_face(tmesh, uv_map, vertex_indices, survey);
   return survey;
 }

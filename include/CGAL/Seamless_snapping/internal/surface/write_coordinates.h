@@ -107,15 +107,14 @@ public:
   void write(const Snapped& snapped, Change_statistics& statistics)
   {
     for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
-      const Uv& uv = snapped.uv(s);
+      const Uv uv = with_signs_of_zeros(snapped.uv(s), m_sectors.sector(s).uv);
       if(m_sectors.sector(s).is_uniform())
         statistics.add(m_sectors.sector(s).uv, uv);
       else
         for(auto h = first; h != last; ++h)
           statistics.add(get_uv(m_uv_map, *h), uv, 1. / static_cast<double>(last - first));
       if(must_remember(s))
-        for(auto h = first; h != last; ++h)
-          m_before.push_back(get(m_uv_map, *h));
+        remember(first, last);
       m_end = s + 1;
       for(auto h = first; h != last; ++h)
         put(m_uv_map, *h, point(uv));
@@ -152,6 +151,28 @@ private:
   static Point point(const Uv& uv)
   {
     return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
+  }
+
+  // A zero that stays one keeps its sign.
+  static Uv with_signs_of_zeros(Uv uv, const Uv& before)
+  {
+    for(std::size_t c = 0; c < 2; ++c)
+      if(uv[c] == 0 && before[c] == 0)
+        uv[c] = before[c];
+    return uv;
+  }
+
+  // All corners of a sector, or none if the map throws.
+  void remember(const Halfedge* first, const Halfedge* last)
+  {
+    const std::ptrdiff_t size = std::ptrdiff_t(m_before.size());
+    try {
+      for(auto h = first; h != last; ++h)
+        m_before.push_back(get(m_uv_map, *h));
+    } catch(...) {
+      m_before.erase(m_before.begin() + size, m_before.end());
+      throw;
+    }
   }
 
   // Where a sector's coordinates are not those of each of its corners to the bit: zeros have signs.
