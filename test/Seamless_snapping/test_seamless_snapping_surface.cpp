@@ -348,6 +348,7 @@ void test_shared_places()
   const auto values = *map.values;
   long reads = 0;
   for(bool is_done = false; !is_done; ++reads) {
+    *map.values = values;
     *map.reads = reads + 1;
     try {
       is_done = bool(SS::snap_to_seamless(mesh, map, np));

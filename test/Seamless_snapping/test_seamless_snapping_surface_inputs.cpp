@@ -630,6 +630,25 @@ void test_nearly_nothing()
   snap_and_check(single, "a thin triangle with three aligned sides");
 }
 
+// A merged vertex moves along x only: its y stays the zero that it was.
+void test_signs_of_zeros()
+{
+  for(const double zero : { 0., -0. }) {
+    Named_mesh<Kernel> named = named_mesh("disc", 1);
+    const Mesh& mesh = named.mesh;
+    const UV_map uv = test_meshes::uv_map(named.mesh);
+    const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                 [&](auto w) { return !mesh.is_border(w); });
+    const double height = uv[mesh.halfedge(v)].y();
+    for(const auto h : mesh.halfedges())
+      uv[h] = Point_2(uv[h].x(), mesh.target(h) == v ? zero : uv[h].y() - height);
+    uv[mesh.halfedge(v)] = uv[mesh.halfedge(v)] + Kernel::Vector_2(1e-9, zero);
+    CHECK(SS::snap_to_seamless(mesh, uv).status == Snapping_status::SNAPPED);
+    for(const auto h : CGAL::halfedges_around_target(v, mesh))
+      CHECK(uv[h].y() == 0 && std::signbit(uv[h].y()) == std::signbit(zero));
+  }
+}
+
 // Everything in one point, or nearly, where any rotation fits any edge.
 void test_degenerate_faces(unsigned int seed)
 {
@@ -680,6 +699,7 @@ int main()
   test_not_aligned();
   test_last_bits();
   test_nearly_nothing();
+  test_signs_of_zeros();
   for(int round = 0; round < 10; ++round)
     test_degenerate_faces(++seed);
   std::cout << "seeds 1 to " << seed << std::endl;
