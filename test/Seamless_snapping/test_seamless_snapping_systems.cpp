@@ -595,6 +595,46 @@ void test_many_rows()
   CHECK(CS::snap_to_linear_constraints(halvings, x).status == CS::Snapping_status::NOT_REPRESENTABLE);
 }
 
+// x_i - x_j = b; must be refused, with a certificate of some size.
+struct Difference { std::size_t i, j; long b; };
+
+void test_contradiction(const std::size_t columns, const std::vector<Difference>& differences,
+                        const std::size_t size)
+{
+  System system;
+  system.columns = columns;
+  CS::Linear_constraints<> constraints(columns);
+  for(const Difference& d : differences) {
+    constraints.add_constraint({{d.i, 1}, {d.j, -1}}, d.b);
+    system.add_row({{d.i, 1}, {d.j, -1}});
+    system.b.back() = d.b;
+  }
+  std::vector<double> x(columns, 1.);
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(constraints, x);
+  CHECK(report.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(exact_reference::is_contradiction(system, report.certificate));
+  CHECK_EQUAL(report.certificate.size(), size);
+}
+
+// Where it takes all rows, where many share an unknown, and where all but few have nothing to do with it.
+void test_large_contradictions()
+{
+  const std::size_t n = 100000;
+  std::vector<Difference> loop, star, double_star;
+  for(std::size_t i = 1; i < n; ++i) {
+    loop.push_back({i - 1, i, long(i % 7)});
+    star.push_back({0, i, 0});
+    double_star.push_back({0, i, 0});
+    double_star.push_back({i, 0, 0});
+  }
+  loop.push_back({n - 1, 0, 1});
+  star.push_back({1, 2, 1});
+  double_star.push_back({1, 2, 1});
+  test_contradiction(n, loop, n);
+  test_contradiction(n, star, 3);
+  test_contradiction(n, double_star, 3);
+}
+
 // --- files ---------------------------------------------------------------------------------------
 
 // Seam systems and random ones of thousands of unknowns: for the references they are too big.
@@ -662,6 +702,7 @@ int main(int argc, char** argv)
   test_refusals();
   test_adding_constraints();
   test_many_rows();
+  test_large_contradictions();
   test_random_systems<double>("up to 4 unknowns", seed, 600, 4);
   test_random_systems<float>("up to 4 unknowns, float", seed + 10000, 400, 4);
   test_random_systems<double>("up to 12 unknowns", seed + 20000, 900, 12);

@@ -201,8 +201,10 @@ pivots first, and a least-squares target.
 
 \par Complexity
 Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless
-parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. Constraints
-without one take a dense integer lattice: time cubic, and memory quadratic, in the number of unknowns
+parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. A constraint on
+\f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of them: with
+\f$ \sum_j x_j = 0 \f$ and all \f$ x_i = x_{i+1} \f$, 10,000 unknowns take a fraction of a second, 100,000 of
+them half a minute. Constraints without a coefficient 1 or -1 take a dense integer lattice: time cubic, and memory quadratic, in the number of unknowns
 that they link. A single constraint with arbitrary real coefficients on 1,000 unknowns takes seconds, on
 20,000 of them hours.
 */
