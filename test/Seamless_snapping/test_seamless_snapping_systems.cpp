@@ -65,8 +65,9 @@ double step_of(const double largest, const int digits)
   return std::ldexp(1., exponent - digits);
 }
 
-// The coarsest grid that may be needed: its step is such that the largest value has all p bits. Where the
-// optimum is much smaller than the input, that is the largest value of the output, with 4 bits to spare.
+// The coarsest grid that may be needed: its step is such that the largest value has all p bits. Where
+// the optimum is much smaller than the input, that is the largest value of the output, with 4 bits to
+// spare.
 template <typename Number>
 double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
                      const Optimum& optimum, const std::vector<bool>& used)
@@ -386,7 +387,8 @@ void test_outliers()
   const Rows pin_of_outlier = {{{{0, 1}}, 0}, {{{0, 1}, {1, 1}, {2, -1}}, 0}};
   test_rows<double>("outlier", pin_of_outlier, {1e20, .3, .3}, {0, .3, .3}, close);
   test_rows<double>("small outlier", pin_of_outlier, {1e10, .3, .3}, {0, .3, .3}, close);
-  test_rows<double>("large outlier", pin_of_outlier, {-1e300, 1e280, 1e280}, {0, 1e280, 1e280}, close);
+  test_rows<double>("large outlier", pin_of_outlier, {-1e300, 1e280, 1e280},
+                    {0, 1e280, 1e280}, close);
   test_rows<float>("outlier, float", pin_of_outlier, {1e20f, .5f, .5f}, {0, .5, .5}, 1e-6);
   test_rows<double>("outlier and right-hand side",
                     {{{{0, 1}}, 0.25}, {{{0, 1}, {1, 1}, {2, -1}}, 0}}, {1e20, .125, .375},
@@ -592,7 +594,8 @@ void test_many_rows()
   for(std::size_t i = 0; i + 1 < n; ++i)
     halvings.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 1.);
   x.assign(n, 1.);
-  CHECK(CS::snap_to_linear_constraints(halvings, x).status == CS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(CS::snap_to_linear_constraints(halvings, x).status ==
+        CS::Snapping_status::NOT_REPRESENTABLE);
 }
 
 // x_i - x_j = b; must be refused, with a certificate of some size.
@@ -616,7 +619,7 @@ void test_contradiction(const std::size_t columns, const std::vector<Difference>
   CHECK_EQUAL(report.certificate.size(), size);
 }
 
-// Where it takes all rows, where many share an unknown, and where all but few have nothing to do with it.
+// Where it takes all rows, where many share an unknown, and where most have nothing to do with it.
 void test_large_contradictions()
 {
   const std::size_t n = 100000;

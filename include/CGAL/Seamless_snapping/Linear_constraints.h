@@ -43,8 +43,8 @@ constraints.add_constraint({{0, 1}, {1, -1}});                // x0 - x1 = 0
 constraints.add_constraint({{1, 2}, {2, 1}}, 5);              // 2 x1 + x2 = 5
 \endcode
 
-\tparam Coefficient the type of the coefficients: a built-in integer type, `float`, `double` (each of
-        which is a rational number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`
+\tparam Coefficient the type of the coefficients: a built-in integer type, `float`, `double` (each
+        of which is a rational number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`
 
 \sa `snap_to_linear_constraints()`
 */
@@ -64,13 +64,14 @@ public:
   adds the constraint \f$ \sum_k a_k x_{j_k} = b \f$ and returns its index.
 
   \param terms the pairs \f$ (j_k, a_k) \f$ in any order; terms with equal indices add up
-  \param right_hand_side \f$ b \f$, by default 0; converts exactly from integers, `float`, and `double`
+  \param right_hand_side \f$ b \f$, by default 0; converts exactly from integers, `float`, and
+         `double`
 
   \pre all indices are below `number_of_unknowns()`
-  \throws std::invalid_argument if `right_hand_side` is a floating point number that is NaN or infinite
+  \throws std::invalid_argument if `right_hand_side` is a floating point number, but NaN or infinite
 
-  If an exception is thrown, also by memory allocation, the constraints are as before. Coefficients that
-  are NaN or infinite are refused by `snap_to_linear_constraints()`.
+  If an exception is thrown, also by memory allocation, the constraints are as before. Coefficients
+  that are NaN or infinite are refused by `snap_to_linear_constraints()`.
   */
   std::size_t add_constraint(const std::vector<Term>& terms,
                              const CGAL::Exact_rational& right_hand_side = CGAL::Exact_rational(0))

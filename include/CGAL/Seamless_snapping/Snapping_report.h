@@ -45,7 +45,7 @@ enum class Snapping_status
   NOT_ALIGNED,        ///< an edge that is to lie on an isocurve is farther from one than the tolerance
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INCONSISTENT,       ///< the constraints contradict each other
-  NOT_REPRESENTABLE,  ///< the constraints have solutions, but none was found in the number type near the values
+  NOT_REPRESENTABLE,  ///< the constraints have solutions, but in the number type none was found near by
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };
 
@@ -121,14 +121,14 @@ struct Snapping_report
   /// @}
 
   /// \name Distances
-  /// Means are over the values of those parts of the system that had to be changed: parts that share no
-  /// unknown with others and hold exactly in the input are left out.
+  /// Means are over the values of those parts of the system that had to be changed: parts that share
+  /// no unknown with others and hold exactly in the input are left out.
   /// @{
   double extent = 0;            ///< the larger side of the bounding box of the values (of their absolute values for the generic function)
   double violation_before = 0;  ///< the largest violation of a constraint by the input (for the surface function: of a transition or alignment)
   double grid_step = 0;         ///< the spacing of the grid the constrained values were moved to
   double largest_change = 0;    ///< the largest absolute change of a value
-  double mean_change = 0;       ///< the mean absolute change of constrained values (of each sector, for the surface function)
+  double mean_change = 0;       ///< the mean absolute change (of each sector, for the surface function)
   double rms_change = 0;        ///< the root-mean-square change, over the same values
   double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
   double largest_change_before_repair = 0; ///< the largest change before orientations were repaired (surface function only)

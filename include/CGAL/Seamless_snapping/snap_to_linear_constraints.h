@@ -194,19 +194,20 @@ pivots first, and a least-squares target.
         - `NOT_FINITE`: a value is NaN or infinite;
         - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
           that contradict each other;
-        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near the
-          values on a grid that the number type has at their size. All values are looked for on one
-          grid, so there may be one in which some are finer: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
-          \f$ (1, -1, 0) \f$, that is \f$ (1, -1, 2^{-60}) \f$. This can't happen for \f$ b = 0 \f$.
+        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
+          the values on a grid that the number type has at their size. All values are looked for on
+          one grid, so there may be one in which some are finer: for
+          \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near \f$ (1, -1, 0) \f$, that is
+          \f$ (1, -1, 2^{-60}) \f$. This can't happen for \f$ b = 0 \f$.
 
 \par Complexity
 Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless
-parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. A constraint on
-\f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of them: with
-\f$ \sum_j x_j = 0 \f$ and all \f$ x_i = x_{i+1} \f$, 10,000 unknowns take a fraction of a second, 100,000 of
-them half a minute. Constraints without a coefficient 1 or -1 take a dense integer lattice: time cubic, and memory quadratic, in the number of unknowns
-that they link. A single constraint with arbitrary real coefficients on 1,000 unknowns takes seconds, on
-20,000 of them hours.
+parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. A
+constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of
+them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a fraction of a second for 10,000
+unknowns, half a minute for 100,000. Constraints without a coefficient 1 or -1 take a dense integer
+lattice: time cubic, and memory quadratic, in the number of unknowns that they link. A single constraint with
+arbitrary real coefficients on 1,000 unknowns takes seconds, on 20,000 of them hours.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

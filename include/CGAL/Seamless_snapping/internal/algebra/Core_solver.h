@@ -16,7 +16,8 @@
 
 // What unit pivots can't reach goes to the complete integer solver; most systems have nothing of the kind.
 // Of large systems it is the rows that the elimination left over. Of others it is all rows as they were
-// given, but for redundant ones: a solution near by in all unknowns is wanted, and implied ones amplify changes of the core.
+// given, but for redundant ones: a solution near by in all unknowns is wanted, and implied ones amplify
+// changes of the core.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
@@ -40,7 +41,8 @@ public:
               const Unit_pivot_elimination<Integer>& elimination)
     : m_is_whole(!elimination.core_rows().empty() &&
                  system.number_of_columns() <= largest_whole_system),
-      m_lattice(m_is_whole ? core_of(system, nonzero_rows(system, elimination)) : core_of(elimination))
+      m_lattice(m_is_whole ? core_of(system, nonzero_rows(system, elimination))
+                           : core_of(elimination))
   {
     for(const Row_index i : m_lattice.independent_rows())
       m_independent_rows.push_back(m_rows[std::size_t(i)]);
@@ -52,7 +54,8 @@ public:
       m_right_hand_shift = solution.power_of_two;
   }
 
-  // Whether all rows of the system are here, but for redundant ones, so that back-substitution has nothing left to do.
+  // Whether all rows of the system are here, but for redundant ones, so that back-substitution has
+  // nothing left to do.
   bool is_whole() const { return m_is_whole; }
 
   // Whether there are solutions over the rationals.

@@ -45,8 +45,8 @@ struct Grid_point
   // Only the columns before this one must be representable; the others are quantities of the system
   // alone, such as translations of branches.
   std::size_t number_of_representable_columns;
-  // Whether the solution may lie on a finer grid than the values, where it is much smaller than these:
-  // not if other values, which stay on their grid, depend on it.
+  // Whether the solution may lie on a finer grid than the values, where it is much smaller than
+  // these: not if other values, which stay on their grid, depend on it.
   bool may_be_finer;
 };
 
@@ -163,8 +163,8 @@ public:
   }
 
 private:
-  // Projects the values, and chooses a grid for that: right-hand sides may want a finer one, and so does a
-  // projection much smaller than the values. Returns false if no grid holds it.
+  // Projects the values, and chooses a grid for that: right-hand sides may want a finer one, and so
+  // does a projection much smaller than the values. Returns false if no grid holds it.
   bool find_target(const Grid_point& point, const int coarsest, Grid_solution& solution) const
   {
     solution.grid = point.grid;

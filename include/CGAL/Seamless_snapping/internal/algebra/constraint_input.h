@@ -123,8 +123,8 @@ bool has_finite_right_hand_side(const RightHandSide& b, std::string& problem)
                                   [](const auto& t) { return !is_finite_number(t); });
   if(first == std::end(b))
     return true;
-  problem = "the right-hand side of constraint " + std::to_string(std::distance(std::begin(b), first)) +
-            " is NaN or infinite";
+  problem = "the right-hand side of constraint " +
+            std::to_string(std::distance(std::begin(b), first)) + " is NaN or infinite";
   return false;
 }
 

@@ -16,7 +16,8 @@
 
 // For a system that contradicts itself: multipliers of rows whose combination reads 0 = c, c != 0, so
 // that the user sees which constraints fight. Runs only on failure; the elimination proper carries no
-// multipliers. Neither does this one: it notes its steps, and follows them back from the contradiction.
+// multipliers. Neither does this one: it notes its steps, and follows them back from the
+// contradiction.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
 #include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
@@ -35,9 +36,10 @@ namespace internal {
 
 using Certificate = std::vector<std::pair<std::size_t, Exact_integer> >;
 
-// Those that may take part in a combination without unknowns: not one that holds a column alone, nor one
-// that does so once such rows are gone.
-inline std::vector<Row_index> rows_without_single_columns(const Integer_system<Exact_integer>& system)
+// Those that may take part in a combination without unknowns: not one that holds a column alone, nor
+// one that does so once such rows are gone.
+inline std::vector<Row_index>
+rows_without_single_columns(const Integer_system<Exact_integer>& system)
 {
   struct Holders { Row_index exclusive_or, count; }; // of the rows left: one row is known by it
   std::vector<Holders> holders(system.number_of_columns(), Holders{0, 0});
@@ -73,8 +75,8 @@ inline std::vector<Row_index> rows_without_single_columns(const Integer_system<E
   return rows;
 }
 
-// Sparse elimination over the rationals with any pivots, chosen like those of `Unit_pivot_elimination` for
-// little fill. Invariant: each row is the combination of original rows that `m_steps` say.
+// Sparse elimination over the rationals with any pivots, chosen like those of `Unit_pivot_elimination`
+// for little fill. Invariant: each row is the combination of original rows that `m_steps` say.
 class Traced_elimination
 {
 public:
@@ -202,12 +204,14 @@ private:
     Exact_integer denominator(1);
     for(const Exact_rational& y : multipliers) {
       const Exact_integer d = numerator_and_denominator(y).second;
-      denominator = Exact_integer(exact_quotient(denominator, greatest_common_divisor(denominator, d)) * d);
+      const Exact_integer common = greatest_common_divisor(denominator, d);
+      denominator = Exact_integer(exact_quotient(denominator, common) * d);
     }
     for(std::size_t k = 0; k < multipliers.size(); ++k)
       if(multipliers[k] != 0) {
         const auto parts = numerator_and_denominator(multipliers[k]);
-        result.emplace_back(k, Exact_integer(parts.first * exact_quotient(denominator, parts.second)));
+        const Exact_integer factor = exact_quotient(denominator, parts.second);
+        result.emplace_back(k, Exact_integer(parts.first * factor));
       }
     return result;
   }

@@ -80,7 +80,7 @@ Grid_point point_on_grid(const System_component<Integer>& component, const std::
   return point;
 }
 
-// The largest violation of the caller's rows, of which the system's are multiples; in floating point.
+// The largest violation of the caller's rows, of which the system's are multiples; inexact.
 template <typename Integer>
 double largest_violation(const System_component<Integer>& component, const Grid_point& point,
                          const std::map<std::size_t, Exact_rational>& scales)
@@ -171,10 +171,10 @@ std::string not_representable_message(const System_component<Integer>& component
   for(std::size_t k = 0; k < component.rows.size(); ++k)
     if(component.system.right_hand_side(k) != 0)
       rows.push_back(component.rows[k]);
-  return "the constraints have rational solutions, but near the values none was found whose values are "
-         "all multiples of one power of two that the number type can hold at this size; round the "
-         "right-hand sides of the constraints " + list_of_rows(rows) + " to fewer bits, or remove factors "
-         "that they are not divisible by";
+  return "the constraints have rational solutions, but near the values none was found whose values "
+         "are all multiples of one power of two that the number type can hold at this size; round the "
+         "right-hand sides of the constraints " + list_of_rows(rows) + " to fewer bits, or remove "
+         "factors that they are not divisible by";
 }
 
 // One part. Writes its new values to `snapped`, or returns false and says why in the report.
