@@ -205,7 +205,7 @@ Nearly linear in the number of nonzero coefficients for sparse systems such as t
 parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. A
 constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of
 them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a fraction of a second for 10,000
-unknowns, half a minute for 100,000. Constraints without a coefficient 1 or -1 take a dense integer
+unknowns, some ten seconds for 100,000. Constraints without a coefficient 1 or -1 take a dense integer
 lattice: time cubic, and memory quadratic, in the number of unknowns that they link. A single constraint with
 arbitrary real coefficients on 1,000 unknowns takes seconds, on 20,000 of them hours.
 */
