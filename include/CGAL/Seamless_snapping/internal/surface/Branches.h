@@ -33,27 +33,23 @@ public:
   Branch_list() : m_begin(1, 0) { }
 
   void add_edge(const std::int32_t directed_edge) { m_edges.push_back(directed_edge); }
-  void finish_branch() { m_begin.push_back(m_edges.size()); }
+  void finish_branch(const Edge_ends& nodes)
+  {
+    m_begin.push_back(m_edges.size());
+    m_nodes.push_back(nodes);
+  }
 
   std::size_t size() const { return m_begin.size() - 1; }
   const std::int32_t* begin(const std::size_t b) const { return m_edges.data() + m_begin[b]; }
   const std::int32_t* end(const std::size_t b) const { return m_edges.data() + m_begin[b + 1]; }
 
+  const Edge_ends& nodes(const std::size_t b) const { return m_nodes[b]; } // at its ends
+
 private:
   std::vector<std::int32_t> m_edges;
   std::vector<std::size_t> m_begin;
+  std::vector<Edge_ends> m_nodes;
 };
-
-inline Vertex_index source_of(const std::int32_t directed_edge, const std::vector<Edge_ends>& ends)
-{
-  const Edge_ends& edge = ends[std::size_t(directed_edge / 2)];
-  return directed_edge % 2 == 0 ? edge.source : edge.target;
-}
-
-inline Vertex_index target_of(const std::int32_t directed_edge, const std::vector<Edge_ends>& ends)
-{
-  return source_of(directed_edge ^ 1, ends);
-}
 
 // Walks along the chains of one set of edges.
 class Branch_tracer
@@ -83,8 +79,13 @@ public:
   }
 
 private:
-  Vertex_index source(const std::int32_t d) const { return source_of(d, m_ends); }
-  Vertex_index target(const std::int32_t d) const { return target_of(d, m_ends); }
+  Vertex_index source(const std::int32_t d) const
+  {
+    const Edge_ends& ends = m_ends[std::size_t(d / 2)];
+    return d % 2 == 0 ? ends.source : ends.target;
+  }
+
+  Vertex_index target(const std::int32_t d) const { return source(d ^ 1); }
 
   // At a vertex that is no node, two edges meet; this is the other one, away from the vertex.
   std::int32_t continuation(const std::int32_t d) const
@@ -97,6 +98,7 @@ private:
 
   void walk(std::int32_t d, const std::vector<bool>& is_node, Branch_list& branches)
   {
+    const Vertex_index start = source(d);
     for(;;) {
       m_is_done[std::size_t(d / 2)] = true;
       branches.add_edge(d);
@@ -104,7 +106,7 @@ private:
         break;
       d = continuation(d);
     }
-    branches.finish_branch();
+    branches.finish_branch({start, target(d)});
   }
 
   const Vertex_incidences& m_incidences;

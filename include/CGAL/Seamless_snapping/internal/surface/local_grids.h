@@ -58,12 +58,9 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
   // The nodes alone tell whether there is one part only, as there mostly is.
   make_sets(true);
   std::ptrdiff_t number_of_parts = std::count(branches.is_node.begin(), branches.is_node.end(), true);
-  const auto link_nodes = [&](const Branch_list& list, const std::vector<Edge_ends>& ends) {
-    for(std::size_t b = 0; b < list.size(); ++b)
-      number_of_parts -= link(source_of(*list.begin(b), ends), target_of(*(list.end(b) - 1), ends)) ? 1 : 0;
-  };
-  link_nodes(branches.cut, sectors.cut_ends());
-  link_nodes(branches.aligned, sectors.align_ends());
+  for(const Branch_list* list : {&branches.cut, &branches.aligned})
+    for(std::size_t b = 0; b < list->size(); ++b)
+      number_of_parts -= link(list->nodes(b).source, list->nodes(b).target) ? 1 : 0;
   if(number_of_parts <= 1)
     return;
 
@@ -78,10 +75,12 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
     for(Sector_index s = sectors.first_sector(Vertex_index(v)); s != end; ++s)
       l = (std::max)(l, largest_component(sectors.sector(s).uv));
   }
+  constexpr int worthwhile = 4; // bits: magnified coordinates take longer
   for(std::size_t v = 0; v < size; ++v) {
     const double l = largest[std::size_t(parts.find_set(Vertex_index(v)))];
-    if(l > 0)
-      sectors.magnify(Vertex_index(v), grid.exponent() - Grid::finest(grid.format(), l).exponent());
+    const int bits = l > 0 ? grid.exponent() - Grid::finest(grid.format(), l).exponent() : 0;
+    if(bits >= worthwhile)
+      sectors.magnify(Vertex_index(v), bits);
   }
 }
 

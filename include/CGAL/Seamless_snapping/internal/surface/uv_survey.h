@@ -185,7 +185,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
   survey.open_edges.reserve(std::size_t(num_edges(tmesh)) / 16); // growing would copy and touch more memory
   Uv_box box;
   std::size_t number_of_corners = 0;
-  bool has_digon = false; // or a hole of two edges, which is allowed
+  std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
   bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
   const auto range = edges(tmesh);
   auto ahead = std::begin(range);
@@ -201,7 +201,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
     }
     const auto h = halfedge(e, tmesh);
     const auto g = opposite(h, tmesh);
-    has_digon = has_digon || is_in_digon(h, tmesh) || is_in_digon(g, tmesh);
+    number_of_digons += std::size_t(is_in_digon(h, tmesh)) + std::size_t(is_in_digon(g, tmesh));
     if(is_border(h, tmesh) || is_border(g, tmesh)) {
       for(const auto corner : {h, g})
         if(!is_border(corner, tmesh)) {
@@ -228,7 +228,7 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap
   survey.extent = box.extent();
   // If faces have at least three corners, all are triangles if there are no more corners than that.
   // num_faces() counts removed ones too.
-  if(!in_range || has_digon || !box.is_in_range() ||
+  if(!in_range || number_of_digons > 0 || !box.is_in_range() ||
      number_of_corners != 3 * std::size_t(faces(tmesh).size()))
     explain_bad_face(tmesh, uv_map, vertex_indices, survey);
   return survey;
