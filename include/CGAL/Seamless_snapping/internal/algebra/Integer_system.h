@@ -58,6 +58,15 @@ void sort_and_sum(std::vector<Entry<Integer> >& entries)
   entries.resize(last);
 }
 
+// The entry of a row, whose columns are sorted, in one column; null if there is none.
+template <typename Integer>
+const Entry<Integer>* find_entry(const std::vector<Entry<Integer> >& row, const Column_index column)
+{
+  const auto found = std::lower_bound(row.begin(), row.end(), column,
+    [](const Entry<Integer>& e, const Column_index c) { return e.column < c; });
+  return found == row.end() || found->column != column ? nullptr : &*found;
+}
+
 // Rows with sorted columns and no zeros. The right-hand sides are integers times 2^-right_hand_scale:
 // a solution on a grid of step 2^e, e <= -right_hand_scale, is an integer vector X with
 // C X = right_hand_side 2^(-right_hand_scale - e).

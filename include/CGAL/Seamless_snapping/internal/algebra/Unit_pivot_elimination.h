@@ -237,10 +237,8 @@ private:
     for(const Row_index j : m_rows_of_column) {
       if(m_states[std::size_t(j)] == DONE)
         continue;
-      const Row& row = m_rows[std::size_t(j)];
-      const auto found = std::lower_bound(row.begin(), row.end(), pivot.column,
-        [](const Entry<Integer>& e, const Column_index column) { return e.column < column; });
-      if(found == row.end() || found->column != pivot.column)
+      const Entry<Integer>* const found = find_entry(m_rows[std::size_t(j)], pivot.column);
+      if(found == nullptr)
         continue; // the list was out of date
       const Integer factor(found->coefficient * pivot.coefficient); // = / pivot, a unit
       subtract(j, factor, i);

@@ -131,10 +131,8 @@ private:
     for(const Row_index j : m_rows_of_column) {
       if(!m_is_waiting[std::size_t(j)])
         continue;
-      const Row& target = m_rows[std::size_t(j)];
-      const auto found = std::lower_bound(target.begin(), target.end(), pivot.column,
-        [](const Entry<Exact_integer>& e, const Column_index column) { return e.column < column; });
-      if(found == target.end() || found->column != pivot.column)
+      const Entry<Exact_integer>* const found = find_entry(m_rows[std::size_t(j)], pivot.column);
+      if(found == nullptr)
         continue; // the list was out of date
       const Exact_integer divisor = greatest_common_divisor(found->coefficient, pivot.coefficient);
       Step step{j, i, exact_quotient(pivot.coefficient, divisor),

@@ -63,7 +63,7 @@ public:
     Uv& sum = m_shifts[s];
     for(std::size_t c = 0; c < 2; ++c)
       sum[c] += std::ldexp(by[c], m_sectors.sector(s).magnification);
-    constexpr double largest = 1152921504606846976.; // 2^60
+    constexpr double largest = machine_integer_bound / 4;
     return std::abs(sum[0]) < largest && std::abs(sum[1]) < largest;
   }
 
@@ -74,12 +74,10 @@ public:
     return is_plain ? split(sector.uv) : changed_coordinates(s); // nearly all are
   }
 
-  // The mean of the corners, on no grid.
+  // The mean of corners that differ, on no grid.
   Uv mean(const Sector_index s) const
   {
     const Sector& sector = m_sectors.sector(s);
-    if(sector.is_uniform())
-      return sector.uv;
     const Uv& deviation = m_deviations[std::size_t(sector.mixed)];
     return {{sector.uv[0] + deviation[0], sector.uv[1] + deviation[1]}};
   }

@@ -43,11 +43,8 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
   const std::size_t size = sectors.number_of_vertices();
   std::vector<Vertex_index> parent(size), rank(size, 0);
   boost::disjoint_sets<Vertex_index*, Vertex_index*> parts(rank.data(), parent.data());
-  const auto make_sets = [&](const bool of_nodes) {
-    for(std::size_t v = 0; v < size; ++v)
-      if(branches.is_node[v] == of_nodes)
-        parts.make_set(Vertex_index(v));
-  };
+  for(std::size_t v = 0; v < size; ++v)
+    parts.make_set(Vertex_index(v));
   const auto link = [&](const Vertex_index a, const Vertex_index b) {
     const Vertex_index x = parts.find_set(a), y = parts.find_set(b);
     if(x != y)
@@ -56,7 +53,6 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
   };
 
   // The nodes alone tell whether there is one part only, as there mostly is.
-  make_sets(true);
   std::ptrdiff_t number_of_parts = std::count(branches.is_node.begin(), branches.is_node.end(), true);
   for(const Branch_list* list : {&branches.cut, &branches.aligned})
     for(std::size_t b = 0; b < list->size(); ++b)
@@ -64,7 +60,6 @@ void magnify_small_parts(Sector_map<TriangleMesh, HalfedgeUVMap>& sectors, const
   if(number_of_parts <= 1)
     return;
 
-  make_sets(false);
   for(const auto* edges : {&sectors.cut_ends(), &sectors.align_ends()})
     for(const Edge_ends& edge : *edges)
       link(edge.source, edge.target);
