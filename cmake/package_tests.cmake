@@ -64,6 +64,25 @@ foreach(way IN ITEMS installed subdirectory)
   set_tests_properties(consumer_${way} PROPERTIES LABELS package)
 endforeach()
 
+# Floating point numbers are rounded as the standard says, whatever the compiler makes of it.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(compilers "${CMAKE_CXX_COMPILER}")
+  foreach(name IN ITEMS g++ clang++)
+    find_program(compiler_${name} ${name})
+    if(compiler_${name})
+      list(APPEND compilers "${compiler_${name}}")
+    endif()
+  endforeach()
+  add_test(NAME rounding
+    COMMAND "${CMAKE_COMMAND}"
+      "-DCOMPILERS=${compilers}"
+      "-DINCLUDE_DIR=${PROJECT_SOURCE_DIR}/include"
+      "-DSOURCE=${PROJECT_SOURCE_DIR}/test/Seamless_snapping/test_seamless_snapping_rounding.cpp"
+      "-DWORK_DIR=${PROJECT_BINARY_DIR}"
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_rounding.cmake")
+  set_tests_properties(rounding PROPERTIES LABELS package)
+endif()
+
 # The manual builds without a warning.
 find_program(DOXYGEN doxygen)
 add_test(NAME manual

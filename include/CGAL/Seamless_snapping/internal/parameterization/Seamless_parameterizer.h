@@ -18,6 +18,7 @@
 
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_graph.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
@@ -130,7 +131,7 @@ void round_coordinates(const double unit, Coordinates& uv)
 {
   for(auto& p : uv)
     for(double& x : p)
-      x = CGAL::to_double(FT(x / unit));
+      x = rounded_to<FT>(x / unit);
 }
 
 template <typename FT, typename Report>
@@ -141,7 +142,7 @@ void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
   report.extent = std::ldexp(report.extent, exponent);
   report.violation = std::ldexp(report.violation, exponent);
   // No coordinate is larger, as one vertex of each component is at the origin.
-  const double extent = CGAL::to_double(FT(report.extent));
+  const double extent = rounded_to<FT>(report.extent);
   if(!(extent <= largest_extent)
      || (has_extent && extent < CGAL::to_double((std::numeric_limits<FT>::min)())))
     throw Failure{Parameterization_status::INVALID_ARGUMENT,

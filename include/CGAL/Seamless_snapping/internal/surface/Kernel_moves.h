@@ -19,6 +19,7 @@
 // check of the whole ring agrees.
 
 #include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/surface/Half_planes.h>
 #include <CGAL/Seamless_snapping/internal/surface/Vertex_moves.h>
 #include <CGAL/Seamless_snapping/internal/surface/Watched_faces.h>
@@ -242,7 +243,7 @@ private:
       Uv moved;
       for(std::size_t c = 0; c < 2; ++c) {
         const double by = steps[c] * plan.unit;
-        moved[c] = static_cast<double>(static_cast<Number>(u[c] + by));
+        moved[c] = rounded_to<Number>(u[c] + by);
         const Exact_difference difference(moved[c], u[c]);
         is_finite = is_finite && std::isfinite(moved[c]);
         is_exact = is_exact && difference.rounded == by && difference.error == 0;

@@ -21,6 +21,7 @@
 // chosen, and the ordinary exact solution for the shifted targets takes its solution to the grid.
 
 #include <CGAL/Seamless_snapping/internal/algebra/nonnegative_program.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/surface/Kernel_moves.h>
 #include <CGAL/Seamless_snapping/internal/surface/Optimum_response.h>
 #include <CGAL/Seamless_snapping/internal/surface/Shifted_solution.h>
@@ -145,8 +146,7 @@ private:
                                                   : m_points.uv(m_optimum, s.first);
       for(std::size_t c = 0; c < 2; ++c)
         if(!m_response.is_dependent(s.first, c))
-          u[c] = static_cast<double>(
-            static_cast<Number>(m_points.uv(m_optimum, s.first)[c] + s.second[c] * m_step));
+          u[c] = rounded_to<Number>(m_points.uv(m_optimum, s.first)[c] + s.second[c] * m_step);
       m_points.set_uv(result, s.first, u);
     }
   }

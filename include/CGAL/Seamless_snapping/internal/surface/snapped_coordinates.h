@@ -17,6 +17,7 @@
 // From the solution of the reduced system to the coordinates of all sectors: those between the nodes
 // follow from the translations and constant coordinates of their branches (Sec. 5.3.1, steps 2 and 3).
 
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/surface/Reduced_system.h>
 
 #include <cmath>
@@ -73,7 +74,7 @@ private:
     if(!m_sectors.sector(s).is_uniform()) {
       const Uv mean = m_coordinates.mean(s);
       for(std::size_t c = 0; c < 2; ++c)
-        uv[c] = static_cast<double>(static_cast<Number>(mean[c]));
+        uv[c] = rounded_to<Number>(mean[c]);
       add_optimal_change(s, std::sqrt(m_coordinates.squares_within(s)));
     }
     const Column_index unknown = m_system.unknown(s);

@@ -1,0 +1,44 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ROUNDED_TO_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ROUNDED_TO_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Rounding of doubles to the number type of the coordinates.
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
+// roundings go through here: from -O2 on, the vectorizer of g++ 12 takes the conversions of two
+// neighboring doubles to float and back for nothing, and drops them. A volatile number keeps it from
+// that.
+template <typename Number>
+double rounded_to(const double x)
+{
+  if constexpr(std::is_same<Number, float>::value) {
+    const volatile float rounded = static_cast<float>(x);
+    return static_cast<double>(rounded);
+  } else {
+    return x;
+  }
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ROUNDED_TO_H
