@@ -142,10 +142,10 @@ void print_head(const Settings& settings)
 
 void print_cell(const Measurement& m, const Settings& settings)
 {
-  std::printf(" %.0f", m.report.largest_coefficient);
+  std::printf(" %.0f", m.report.linear_solver.largest_coefficient);
   if(settings.with_textbook)
     std::printf(" (%.0f)", CGAL::to_double(m.largest_of_textbook));
-  std::printf(", %.0f (%zu), %.3f |", m.report.largest_pivot, m.report.number_of_non_unit_pivots,
+  std::printf(", %.0f (%zu), %.3f |", m.report.linear_solver.largest_pivot, m.report.linear_solver.number_of_non_unit_pivots,
               1e3 * m.seconds);
 }
 

@@ -115,20 +115,20 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
     return {};
   }
   const auto after = SS::measure_seamlessness(mesh, uv);
-  benchmark::Step_times times = benchmark::summed(report.step_times);
+  benchmark::Step_times times = benchmark::summed(report.run.step_times);
   const auto ms = [&](const char* step) { return 1e3 * benchmark::time_of(step, times); };
-  const double cells = double(report.number_of_constraints) * double(report.number_of_unknowns);
+  const double cells = double(report.linear_solver.number_of_constraints) * double(report.linear_solver.number_of_unknowns);
   const auto density = [&](const std::size_t entries) { return cells > 0 ? 100 * double(entries) / cells : 0; };
-  return {double(report.number_of_faces), double(report.number_of_nodes),
-          double(report.number_of_cut_branches + report.number_of_align_branches),
+  return {double(report.run.number_of_faces), double(report.run.number_of_nodes),
+          double(report.run.number_of_cut_branches + report.run.number_of_align_branches),
           ms("elimination"), ms("least-squares target"), ms("evaluation"), 1e3 * total,
-          density(report.number_of_coefficients), density(report.number_of_eliminated_coefficients),
+          density(report.linear_solver.number_of_coefficients), density(report.linear_solver.number_of_eliminated_coefficients),
           report.violation_before / extent, report.mean_change / extent,
           report.optimal_rms_change > 0 ? report.rms_change / report.optimal_rms_change : 1,
           report.largest_change / extent,
-          report.largest_change_before_repair > 0 ? report.largest_change / report.largest_change_before_repair : 1,
+          report.run.largest_change_before_repair > 0 ? report.largest_change / report.run.largest_change_before_repair : 1,
           double(before.number_of_flipped_faces),
-          double(report.number_of_lost_faces), double(report.lost_faces.size()), double(after.number_of_flipped_faces)};
+          double(report.run.number_of_lost_faces), double(report.lost_faces.size()), double(after.number_of_flipped_faces)};
 }
 
 // --- the table -----------------------------------------------------------------------------------

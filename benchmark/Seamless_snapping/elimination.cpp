@@ -95,7 +95,7 @@ Measurement measure(const Matrix& matrix, const Settings& settings)
     Values x = input;
     const std::clock_t start = std::clock();
     result.report = CGAL::Seamless_snapping::snap_to_linear_constraints(matrix, x);
-    result.run.add(result.report.step_times, double(std::clock() - start) / CLOCKS_PER_SEC);
+    result.run.add(result.report.run.step_times, double(std::clock() - start) / CLOCKS_PER_SEC);
     result.exact = is_exact(matrix, x);
     result.largest_change = largest_difference(input, x);
   }
@@ -123,7 +123,7 @@ void print(const Measurement& m)
               m.name.c_str(), m.rows, m.columns, m.entries, milliseconds(m, "input"),
               milliseconds(m, "elimination"), milliseconds(m, "least-squares target"),
               milliseconds(m, "evaluation"), milliseconds(m, "verification"),
-              1e3 * m.run.total(), m.report.coefficient_bits, m.exact ? "yes" : "NO",
+              1e3 * m.run.total(), m.report.linear_solver.coefficient_bits, m.exact ? "yes" : "NO",
               m.largest_change, CGAL::Seamless_snapping::to_string(m.report.status));
   std::fflush(stdout);
 }

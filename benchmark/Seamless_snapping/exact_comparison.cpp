@@ -121,7 +121,7 @@ Result run_ours(const Problem& problem)
   result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
     report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, values);
   });
-  result.bits = report.coefficient_bits;
+  result.bits = report.linear_solver.coefficient_bits;
   measure_solution(problem, exact_reference::to_rationals(x), result);
   return result;
 }

@@ -60,13 +60,13 @@ inline std::ostream& operator<<(std::ostream& os, const Summary& s)
   const auto& r = s.report;
   os << s.faces << " faces, " << s.vertices << " vertices, " << s.border_edges
      << " border edges, " << s.features << " feature edges\n"
-     << r.number_of_cut_edges << " cut edges in " << r.number_of_cut_branches << " branches, "
-     << r.number_of_nodes << " nodes, " << r.number_of_singular_vertices << " singular vertices\n";
+     << r.run.number_of_cut_edges << " cut edges in " << r.run.number_of_cut_branches << " branches, "
+     << r.run.number_of_nodes << " nodes, " << r.run.number_of_singular_vertices << " singular vertices\n";
   if(s.split_vertices > 0)
     os << "note: " << s.split_vertices
        << " vertices were added where the faces around a vertex form several fans\n";
   if(s.aligned_edges + s.left_out_edges > 0)
-    os << s.aligned_edges << " edges are kept on isocurves, in " << r.number_of_align_branches
+    os << s.aligned_edges << " edges are kept on isocurves, in " << r.run.number_of_align_branches
        << " branches\n";
   if(s.left_out_edges > 0)
     os << "note: " << s.left_out_edges << " edges are left out, as they lie on no isocurve\n";
@@ -108,7 +108,7 @@ inline nlohmann::json to_json(const Summary& s, bool success, const std::string&
 {
   const auto& r = s.report;
   nlohmann::json steps = nlohmann::json::array();
-  for(const auto& [name, seconds] : r.step_times)
+  for(const auto& [name, seconds] : r.run.step_times)
     steps.push_back({{"step", name}, {"seconds", seconds}});
   return {{"exact", success},
           {"message", message},
@@ -120,16 +120,16 @@ inline nlohmann::json to_json(const Summary& s, bool success, const std::string&
           {"extent", s.before.extent},
           {"before", to_json(s.before)},
           {"after", to_json(s.after)},
-          {"seams", {{"cut_edges", r.number_of_cut_edges},
-                     {"merged_edges", r.number_of_merged_edges},
-                     {"cut_branches", r.number_of_cut_branches},
-                     {"align_branches", r.number_of_align_branches}, {"nodes", r.number_of_nodes},
-                     {"singular_vertices", r.number_of_singular_vertices}}},
-          {"system", {{"unknowns", r.number_of_unknowns}, {"constraints", r.number_of_constraints},
-                      {"redundant_constraints", r.number_of_redundant_constraints},
-                      {"non_unit_pivots", r.number_of_non_unit_pivots},
-                      {"multiprecision", r.multiprecision}}},
-          {"change", {{"grid_step", r.grid_step}, {"largest", r.largest_change},
+          {"seams", {{"cut_edges", r.run.number_of_cut_edges},
+                     {"merged_edges", r.run.number_of_merged_edges},
+                     {"cut_branches", r.run.number_of_cut_branches},
+                     {"align_branches", r.run.number_of_align_branches}, {"nodes", r.run.number_of_nodes},
+                     {"singular_vertices", r.run.number_of_singular_vertices}}},
+          {"system", {{"unknowns", r.linear_solver.number_of_unknowns}, {"constraints", r.linear_solver.number_of_constraints},
+                      {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
+                      {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
+                      {"multiprecision", r.linear_solver.multiprecision}}},
+          {"change", {{"grid_step", r.run.grid_step}, {"largest", r.largest_change},
                       {"mean", r.mean_change}, {"rms", r.rms_change}}},
           {"seconds", {{"reading", s.reading_time}, {"snapping", s.snapping_time},
                        {"writing", s.writing_time}, {"steps", steps}}}};

@@ -55,16 +55,16 @@ struct Tally
   void add(const SS::Snapping_report& report)
   {
     ++runs;
-    lost += report.number_of_lost_faces;
-    moves += report.number_of_faces_repaired_by_moves;
-    weights += report.number_of_faces_repaired_by_weights;
-    program += report.number_of_faces_repaired_by_program;
+    lost += report.run.number_of_lost_faces;
+    moves += report.run.number_of_faces_repaired_by_moves;
+    weights += report.run.number_of_faces_repaired_by_weights;
+    program += report.run.number_of_faces_repaired_by_program;
     remaining += report.lost_faces.size();
-    repaired_flips += report.number_of_repaired_flips;
-    flips += report.number_of_repaired_flips + report.remaining_flips.size();
-    if(report.number_of_lost_faces > 0) {
+    repaired_flips += report.run.number_of_repaired_flips;
+    flips += report.run.number_of_repaired_flips + report.remaining_flips.size();
+    if(report.run.number_of_lost_faces > 0) {
       largest_growth =
-        (std::max)(largest_growth, report.largest_change / report.largest_change_before_repair);
+        (std::max)(largest_growth, report.largest_change / report.run.largest_change_before_repair);
       rms_growth = (std::max)(rms_growth, report.rms_change / report.optimal_rms_change);
     }
   }
@@ -92,14 +92,14 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   CHECK_IN(context, exact_check::check_edges(g, uv, is_aligned).is_exact());
   CHECK_IN(context, SS::is_seamless(g, uv, np));
   CHECK_IN(context, report.lost_faces == not_positive(before, after, true));
-  CHECK_IN(context, report.number_of_lost_faces
-                      == report.number_of_faces_repaired_by_moves
-                           + report.number_of_faces_repaired_by_weights
-                           + report.number_of_faces_repaired_by_program + report.lost_faces.size());
+  CHECK_IN(context, report.run.number_of_lost_faces
+                      == report.run.number_of_faces_repaired_by_moves
+                           + report.run.number_of_faces_repaired_by_weights
+                           + report.run.number_of_faces_repaired_by_program + report.lost_faces.size());
   if(repair_flips) {
     CHECK_IN(context, report.remaining_flips == not_positive(before, after, false));
   } else {
-    CHECK_IN(context, report.remaining_flips.empty() && report.number_of_repaired_flips == 0);
+    CHECK_IN(context, report.remaining_flips.empty() && report.run.number_of_repaired_flips == 0);
   }
   const double change = largest_difference(bits_before, all_bits(g, uv));
   CHECK_IN(context, std::abs(report.largest_change - change) <= 1e-12 * change);

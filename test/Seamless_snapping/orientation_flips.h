@@ -54,7 +54,7 @@ inline void test_flips_of_exact_map()
   CHECK_IN(context, all_bits(mesh, uv) == bits);
   const auto report = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
   CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
-  CHECK_IN(context, report.number_of_repaired_flips > 0);
+  CHECK_IN(context, report.run.number_of_repaired_flips > 0);
   CHECK_IN(context, report.remaining_flips.empty() && are_all_positive(signs(mesh, uv)));
   const auto again = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
   CHECK_IN(context, again.status == SS::Snapping_status::ALREADY_EXACT);
@@ -215,7 +215,7 @@ inline void test_bow_tie()
   const std::vector<Kernel::Point_2> before = points(flipped.mesh, flipped.uv);
   const auto report = snap(flipped.mesh, flipped.uv, SS::parameters::default_values(),
                            exact_check::No_edge_aligned(), context + ", flipped", true);
-  CHECK_IN(context, report.number_of_repaired_flips > 0 && report.remaining_flips.empty());
+  CHECK_IN(context, report.run.number_of_repaired_flips > 0 && report.remaining_flips.empty());
   for(const auto h : flipped.mesh.halfedges())
     if(!flipped.mesh.is_border(h) && before[std::size_t(h)].x() > 5)
       CHECK_IN(context, flipped.uv[h] == before[std::size_t(h)]);

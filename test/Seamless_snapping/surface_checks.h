@@ -273,7 +273,7 @@ Snapped<K> snap_and_check(test_meshes::Named_mesh<K>& named, const std::string& 
                       .is_exact());
   CHECK_IN(context, SS::is_seamless(mesh, uv, np));
   CHECK_IN(context, SS::measure_seamlessness(mesh, uv, np).is_exact());
-  const bool merges = result.report.number_of_merged_edges > 0;
+  const bool merges = result.report.run.number_of_merged_edges > 0;
   CHECK_IN(context, (result.report.status == SS::Snapping_status::ALREADY_EXACT)
                       == (was_exact && !merges));
   CHECK_IN(context, result.report.status == SS::Snapping_status::SNAPPED

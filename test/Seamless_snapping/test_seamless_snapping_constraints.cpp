@@ -108,8 +108,8 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   CHECK_EQUAL(is_seamless, CS::snap_to_seamless(model.mesh, model.uv, np).status
                              == CS::Snapping_status::ALREADY_EXACT);
   std::cout << name << ", seed " << seed << ": largest change " << report.largest_change / report.extent
-            << " of the extent, redundant " << report.number_of_redundant_constraints
-            << ", non-unit pivots " << report.number_of_non_unit_pivots << std::endl;
+            << " of the extent, redundant " << report.linear_solver.number_of_redundant_constraints
+            << ", non-unit pivots " << report.linear_solver.number_of_non_unit_pivots << std::endl;
 }
 
 // Parametrizations made by solvers, as many constraints on each as in Table 3.

@@ -193,7 +193,7 @@ void test_move_along_isocurve()
   CHECK_IN(context, are_all_positive(signs(mesh, uv)));
   const auto np = SS::parameters::edge_is_constrained_map(features).align_border(true);
   const auto report = snap(mesh, uv, np, is_aligned(mesh, features, true), context);
-  CHECK_IN(context, report.number_of_faces_repaired_by_moves > 0);
+  CHECK_IN(context, report.run.number_of_faces_repaired_by_moves > 0);
   CHECK_IN(context, report.lost_faces.empty());
   for(const auto corner : middle)
     CHECK_IN(context, uv[corner].x() == 1 && uv[corner].y() > 2 * h && uv[corner].y() < 4 * h);

@@ -111,12 +111,12 @@ void test_against_optimum(const Named_mesh<Kernel>& original, unsigned int seed,
   const double found =
     std::sqrt(CGAL::to_double(exact_reference::squared_distance(values, full.xbar)));
   // rounding to the grid adds a step or so to each unknown
-  const double rounding = snapped.report.grid_step * std::sqrt(double(full.system.columns));
-  if(snapped.report.number_of_lost_faces > 0)
+  const double rounding = snapped.report.run.grid_step * std::sqrt(double(full.system.columns));
+  if(snapped.report.run.number_of_lost_faces > 0)
     return; // repairs cost distance
   worst = (std::max)(worst, (found - 1.001 * best) / rounding);
   CHECK_IN(context, found <= 1.001 * best + 2 * rounding);
-  const double step = snapped.report.grid_step, optimal = snapped.report.optimal_rms_change;
+  const double step = snapped.report.run.grid_step, optimal = snapped.report.optimal_rms_change;
   CHECK_IN(context, snapped.report.rms_change <= 1.001 * optimal + 2 * step);
   CHECK_IN(context, snapped.report.rms_change >= optimal - 1e-6 * optimal - step / 1024);
 }
@@ -157,7 +157,7 @@ void test_local_grids()
     alone.push_back(named.mesh);
     const auto report = SS::snap_to_seamless(alone.back(), test_meshes::uv_map(alone.back()));
     CHECK_IN(named.name, bool(report));
-    steps.push_back(report.grid_step);
+    steps.push_back(report.run.grid_step);
   }
   for(std::size_t i = 0; i + 1 < inputs.size(); ++i) {
     Mesh together = inputs[i];
@@ -236,8 +236,8 @@ void test_tiny_translation()
     uv_noise::perturb(named.mesh, test_meshes::uv_map(named.mesh), truth.smallest_translation,
                       seed, Noise::per_corner);
     const SS::Snapping_report report = snap_and_check(named, context + ", drowned").report;
-    CHECK_IN(context, report.number_of_cut_edges == 0);
-    CHECK_IN(context, report.number_of_merged_edges > 0);
+    CHECK_IN(context, report.run.number_of_cut_edges == 0);
+    CHECK_IN(context, report.run.number_of_merged_edges > 0);
   }
 }
 
@@ -396,7 +396,7 @@ double snap_vertex_at_origin(double ratio, std::size_t closest)
   CHECK_IN(context, SS::is_seamless(mesh, uv));
   const Point_2 p = uv[mesh.halfedge(v)];
   CHECK_IN(context, std::abs(p.x() - sum / double(i)) <= 1e-24 && p.y() == 0);
-  return report.grid_step;
+  return report.run.grid_step;
 }
 
 void test_vertex_at_origin()

@@ -102,7 +102,7 @@ void expect_same(const Named_mesh<Kernel>& input, const Named_mesh<Kernel>& expe
                     .vertex_index_map(index);
   const SS::Snapping_report report = SS::snap_to_seamless(unchanging, uv, np);
   CHECK_IN(context, bool(report));
-  CHECK_IN(context, report.number_of_faces == input.mesh.number_of_faces());
+  CHECK_IN(context, report.run.number_of_faces == input.mesh.number_of_faces());
   CHECK_IN(context, SS::is_seamless(unchanging, uv, np));
   std::size_t different = 0;
   for(const auto& pair : pairs) {

@@ -126,7 +126,7 @@ void test_right_transitions(const Named_mesh<Kernel>& original, unsigned int see
   const auto all = SS::parameters::edge_is_cut_map(
     CGAL::Static_boolean_property_map<Edge, true>());
   const SS::Snapping_report report = SS::snap_to_seamless(copy.mesh, copy_uv, all);
-  CHECK_IN(named.name + ", all cut", bool(report) && report.number_of_merged_edges == 0);
+  CHECK_IN(named.name + ", all cut", bool(report) && report.run.number_of_merged_edges == 0);
   CHECK_IN(named.name + ", all cut", exact_check::check_edges(copy.mesh, copy_uv).is_exact());
 }
 

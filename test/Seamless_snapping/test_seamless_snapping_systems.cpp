@@ -300,8 +300,8 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
   const CS::Snapping_report report = snap();
   const std::size_t failed = checking::counts().failed;
   CHECK(bool(report));
-  CHECK(report.multiprecision);
-  CHECK(report.coefficient_bits >= std::size_t(chain ? 129 : bits - 30)); // rows may have a common factor
+  CHECK(report.linear_solver.multiprecision);
+  CHECK(report.linear_solver.coefficient_bits >= std::size_t(chain ? 129 : bits - 30)); // rows may have a common factor
   CHECK(x == solution);
 
   system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
@@ -477,7 +477,7 @@ void test_figures()
     test_rows<double>("violation", {{{{0, 0.25}, {1, -0.75}}, 0}}, {3 + 1e-7, 1}, {3, 1}, 1e-6);
   CHECK(report.violation_before > 2.4e-8 && report.violation_before < 2.6e-8);
   report = test_rows<double>("coefficient", {{{{0, 1}, {1, -1000}}, 0}}, {1000, 1.5}, {1000, 1}, 0.5);
-  CHECK_EQUAL(report.largest_coefficient, 1000.);
+  CHECK_EQUAL(report.linear_solver.largest_coefficient, 1000.);
   CHECK(report.optimal_rms_change > 0 && report.optimal_rms_change <= report.rms_change * (1 + 1e-9));
 
   CS::Linear_constraints<> constraints(2);
@@ -586,8 +586,8 @@ void test_many_rows()
   std::vector<double> x(102, 1.);
   const CS::Snapping_report report = CS::snap_to_linear_constraints(repeated, x);
   CHECK(report.status == CS::Snapping_status::SNAPPED);
-  CHECK_EQUAL(report.number_of_redundant_constraints, 100001u - 100u);
-  CHECK_EQUAL(report.number_of_non_unit_pivots, 1u);
+  CHECK_EQUAL(report.linear_solver.number_of_redundant_constraints, 100001u - 100u);
+  CHECK_EQUAL(report.linear_solver.number_of_non_unit_pivots, 1u);
 
   const std::size_t n = 100000;
   CS::Linear_constraints<> halvings(n);
@@ -661,10 +661,10 @@ void test_file(const std::string& path)
   if(path.find("seams_") != std::string::npos) {
     CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
     if(path.find("connections") == std::string::npos)
-      CHECK_EQUAL(report.number_of_non_unit_pivots, 0u);
+      CHECK_EQUAL(report.linear_solver.number_of_non_unit_pivots, 0u);
   }
   std::cout << std::filesystem::path(path).filename().string() << ": " << report << ", "
-            << report.coefficient_bits << " bits" << std::endl;
+            << report.linear_solver.coefficient_bits << " bits" << std::endl;
 }
 
 void test_files()

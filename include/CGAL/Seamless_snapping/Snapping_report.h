@@ -74,8 +74,76 @@ inline const char* to_string(const Snapping_status status)
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-The status and the figures that `snap_to_seamless()` and `snap_to_linear_constraints()` return.
-Converts to `bool`: `true` if and only if all constraints hold exactly in the caller's values.
+Figures of the linear system that a snapping function solved, and of its elimination. They are summed
+over its independent components, or are the largest of any.
+*/
+struct Linear_solver_figures
+{
+  std::size_t number_of_unknowns = 0;              ///< columns
+  std::size_t number_of_constraints = 0;           ///< rows
+  std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
+  /// independent rows for which no pivot \f$ \pm 1 \f$ was found
+  std::size_t number_of_non_unit_pivots = 0;
+  std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
+  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
+  /// eliminations of the matrix; one, however often it is solved for other values
+  std::size_t number_of_eliminations = 0;
+  std::size_t coefficient_bits = 0; ///< bits of the largest coefficient met during the elimination
+  double largest_coefficient = 0;   ///< its absolute value, rounded
+  double largest_pivot = 0;         ///< the largest absolute value of a pivot, rounded
+  bool multiprecision = false;      ///< whether the elimination needed more than 64 bits
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+Figures of a run: what was found on the surface, what was done about its faces, and how long each step
+took. Those of a step that was not reached are zero, as are those of the surface for the generic
+function.
+*/
+struct Snapping_figures
+{
+  /// \name Size of the Parametrization
+  /// @{
+  std::size_t number_of_faces = 0;        ///< faces of the mesh
+  std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
+  std::size_t number_of_merged_edges = 0; ///< edges that are no cut, but whose sides differed in the input
+  /// interior vertices whose holonomy is not the identity
+  std::size_t number_of_singular_vertices = 0;
+  std::size_t number_of_sectors = 0; ///< sectors at the vertices of cut, merged, and aligned edges
+  std::size_t number_of_nodes = 0;   ///< vertices whose sectors enter the constraint system
+  std::size_t number_of_cut_branches = 0;   ///< sequences of cut edges between nodes
+  std::size_t number_of_align_branches = 0; ///< sequences of aligned edges between nodes
+  /// @}
+
+  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are several
+  double grid_step = 0;
+
+  /// \name Orientation
+  /// @{
+  /// the largest change before orientations were repaired
+  double largest_change_before_repair = 0;
+  /// faces of positive orientation that the closest solution turned or made degenerate, before repair
+  std::size_t number_of_lost_faces = 0;
+  /// those that moves of single vertices made positive again
+  std::size_t number_of_faces_repaired_by_moves = 0;
+  /// those that a target which spares slivers did
+  std::size_t number_of_faces_repaired_by_weights = 0;
+  std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
+  /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
+  std::size_t number_of_repaired_flips = 0;
+  /// @}
+
+  /// the steps in the order in which they were made, with their wall-clock times in seconds
+  std::vector<std::pair<std::string, double> > step_times;
+};
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+What `snap_to_seamless()` and `snap_to_linear_constraints()` return: the outcome, the place and remedy
+of a failure, and how far the values moved. Converts to `bool`: `true` if and only if all constraints
+hold exactly in the caller's values.
 
 Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
 was not reached, or that has no meaning for the function that was called, are zero.
@@ -94,65 +162,34 @@ struct Snapping_report
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
   /// @}
 
-  /// \name Size of the Parametrization (Surface Function Only)
-  /// @{
-  std::size_t number_of_faces = 0;             ///< faces of the mesh
-  std::size_t number_of_cut_edges = 0;         ///< interior edges with a transition other than the identity
-  std::size_t number_of_merged_edges = 0;      ///< edges that are no cut, but whose sides differed in the input
-  std::size_t number_of_singular_vertices = 0; ///< interior vertices with a holonomy other than the identity
-  std::size_t number_of_sectors = 0;           ///< sectors at the vertices of cut, merged, and aligned edges
-  std::size_t number_of_nodes = 0;             ///< vertices whose sectors enter the constraint system
-  std::size_t number_of_cut_branches = 0;      ///< sequences of cut edges between nodes
-  std::size_t number_of_align_branches = 0;    ///< sequences of aligned edges between nodes
-  /// @}
-
-  /// \name Constraint System
-  /// @{
-  std::size_t number_of_unknowns = 0;              ///< columns
-  std::size_t number_of_constraints = 0;           ///< rows
-  std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
-  std::size_t number_of_non_unit_pivots = 0;       ///< independent rows that no pivot \f$ \pm 1 \f$ could be found for
-  std::size_t number_of_coefficients = 0;          ///< nonzero coefficients of the rows
-  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
-  std::size_t coefficient_bits = 0;  ///< bits of the largest coefficient met during the elimination
-  double largest_coefficient = 0;    ///< its absolute value, rounded
-  double largest_pivot = 0;          ///< the largest absolute value of a pivot, rounded
-  bool multiprecision = false;       ///< whether the elimination needed more than 64 bits
-  /// @}
-
   /// \name Distances
   /// Means are over the values of those parts of the system that had to be changed: parts that share
   /// no unknown with others and hold exactly in the input are left out.
   /// @{
-  double extent = 0;            ///< the larger side of the bounding box of the values (of their absolute values for the generic function)
-  double violation_before = 0;  ///< the largest violation of a constraint by the input (for the surface function: of a transition or alignment)
-  double grid_step = 0;         ///< the spacing of the grid the constrained values were moved to
+  /// the larger side of the bounding box of the coordinates; for the generic function the largest
+  /// absolute value
+  double extent = 0;
+  /// the largest violation of a constraint by the input; for the surface function, of a transition or
+  /// an alignment
+  double violation_before = 0;
   double largest_change = 0;    ///< the largest absolute change of a value
   double mean_change = 0;       ///< the mean absolute change (of each sector, for the surface function)
   double rms_change = 0;        ///< the root-mean-square change, over the same values
-  double optimal_rms_change = 0; ///< the same for the real-valued least-squares optimum that was approximated
-  double largest_change_before_repair = 0; ///< the largest change before orientations were repaired (surface function only)
+  /// the same for the real-valued least-squares optimum that was approximated
+  double optimal_rms_change = 0;
   /// @}
 
   /// \name Orientation (Surface Function Only)
   /// Faces are counted in the order of iteration over all faces of the mesh, from 0.
   /// @{
-  /// faces of positive orientation that the closest solution turned or made degenerate, before repair
-  std::size_t number_of_lost_faces = 0;
-  std::size_t number_of_faces_repaired_by_moves = 0; ///< those that moves of single vertices made positive again
-  std::size_t number_of_faces_repaired_by_weights = 0; ///< those that a target which spares slivers did
-  std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
-  std::vector<std::size_t> lost_faces; ///< those that remain
-  /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
-  std::size_t number_of_repaired_flips = 0;
-  std::vector<std::size_t> remaining_flips; ///< with `repair_flips`: those that remain
+  /// faces that were positive in the input, and are not in the result
+  std::vector<std::size_t> lost_faces;
+  /// with `repair_flips`: faces that were not positive in the input, and still are not
+  std::vector<std::size_t> remaining_flips;
   /// @}
 
-  /// \name Time
-  /// @{
-  /// the steps in the order in which they were made, with their wall-clock times in seconds
-  std::vector<std::pair<std::string, double> > step_times;
-  /// @}
+  Snapping_figures run;                ///< figures of the run
+  Linear_solver_figures linear_solver; ///< figures of the linear system
 
   /// returns `true` if and only if all constraints hold exactly in the caller's values.
   explicit operator bool() const

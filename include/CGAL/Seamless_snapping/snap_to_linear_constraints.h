@@ -100,7 +100,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
   Snapping_report report;
-  Step_timer timer(report, verbose);
+  Step_timer timer(report.run, verbose);
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
@@ -128,8 +128,8 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   std::string problem;
   if(!read_constraints(c, b, system, problem))
     return refused(Snapping_status::INVALID_ARGUMENT, problem);
-  report.number_of_unknowns = x.size();
-  report.number_of_constraints = number_of_rows(c);
+  report.linear_solver.number_of_unknowns = x.size();
+  report.linear_solver.number_of_constraints = number_of_rows(c);
   snap_values(system, weights, Number_format::of<Value>(), x, report, timer);
   if(report.status == Snapping_status::SNAPPED)
     for(std::size_t j = 0; j < x.size(); ++j)

@@ -109,19 +109,19 @@ public:
   void fill_in(Snapping_report& report) const
   {
     const std::size_t core_rank = m_core.independent_rows().size();
-    report.number_of_redundant_constraints +=
+    report.linear_solver.number_of_redundant_constraints +=
       m_elimination.redundant_rows().size() + m_core.number_of_redundant_rows();
-    report.number_of_non_unit_pivots +=
+    report.linear_solver.number_of_non_unit_pivots +=
       m_core.is_whole() ? core_rank - number_of_unit_pivots() : core_rank;
-    report.number_of_coefficients += m_system.number_of_entries();
-    report.number_of_eliminated_coefficients += m_elimination.number_of_coefficients();
+    report.linear_solver.number_of_coefficients += m_system.number_of_entries();
+    report.linear_solver.number_of_eliminated_coefficients += m_elimination.number_of_coefficients();
     const Exact_integer largest = (std::max)(Exact_integer(m_elimination.largest_coefficient()),
                                              m_core.largest_coefficient());
-    report.coefficient_bits = (std::max)(report.coefficient_bits, bit_length(largest));
-    report.largest_coefficient = (std::max)(report.largest_coefficient, CGAL::to_double(largest));
-    report.largest_pivot = (std::max)({report.largest_pivot, m_elimination.pivots().empty() ? 0. : 1.,
+    report.linear_solver.coefficient_bits = (std::max)(report.linear_solver.coefficient_bits, bit_length(largest));
+    report.linear_solver.largest_coefficient = (std::max)(report.linear_solver.largest_coefficient, CGAL::to_double(largest));
+    report.linear_solver.largest_pivot = (std::max)({report.linear_solver.largest_pivot, m_elimination.pivots().empty() ? 0. : 1.,
                                        CGAL::to_double(m_core.largest_pivot())});
-    report.multiprecision = report.multiprecision || std::is_same<Integer, Exact_integer>::value;
+    report.linear_solver.multiprecision = report.linear_solver.multiprecision || std::is_same<Integer, Exact_integer>::value;
   }
 
   // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from the

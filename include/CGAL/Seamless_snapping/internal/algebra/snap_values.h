@@ -197,7 +197,7 @@ bool snap_component(const System_component<Integer>& component, const std::vecto
       ? contradiction_message(report) : not_representable_message(component);
     return false;
   }
-  report.grid_step = (std::max)(report.grid_step, solution.grid.step());
+  report.run.grid_step = (std::max)(report.run.grid_step, solution.grid.step());
   for(std::size_t k = 0; k < component.columns.size(); ++k) {
     const std::size_t j = component.columns[k];
     snapped[j] = solution.grid.value(solution.x[k]);

@@ -61,7 +61,7 @@ public:
   {
     const Sectors& sectors = m_points.sectors();
     m_reach = largest_move(sectors, m_uv_map, state);
-    report.largest_change_before_repair = m_reach;
+    report.run.largest_change_before_repair = m_reach;
     watch_within(m_reach);
     if(m_repair_flips)
       watch_flips();
@@ -69,7 +69,7 @@ public:
     const std::size_t flipped = flips(state).size();
     if(lost == 0 && flipped == 0)
       return;
-    report.number_of_lost_faces = lost;
+    report.run.number_of_lost_faces = lost;
     m_far = (std::max)(far * (std::max)(m_reach, report.violation_before),
                        16 * m_solution.grid().step());
     m_flip_reach = (std::max)(m_far, largest_reach * report.extent);
@@ -78,7 +78,7 @@ public:
     make_attempts(best, report);
     report.lost_faces = face_indices(best.lost);
     if(m_repair_flips) {
-      report.number_of_repaired_flips = flipped - best.flips.size();
+      report.run.number_of_repaired_flips = flipped - best.flips.size();
       report.remaining_flips = face_indices(best.flips);
     }
     state = std::move(best.state);
@@ -108,24 +108,24 @@ private:
   // root-mean-square change), and come in only where there are too many faces for a program.
   void make_attempts(Attempt& best, Snapping_report& report)
   {
-    std::size_t remaining = report.number_of_lost_faces;
+    std::size_t remaining = report.run.number_of_lost_faces;
     const auto count = [&](std::size_t& repaired) {
       repaired += remaining - best.lost.size();
       remaining = best.lost.size();
     };
     best = repaired_by_moves(best.state, m_reach);
-    count(report.number_of_faces_repaired_by_moves);
+    count(report.run.number_of_faces_repaired_by_moves);
     if(m_reach > largest_reach * report.extent)
       return;
     if(remaining > largest_program)
       repair_by_weights(best);
-    count(report.number_of_faces_repaired_by_weights);
+    count(report.run.number_of_faces_repaired_by_weights);
     if(remaining > 0 || !best.flips.empty())
       repair_by_program(best);
-    count(report.number_of_faces_repaired_by_program);
+    count(report.run.number_of_faces_repaired_by_program);
     if(remaining > 0)
       best = repaired_by_moves(best.state, m_far);
-    count(report.number_of_faces_repaired_by_moves);
+    count(report.run.number_of_faces_repaired_by_moves);
   }
 
   void watch_flips()

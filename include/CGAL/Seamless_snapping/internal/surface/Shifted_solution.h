@@ -68,7 +68,7 @@ public:
         return false;
     const System reduced = system(sectors, targets);
     Snapping_report report; // of no interest: the same system had a solution before
-    Step_timer timer(report);
+    Step_timer timer(report.run);
     Grid_solution solution{m_grid, {}, {}};
     const bool solved = std::visit([&](const auto& s) {
       return solve_on_grid(s, reduced.point(), solution, report, timer);

@@ -65,7 +65,7 @@ public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_np(np),
       m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np)),
-      m_timer(m_report, CGAL::parameters::choose_parameter(
+      m_timer(m_report.run, CGAL::parameters::choose_parameter(
                           CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false)),
       m_repairs_flips(CGAL::parameters::choose_parameter(
                         CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
@@ -97,7 +97,7 @@ public:
     m_timer.finish("sectors");
 
     const Branches branches(sectors);
-    m_report.number_of_singular_vertices = sectors.number_of_singular_vertices();
+    m_report.run.number_of_singular_vertices = sectors.number_of_singular_vertices();
     fill_in(sectors, branches);
     m_timer.finish("branches");
 
@@ -124,20 +124,20 @@ private:
 
   void fill_in(const Transition_data<TriangleMesh>& transitions)
   {
-    m_report.number_of_faces = faces(m_tmesh).size(); // num_faces() counts removed ones too
-    m_report.number_of_cut_edges = transitions.number_of_cuts;
-    m_report.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
+    m_report.run.number_of_faces = faces(m_tmesh).size(); // num_faces() counts removed ones too
+    m_report.run.number_of_cut_edges = transitions.number_of_cuts;
+    m_report.run.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
     m_report.extent = transitions.extent;
     m_report.violation_before = transitions.violation;
   }
 
   void fill_in(const Sectors& sectors, const Branches& branches)
   {
-    m_report.number_of_sectors = sectors.number_of_sectors();
-    m_report.number_of_nodes =
+    m_report.run.number_of_sectors = sectors.number_of_sectors();
+    m_report.run.number_of_nodes =
       std::size_t(std::count(branches.is_node.begin(), branches.is_node.end(), true));
-    m_report.number_of_cut_branches = branches.cut.size();
-    m_report.number_of_align_branches = branches.aligned.size();
+    m_report.run.number_of_cut_branches = branches.cut.size();
+    m_report.run.number_of_align_branches = branches.aligned.size();
   }
 
   // Returns false, with a coarser grid, if that is needed: rare, for coordinates that grow past a power of two.
@@ -148,16 +148,16 @@ private:
   {
     const Coordinates coordinates(sectors, m_uv_map, grid);
     const System system(sectors, branches, transitions, align_edges, constraints, coordinates, grid);
-    m_report.number_of_unknowns = system.point().values.size();
-    m_report.number_of_redundant_constraints = 0; // what follows adds to these
-    m_report.number_of_non_unit_pivots = 0;
-    m_report.number_of_coefficients = 0;
-    m_report.number_of_eliminated_coefficients = 0;
+    m_report.linear_solver.number_of_unknowns = system.point().values.size();
+    m_report.linear_solver.number_of_redundant_constraints = 0; // what follows adds to these
+    m_report.linear_solver.number_of_non_unit_pivots = 0;
+    m_report.linear_solver.number_of_coefficients = 0;
+    m_report.linear_solver.number_of_eliminated_coefficients = 0;
     m_timer.finish("reduced system");
 
     Grid_solution solution{grid, {}, {}};
     const bool solved = std::visit([&](const auto& s) {
-      m_report.number_of_constraints = s.number_of_rows();
+      m_report.linear_solver.number_of_constraints = s.number_of_rows();
       return solve_on_grid(s, system.point(), solution, m_report, m_timer);
     }, system.system());
     if(!solved) {
@@ -201,7 +201,7 @@ private:
                   m_repairs_flips);
     repair.run(solution.uv, m_report);
     m_timer.finish("orientation");
-    if(m_was_exact && m_report.number_of_repaired_flips == 0)
+    if(m_was_exact && m_report.run.number_of_repaired_flips == 0)
       return; // nothing moves
 
     if(!is_exact(sectors, transitions, align_edges, constraints, solution.uv))
@@ -211,7 +211,7 @@ private:
       return fail("the uv map does not keep what is written to it; each corner needs a place of its "
                   "own, and the full precision of the points' number type");
     m_timer.finish("writing");
-    m_report.grid_step = solution.grid.step();
+    m_report.run.grid_step = solution.grid.step();
     m_report.status = Snapping_status::SNAPPED;
   }
 
