@@ -20,7 +20,8 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
 #include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/surface/Path_rotations.h>
 #include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
@@ -85,9 +86,9 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
       return sides.are_identical();
   }
   if constexpr(Given::has_rotations)
-    return satisfies_transition(sides, given.rotation(h));
+    return satisfies_transition<Quarter_turns>(sides, given.rotation(h));
   else
-    return satisfies_some_transition(sides);
+    return satisfies_some_transition<Quarter_turns>(sides);
 }
 
 // Eq. (5) for one edge: whether a coordinate is constant along it, exactly.

@@ -18,7 +18,8 @@
 // satisfies them, exactly.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
 

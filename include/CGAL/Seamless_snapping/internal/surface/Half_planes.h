@@ -16,7 +16,8 @@
 
 // Small convex regions of displacements, as intersections of half planes: where to go to reach one.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,8 @@
 // The open edges of a uv map, in an order that does not depend on the mesh data structure, and which of
 // them meet at which vertex.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -17,7 +17,8 @@
 // Reads off each open edge the rotation of its transition, and tells cuts from noise. Floating point is
 // used throughout: this chooses which parametrization is approximated, not whether it is met exactly.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/surface/Open_edges.h>
 
 #include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
@@ -52,23 +53,15 @@ template <typename Halfedge>
 void set_rotation(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const int k, const double scale)
 {
   edge.rotation = k;
-  edge.is_exact = vectors.match(k);
-  edge.residual = edge.is_exact ? 0 : vectors.residual(k, scale);
+  edge.is_exact = vectors.match<Quarter_turns>(k);
+  edge.residual = edge.is_exact ? 0 : vectors.residual<Quarter_turns>(k, scale);
 }
 
 // The rotation of least residual, as in [EBCK13].
 template <typename Halfedge>
 void read_rotation(Open_edge<Halfedge>& edge, const Edge_vectors& vectors, const double scale)
 {
-  int best = 0;
-  double least = vectors.residual(0, scale);
-  for(int k = 1; k < number_of_rotations; ++k) {
-    const double residual = vectors.residual(k, scale);
-    if(residual < least) {
-      best = k;
-      least = residual;
-    }
-  }
+  const int best = vectors.best_fit<Quarter_turns>(scale);
   set_rotation(edge, vectors, best, scale);
 }
 

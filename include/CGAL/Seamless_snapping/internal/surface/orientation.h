@@ -16,7 +16,8 @@
 
 // The orientation of triangles in the domain: its exact sign, and bounds on what displacements can do to it.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

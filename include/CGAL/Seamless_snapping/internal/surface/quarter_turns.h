@@ -17,6 +17,8 @@
 // The rotations of transitions, as integer matrices. Any finite subgroup of GL(2,Z) in their place
 // would do for all that is built on them.
 
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+
 #include <array>
 #include <cstddef>
 

@@ -43,7 +43,7 @@ bool all_constraints_hold(const Sector_map<TriangleMesh, HalfedgeUVMap>& sectors
     const Edge_sides sides{snapped.uv(sectors.source_sector(d)), snapped.uv(sectors.target_sector(d)),
                            snapped.uv(sectors.target_sector(opposite_cut(d))),
                            snapped.uv(sectors.source_sector(opposite_cut(d)))};
-    if(!satisfies_transition(sides, transitions.edges[i].rotation))
+    if(!satisfies_transition<Quarter_turns>(sides, transitions.edges[i].rotation))
       return false;
   }
   for(std::size_t a = 0; a < align_edges.size(); ++a) {

@@ -17,7 +17,8 @@
 // A parametrized mesh in plain arrays: what the tracer walks on. It doesn't depend on the mesh data
 // structure, and any number of threads can read it.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
 #include <array>

@@ -19,7 +19,7 @@
 // coordinates that no constraint concerns lie on no grid, so that it may take two of them; a point
 // anywhere on an edge needs a rational number.
 
-#include <CGAL/Seamless_snapping/internal/surface/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
 #include <CGAL/Exact_rational.h>

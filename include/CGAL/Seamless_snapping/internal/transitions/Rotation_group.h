@@ -1,0 +1,170 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_ROTATION_GROUP_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_ROTATION_GROUP_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The rotations of transitions, as groups of integer matrices: models of the concept `TransitionGroup`
+// for rotational symmetries of order N = 1, 2, 4 in Cartesian coordinates, and N = 3, 6 in coordinates
+// of the lattice basis u = a + b w, where w is the unit vector at 60 degrees. In Cartesian
+// coordinates no rotation by 60 degrees is exact: sqrt(3) is irrational.
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <std::size_t D>
+using Integer_matrix = std::array<std::array<int, D>, D>;
+
+// An integer linear form f: f(u) = f[0] u[0] + f[1] u[1].
+template <std::size_t D>
+using Functional = std::array<int, D>;
+
+// A functional of the group's list, up to its sign.
+struct Signed_functional
+{
+  int index;
+  int sign;
+};
+
+// The cyclic group of rotations by multiples of 360 / N degrees. Elements are numbers of turns from 0
+// to N - 1: only this class knows that; all others compose them.
+template <int N>
+class Rotation_group
+{
+  static_assert(N == 1 || N == 2 || N == 3 || N == 4 || N == 6,
+                "only these rotations are integer matrices in some basis of the plane");
+
+public:
+  static constexpr std::size_t dimension = 2;
+  static constexpr int order = N;
+  // Whether matrices only swap coordinates and change signs, which no rounding can harm.
+  static constexpr bool is_signed_permutation = (N != 3 && N != 6);
+  // Isocurves run where one of these is constant; the group permutes them up to the sign.
+  static constexpr int number_of_functionals = is_signed_permutation ? 2 : 3;
+
+  using Element = int;
+  using Matrix = Integer_matrix<dimension>;
+
+  static constexpr Element identity() { return 0; }
+
+  // First `h`, then `g`.
+  static constexpr Element compose(const Element g, const Element h) { return (g + h) % N; }
+  static constexpr Element inverse(const Element g) { return (N - g) % N; }
+
+  // The element of any number of turns by 360 / N degrees, also a negative one.
+  static constexpr Element element(const int turns) { return (turns % N + N) % N; }
+
+  static constexpr const Matrix& matrix(const Element g) { return matrices[std::size_t(g)]; }
+
+  static constexpr Functional<dimension> functional(const int f)
+  {
+    return f == 0 ? Functional<dimension>{{1, 0}}
+                  : f == 1 ? Functional<dimension>{{0, 1}} : Functional<dimension>{{1, 1}};
+  }
+
+  // The functional f' with f'(g u) = sign f(u): what is constant along an isocurve in the chart
+  // behind a transition by `g`.
+  static constexpr Signed_functional act(const Element g, const int f)
+  {
+    const Functional<dimension> wanted = functional(f);
+    for(int index = 0; index < number_of_functionals; ++index) {
+      const Functional<dimension> pulled_back = times_matrix(functional(index), g);
+      for(const int sign : {1, -1})
+        if(wanted[0] == sign * pulled_back[0] && wanted[1] == sign * pulled_back[1])
+          return {index, sign};
+    }
+    return {-1, 0}; // not reached: the group permutes the functionals
+  }
+
+  // f g, as a linear form.
+  static constexpr Functional<dimension> times_matrix(const Functional<dimension>& f, const Element g)
+  {
+    const Matrix& m = matrix(g);
+    return {{f[0] * m[0][0] + f[1] * m[1][0], f[0] * m[0][1] + f[1] * m[1][1]}};
+  }
+
+  // g v, for a pair of numbers.
+  template <typename Vector>
+  static Vector apply(const Element g, const Vector& v)
+  {
+    using Number = typename Vector::value_type;
+    const Matrix& m = matrix(g);
+    return {Number(m[0][0]) * v[0] + Number(m[0][1]) * v[1],
+            Number(m[1][0]) * v[0] + Number(m[1][1]) * v[1]};
+  }
+
+private:
+  static constexpr Matrix generator()
+  {
+    switch(N) {
+    case 1: return {{{{1, 0}}, {{0, 1}}}};
+    case 2: return {{{{-1, 0}}, {{0, -1}}}};
+    case 3: return {{{{-1, -1}}, {{1, 0}}}};
+    case 4: return {{{{0, -1}}, {{1, 0}}}};
+    default: return {{{{0, -1}}, {{1, 1}}}};
+    }
+  }
+
+  // A plain array: those of the library can't be assigned to in constant expressions of C++17.
+  struct Table
+  {
+    Matrix power[N];
+    constexpr const Matrix& operator[](const std::size_t g) const { return power[g]; }
+  };
+
+  static constexpr Matrix product(const Matrix& a, const Matrix& b)
+  {
+    return {{{{a[0][0] * b[0][0] + a[0][1] * b[1][0], a[0][0] * b[0][1] + a[0][1] * b[1][1]}},
+             {{a[1][0] * b[0][0] + a[1][1] * b[1][0], a[1][0] * b[0][1] + a[1][1] * b[1][1]}}}};
+  }
+
+  static constexpr Matrix power_of_generator(const int g)
+  {
+    return g == 0 ? Matrix{{{{1, 0}}, {{0, 1}}}} : product(generator(), power_of_generator(g - 1));
+  }
+
+  static constexpr Table table()
+  {
+    if constexpr(N == 1)
+      return {{power_of_generator(0)}};
+    else if constexpr(N == 2)
+      return {{power_of_generator(0), power_of_generator(1)}};
+    else if constexpr(N == 3)
+      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2)}};
+    else if constexpr(N == 4)
+      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2),
+               power_of_generator(3)}};
+    else
+      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2),
+               power_of_generator(3), power_of_generator(4), power_of_generator(5)}};
+  }
+
+  static constexpr Table matrices = table();
+};
+
+using Trivial = Rotation_group<1>;
+using Half_turns = Rotation_group<2>;
+using Third_turns = Rotation_group<3>;
+using Quarter_turns = Rotation_group<4>;
+using Sixth_turns = Rotation_group<6>;
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_ROTATION_GROUP_H
