@@ -4,17 +4,12 @@
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 
-#include <CGAL/Seamless_snapping/internal/algebra/snap_values.h>
+#include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 
 #define SEAMLESS_SNAPPING_INSTANTIATE(PREFIX, INTEGER)                                             \
-  PREFIX template bool solve_with(const Integer_system<INTEGER>&, const Grid_point&,               \
-                                  Grid_solution&, Snapping_report&, Step_timer&);                  \
-  PREFIX template Difference_projection difference_projection(const Integer_system<INTEGER>&,      \
-                                                              const std::vector<double>&);         \
-  PREFIX template void snap_values(const Integer_system<INTEGER>&,                                 \
-                                   const std::map<std::size_t, Exact_rational>&,                   \
-                                   const std::vector<double>&, const Number_format&,               \
-                                   std::vector<double>&, Snapping_report&, Step_timer&);
+  PREFIX template class Unit_pivot_elimination<INTEGER>;                                           \
+  PREFIX template class Kernel_lattice<INTEGER>;                                                   \
+  PREFIX template class Lattice_reduction<INTEGER>;
 
 namespace CGAL {
 namespace Seamless_snapping {

@@ -4,7 +4,7 @@
 
 #include "checking.h"
 
-#include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
+#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Linear_algebraHd.h>
@@ -23,23 +23,23 @@ using namespace CGAL::Seamless_snapping::internal;
 using Matrix = std::vector<std::vector<Exact_integer> >;
 using Vector = std::vector<Exact_integer>;
 
-Integer_system<Exact_integer> to_system(const Matrix& a, const std::size_t number_of_columns)
+Integer_system to_system(const Matrix& a, const std::size_t number_of_columns)
 {
-  Integer_system<Exact_integer> result(number_of_columns);
+  Integer_system result(number_of_columns);
   for(const Vector& row : a) {
     std::vector<Entry<Exact_integer> > entries;
     for(std::size_t j = 0; j < row.size(); ++j)
       if(row[j] != 0)
         entries.push_back({Column_index(j), row[j]});
-    result.add_row(entries, Exact_integer(0));
+    result.add_row(Integer_row<Exact_integer>{entries, Exact_integer(0)});
   }
   return result;
 }
 
-Matrix to_dense(const std::vector<Sparse_vector<Exact_integer> >& vectors, const std::size_t size)
+Matrix to_dense(const std::vector<Entries<Exact_integer> >& vectors, const std::size_t size)
 {
   Matrix result;
-  for(const Sparse_vector<Exact_integer>& v : vectors) {
+  for(const Entries<Exact_integer>& v : vectors) {
     result.push_back(Vector(size, Exact_integer(0)));
     for(const Entry<Exact_integer>& e : v)
       result.back()[std::size_t(e.column)] = e.coefficient;

@@ -19,8 +19,8 @@
 
 #include <CGAL/Seamless_snapping/Linear_constraints.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/algebra/constraint_input.h>
-#include <CGAL/Seamless_snapping/internal/algebra/snap_values.h>
+#include <CGAL/Seamless_snapping/internal/linear/constraint_input.h>
+#include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/FPU.h>
@@ -30,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -130,7 +131,12 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
     return refused(Snapping_status::INVALID_ARGUMENT, problem);
   report.linear_solver.number_of_unknowns = x.size();
   report.linear_solver.number_of_constraints = number_of_rows(c);
-  snap_values(system, weights, Number_format::of<Value>(), x, report, timer);
+  if(const std::optional<Refusal> refusal =
+       snap_values(system, weights, Number_format::of<Value>(), x, report, timer)) {
+    report.status = refusal->status;
+    report.message = refusal->message;
+    report.certificate = refusal->certificate;
+  }
   if(report.status == Snapping_status::SNAPPED)
     for(std::size_t j = 0; j < x.size(); ++j)
       *std::next(std::begin(values), std::ptrdiff_t(j)) = static_cast<Value>(x[j]);

@@ -14,43 +14,6 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A small quadratic program over nonnegative unknowns, in floating point and approximately, by projected
-// overrelaxation. What comes of it is a direction to try, and is checked exactly; so the exact solver of CGAL,
-// whose time grows with the fourth power of the size, is not called for.
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-
-namespace CGAL {
-namespace Seamless_snapping {
-namespace internal {
-
-// The x >= 0 that minimizes 1/2 x^T S x - r^T x, for a symmetric S with a positive diagonal.
-inline Eigen::VectorXd minimize_nonnegative(const Eigen::MatrixXd& s, const Eigen::VectorXd& r)
-{
-  constexpr double overrelaxation = 1.5, precision = 1e-6;
-  constexpr double largest_work = 1e9; // multiplications
-  const double size = static_cast<double>(r.size());
-  const int sweeps = static_cast<int>((std::min)(10000., largest_work / (size * size + 1)));
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(r.size());
-  for(int sweep = 0; sweep < sweeps; ++sweep) {
-    double largest_change = 0;
-    for(Eigen::Index i = 0; i < r.size(); ++i) {
-      const double step = (r[i] - s.col(i).dot(x)) / s(i, i);
-      const double next = (std::max)(0., x[i] + overrelaxation * step);
-      largest_change = (std::max)(largest_change, std::abs(next - x[i]));
-      x[i] = next;
-    }
-    if(!(largest_change > precision * x.lpNorm<Eigen::Infinity>()))
-      break;
-  }
-  return x;
-}
-
-} // namespace internal
-} // namespace Seamless_snapping
-} // namespace CGAL
+#include <CGAL/Seamless_snapping/internal/linear/nonnegative_program.h>
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_NONNEGATIVE_PROGRAM_H

@@ -14,67 +14,75 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The one door into the algebra: runs the snapper in 64-bit integers if the system has no larger ones,
-// and, where one of them overflows, from the start in multiprecision; says in the report what came of
-// it. And how the solution's target follows that of the unknowns.
+// The linear solver as the surface function still calls it.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Difference_projection.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Grid_solver.h>
-#include <CGAL/Seamless_snapping/internal/algebra/contradiction_certificate.h>
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
+
+#include <variant>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// May throw `Integer_overflow` for 64-bit integers. Returns whether there is a solution.
-template <typename Integer>
-bool solve_with(const Integer_system<Integer>& system, const Grid_point& point,
-                Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+using Any_system = std::variant<Integer_system>;
+
+struct Grid_point
 {
-  const Grid_solver<Integer> solver(system);
+  Grid grid;
+  std::vector<Grid_value> values;
+  std::vector<double> weights;
+  std::size_t number_of_representable_columns;
+  bool may_be_finer;
+};
+
+struct Grid_solution
+{
+  Grid grid;
+  std::vector<std::int64_t> x;
+  std::vector<Grid_value> target;
+};
+
+inline bool solve_on_grid(const Integer_system& system, const Grid_point& point,
+                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+{
+  std::vector<bool> is_representable(point.values.size(), false);
+  std::fill_n(is_representable.begin(), point.number_of_representable_columns, true);
+  const Component_solver solver(system, point.weights, point.grid.format(), is_representable,
+                                point.may_be_finer);
   timer.finish("elimination");
-  solver.fill_in(report);
+  solver.add_to(report.linear_solver);
   if(!solver.is_consistent()) {
     report.status = Snapping_status::INCONSISTENT;
-    report.certificate = contradiction_certificate(to_multiprecision(system));
+    report.certificate = to_integer_multipliers(solver.contradiction());
     return false;
   }
-  if(!solver.solve(point, solution, timer)) {
+  Component_solution part{point.grid, {}, point.values};
+  if(!solver.solve(part, &timer)) {
     report.status = Snapping_status::NOT_REPRESENTABLE;
     return false;
   }
+  solution = Grid_solution{part.grid, part.x, part.optimum};
   return true;
 }
 
-inline bool solve_on_grid(const Integer_system<std::int64_t>& system, const Grid_point& point,
-                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
+class Difference_projection
 {
-  try {
-    return solve_with(system, point, solution, report, timer);
-  } catch(const Integer_overflow&) {
-    return solve_with(to_multiprecision(system), point, solution, report, timer);
-  }
-}
+public:
+  Difference_projection(const Integer_system& system, const std::vector<double>& weights)
+    : m_solver(system, weights, Number_format::of<double>(), {}, false)
+  { }
 
-inline bool solve_on_grid(const Integer_system<Exact_integer>& system, const Grid_point& point,
-                          Grid_solution& solution, Snapping_report& report, Step_timer& timer)
-{
-  if(const auto small = to_machine_integers(system)) // a part of a system with larger integers
-    return solve_on_grid(*small, point, solution, report, timer);
-  return solve_with(system, point, solution, report, timer);
-}
+  Eigen::VectorXd operator()(const Eigen::VectorXd& shifts) const
+  { return m_solver.displacements(shifts); }
 
-// How the least-squares target answers to changes of the values.
-template <typename Integer>
-Difference_projection difference_projection(const Integer_system<Integer>& system,
-                                            const std::vector<double>& weights)
+private:
+  Component_solver m_solver;
+};
+
+inline Difference_projection difference_projection(const Integer_system& system,
+                                                   const std::vector<double>& weights)
 {
-  try {
-    return Difference_projection(system, Grid_solver<Integer>(system).independent_rows(), weights);
-  } catch(const Integer_overflow&) { // only from 64-bit integers
-    const Integer_system<Exact_integer> big = to_multiprecision(system);
-    return Difference_projection(big, Grid_solver<Exact_integer>(big).independent_rows(), weights);
-  }
+  return Difference_projection(system, weights);
 }
 
 } // namespace internal

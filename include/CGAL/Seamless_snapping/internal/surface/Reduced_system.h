@@ -241,12 +241,11 @@ private:
   }
 
   // Coefficients may have cancelled: the corner of a cycle need not be in its row.
-  template <typename Integer>
-  void mark_unknowns_in_rows(const Integer_system<Integer>& system)
+  void mark_unknowns_in_rows(const Integer_system& system)
   {
     m_is_in_row.assign(m_point.values.size(), false);
     for(std::size_t i = 0; i < system.number_of_rows(); ++i)
-      for(const Entry<Integer>* e = system.begin(i); e != system.end(i); ++e)
+      for(const auto* e = system.begin(i); e != system.end(i); ++e)
         m_is_in_row[std::size_t(e->column)] = true;
     for(std::size_t j = 0; j < m_is_in_row.size(); ++j)
       if(!m_is_in_row[j])

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_REDUCTION_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_REDUCTION_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -18,7 +18,7 @@
 // Every operation on the basis is an exact unimodular one, so the lattice stays the same no matter
 // how the floating point numbers that choose the operations are rounded.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Orthogonal_frame.h>
+#include <CGAL/Seamless_snapping/internal/linear/Orthogonal_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -300,7 +300,7 @@ private:
     const Integer multiple = scaled_integer<Integer>(factor.mantissa, factor.exponent);
     m_bounds.subtract(k, multiple, j);
     subtract_multiple(m_basis[k], multiple, m_basis[j]);
-    subtract_multiple(row, scaled_by_power<Real>(factor.mantissa, factor.exponent - exponent),
+    subtract_multiple(row, scaled_by_power(factor.mantissa, factor.exponent - exponent),
                       other, j + 1);
   }
 
@@ -330,4 +330,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_REDUCTION_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H

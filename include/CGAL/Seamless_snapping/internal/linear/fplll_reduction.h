@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_FPLLL_REDUCTION_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_FPLLL_REDUCTION_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_FPLLL_REDUCTION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_FPLLL_REDUCTION_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -18,7 +18,7 @@
 
 #if defined(CGAL_USE_FPLLL) || defined(DOXYGEN_RUNNING)
 
-#include <CGAL/Seamless_snapping/internal/algebra/checked_integer.h>
+#include <CGAL/Seamless_snapping/internal/exact/checked_integer.h>
 
 #include <fplll.h>
 
@@ -99,4 +99,4 @@ inline bool reduce_by_fplll(std::vector<std::vector<Exact_integer> >& basis,
 
 #endif // CGAL_USE_FPLLL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_FPLLL_REDUCTION_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_FPLLL_REDUCTION_H

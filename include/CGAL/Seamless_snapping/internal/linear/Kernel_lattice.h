@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_KERNEL_LATTICE_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_KERNEL_LATTICE_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_KERNEL_LATTICE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_KERNEL_LATTICE_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -19,14 +19,15 @@
 // intersected with the kernel of one row after the other. As the basis is reduced all along, its
 // entries stay small, other than those of an eliminated matrix.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Block_reduction.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
+#include <CGAL/Seamless_snapping/internal/linear/Block_reduction.h>
+#include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,17 +35,14 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename Integer>
-using Sparse_vector = std::vector<Entry<Integer> >; // sorted by column, no zeros
-
 // a - factor b
 template <typename Integer>
-Sparse_vector<Integer> difference_with_multiple(const Sparse_vector<Integer>& a,
+Entries<Integer> difference_with_multiple(const Entries<Integer>& a,
                                                 const Integer& factor,
-                                                const Sparse_vector<Integer>& b)
+                                                const Entries<Integer>& b)
 {
   const Integer zero(0);
-  Sparse_vector<Integer> result;
+  Entries<Integer> result;
   result.reserve(a.size() + b.size());
   auto i = a.begin();
   for(const Entry<Integer>& e : b) {
@@ -68,7 +66,7 @@ struct Echelon_step
 {
   Row_index row;
   Integer gcd;
-  Sparse_vector<Integer> vector;
+  Entries<Integer> vector;
 };
 
 // Invariant: the echelon vectors and the basis vectors together are a basis of Z^n, and the rows
@@ -78,14 +76,20 @@ template <typename Integer>
 class Kernel_lattice
 {
 public:
-  using Vector = Sparse_vector<Integer>;
+  using Vector = Entries<Integer>;
   using Step = Echelon_step<Integer>;
 
-  explicit Kernel_lattice(const Integer_system<Integer>& system)
-    : m_system(system), m_vectors(system.number_of_columns()),
+  // \pre 64-bit integers are for systems that have no others
+  explicit Kernel_lattice(const Integer_system& system)
+    : m_rows(system.number_of_rows()), m_vectors(system.number_of_columns()),
       m_users(system.number_of_columns()), m_lengths(system.number_of_columns(), 1.),
       m_marks(system.number_of_columns(), 0)
   {
+    for(std::size_t i = 0; i < m_rows.size(); ++i)
+      if constexpr(std::is_same<Integer, Exact_integer>::value)
+        m_rows[i] = system.exact_row(i).entries;
+      else
+        m_rows[i].assign(system.begin(i), system.end(i));
     for(std::size_t i = 0; i < m_vectors.size(); ++i) {
       m_vectors[i].push_back({Column_index(i), Integer(1)});
       m_users[i].push_back(i);
@@ -111,8 +115,8 @@ private:
       if(is_done[i])
         continue;
       std::size_t cost = 0;
-      for(const Entry<Integer>* e = m_system.begin(i); e != m_system.end(i); ++e)
-        cost += m_users[std::size_t(e->column)].size();
+      for(const Entry<Integer>& e : m_rows[i])
+        cost += m_users[std::size_t(e.column)].size();
       if(cost < best_cost) {
         best_cost = cost;
         best = i;
@@ -145,11 +149,11 @@ private:
   std::vector<Image> nonzero_images(const std::size_t row)
   {
     std::vector<std::size_t> candidates;
-    for(const Entry<Integer>* e = m_system.begin(row); e != m_system.end(row); ++e) {
-      std::vector<std::size_t>& users = m_users[std::size_t(e->column)];
+    for(const Entry<Integer>& e : m_rows[row]) {
+      std::vector<std::size_t>& users = m_users[std::size_t(e.column)];
       std::size_t kept = 0;
       for(const std::size_t v : users)
-        if(find(v, e->column) != nullptr)
+        if(find(v, e.column) != nullptr)
           users[kept++] = v;
       users.resize(kept);
       std::sort(users.begin(), users.end());
@@ -161,9 +165,9 @@ private:
     std::vector<Image> result;
     for(const std::size_t v : candidates) {
       Integer sum(0);
-      for(const Entry<Integer>* e = m_system.begin(row); e != m_system.end(row); ++e)
-        if(const Integer* const coefficient = find(v, e->column))
-          sum = difference_with_product(sum, Integer(-e->coefficient), *coefficient);
+      for(const Entry<Integer>& e : m_rows[row])
+        if(const Integer* const coefficient = find(v, e.column))
+          sum = difference_with_product(sum, Integer(-e.coefficient), *coefficient);
       if(sum != 0)
         result.push_back({v, sum, logarithm(sum)});
     }
@@ -320,7 +324,7 @@ private:
 
   static constexpr std::size_t largest_local_reduction = 60;
 
-  const Integer_system<Integer>& m_system;
+  std::vector<Entries<Integer> > m_rows;
   std::vector<Vector> m_vectors; // those that became echelon vectors are empty
   std::vector<std::vector<std::size_t> > m_users; // a superset of the vectors with each column
   std::vector<double> m_lengths;                  // squared norms
@@ -333,4 +337,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_KERNEL_LATTICE_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_KERNEL_LATTICE_H

@@ -9,25 +9,29 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_UNIT_PIVOT_ELIMINATION_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_UNIT_PIVOT_ELIMINATION_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_UNIT_PIVOT_ELIMINATION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_UNIT_PIVOT_ELIMINATION_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // Sparse exact elimination that pivots on coefficients +-1 only, and leaves the rows in echelon order
-// (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution). What has no
-// unit pivot left is handed on as the core. Pivots are chosen freely, always in a shortest row and there
-// in the column that the fewest other rows share: this keeps both the fill and the coefficients small.
+// (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution). What has
+// no unit pivot left is handed on as the core. Pivots are chosen freely, always in a shortest row and
+// there in the column that the fewest other rows share: this keeps both the fill and the coefficients
+// small.
 //
-// Columns that a single row holds, with coefficients other than +-1, would pile up in ever longer rows: each
-// cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one of them. Several
-// are replaced by a new unknown, which is a sum of them: a unimodular change of variables.
+// Columns that a single row holds, with coefficients unlike +-1, would pile up in ever longer rows:
+// each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one of
+// them. Several are replaced by an auxiliary unknown, which is a sum of them: a unimodular change of
+// variables.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Integer_system.h>
+#include <CGAL/Seamless_snapping/internal/linear/Echelon_form.h>
+#include <CGAL/Seamless_snapping/internal/linear/elimination_queues.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,150 +39,107 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Rows keyed by length, shortest first. Entries are never removed: a row that changed its length or
-// state since it was pushed is recognised by the caller when popped.
-class Row_queue
-{
-public:
-  Row_queue() : m_buckets(max_length + 1) { }
-
-  void push(const Row_index row, const std::size_t length)
-  {
-    const std::size_t bucket = (std::min)(length, std::size_t(max_length));
-    m_buckets[bucket].push_back(row);
-    m_first = (std::min)(m_first, bucket);
-  }
-
-  // Returns false if the queue is empty.
-  bool pop(Row_index& row)
-  {
-    while(m_first <= max_length && m_buckets[m_first].empty())
-      ++m_first;
-    if(m_first > max_length)
-      return false;
-    row = m_buckets[m_first].back();
-    m_buckets[m_first].pop_back();
-    return true;
-  }
-
-private:
-  static constexpr std::size_t max_length = 255; // longer rows share a bucket
-  std::vector<std::vector<Row_index> > m_buckets;
-  std::size_t m_first = 0;
-};
-
-// For each column the rows that hold it: exact as a count, and as a list that also keeps rows which no
-// longer do. (Lists in one array: appending must not allocate.)
-class Column_lists
-{
-public:
-  explicit Column_lists(const std::size_t number_of_columns)
-    : m_head(number_of_columns, -1), m_count(number_of_columns, 0)
-  { }
-
-  void add(const Column_index column, const Row_index row)
-  {
-    std::int32_t& head = m_head[std::size_t(column)];
-    m_nodes.push_back({row, head});
-    head = static_cast<std::int32_t>(m_nodes.size()) - 1;
-    ++m_count[std::size_t(column)];
-  }
-
-  // \pre `column` is the number of columns so far
-  void add_column(const Column_index column, const Row_index row)
-  {
-    m_head.push_back(-1);
-    m_count.push_back(0);
-    add(column, row);
-  }
-
-  void remove_one(const Column_index column) { --m_count[std::size_t(column)]; }
-
-  int count(const Column_index column) const { return m_count[std::size_t(column)]; }
-
-  // Moves the list of `column` to `rows`.
-  void take(const Column_index column, std::vector<Row_index>& rows)
-  {
-    rows.clear();
-    for(std::int32_t i = m_head[std::size_t(column)]; i >= 0; i = m_nodes[std::size_t(i)].next)
-      rows.push_back(m_nodes[std::size_t(i)].row);
-    m_head[std::size_t(column)] = -1;
-  }
-
-private:
-  struct Node { Row_index row; std::int32_t next; };
-  std::vector<Node> m_nodes;
-  std::vector<std::int32_t> m_head;
-  std::vector<int> m_count;
-};
-
-// A new unknown in terms of older ones.
+// Row `target` lost `factor` times row `pivot`; or, where `pivot` is -1, was divided by `factor`.
 template <typename Integer>
-struct Definition
+struct Elimination_step
 {
-  Column_index column;
-  std::vector<Entry<Integer> > sum;
+  Row_index target, pivot;
+  Integer factor;
 };
 
 // Invariant after construction: each row is redundant (0 = 0), or contradictory (0 = c), or has a unit
 // pivot in a column that no core row and no later pivot row holds, or belongs to the core.
-// The original rows of pivot rows are linearly independent. With 64-bit integers the constructor throws
-// `Integer_overflow` where the exact result does not fit.
+// With 64-bit integers the constructor throws `Integer_overflow` where the exact result does not fit.
 template <typename Integer>
 class Unit_pivot_elimination
 {
 public:
-  using Row = std::vector<Entry<Integer> >;
-  struct Pivot { Row_index row; Column_index column; };
+  using Row = Entries<Integer>;
+  using Log = std::vector<Elimination_step<Integer> >;
 
-  explicit Unit_pivot_elimination(const Integer_system<Integer>& system)
-    : m_number_of_original_rows(system.number_of_rows()),
-      m_number_of_original_columns(system.number_of_columns()),
-      m_rows(system.number_of_rows()), m_right_hand_side(system.number_of_rows()),
-      m_states(system.number_of_rows(), WAITING), m_columns(system.number_of_columns())
+  // \param log of all that happens to the system's rows, if it is wanted
+  // \pre 64-bit integers are for systems that have no others
+  explicit Unit_pivot_elimination(const Integer_system& system, Log* const log = nullptr)
+    : m_number_of_original_columns(system.number_of_columns()), m_rows(system.number_of_rows()),
+      m_right_hand_side(system.number_of_rows()), m_states(system.number_of_rows(), WAITING),
+      m_columns(system.number_of_columns()), m_log(log)
   {
     load(system);
     Row_index row;
     while(m_queue.pop(row))
       process(row);
-    for(std::size_t i = 0; i < m_rows.size(); ++i)
-      if(m_states[i] == CORE)
-        m_core_rows.push_back(Row_index(i));
   }
 
-  // New unknowns follow the system's; a pivot row beyond the system's says how one of them came about.
-  std::size_t number_of_columns() const { return m_number_of_original_columns + m_definitions.size(); }
-  bool is_original_row(const Row_index i) const { return std::size_t(i) < m_number_of_original_rows; }
-  const std::vector<Definition<Integer> >& definitions() const { return m_definitions; }
-
-  // In the order of elimination: back-substitution runs through it in reverse.
-  const std::vector<Pivot>& pivots() const { return m_pivots; }
-  const std::vector<Row_index>& core_rows() const { return m_core_rows; }
-  const std::vector<Row_index>& redundant_rows() const { return m_redundant_rows; }
-  const std::vector<Row_index>& contradictory_rows() const { return m_contradictory_rows; }
-  const Row& row(const Row_index i) const { return m_rows[std::size_t(i)]; }
-  const Integer& right_hand_side(const Row_index i) const
-  { return m_right_hand_side[std::size_t(i)]; }
-  const Integer& largest_coefficient() const { return m_largest_coefficient; }
-
-  // Of all rows together.
-  std::size_t number_of_coefficients() const
+  Echelon_form echelon_form() const
   {
-    std::size_t result = 0;
-    for(const Row& row : m_rows)
-      result += row.size();
-    return result;
+    Echelon_form form;
+    const std::size_t size = number_of_columns();
+    form.pivot_rows = Integer_system(size);
+    form.core_rows = Integer_system(size);
+    for(const Pivot& pivot : m_pivots) {
+      add_row(pivot.row, form.pivot_rows);
+      form.pivot_columns.push_back(pivot.column);
+      if(std::size_t(pivot.row) < m_rows.size() - m_auxiliary_unknowns.size())
+        form.rows_with_pivot.push_back(pivot.row);
+    }
+    for(std::size_t i = 0; i < m_rows.size(); ++i)
+      if(m_states[i] == CORE) {
+        add_row(Row_index(i), form.core_rows);
+        form.rows_in_core.push_back(Row_index(i));
+      }
+    form.auxiliary_unknowns = m_auxiliary_unknowns;
+    form.redundant_rows = m_redundant_rows;
+    form.contradictory_rows = m_contradictory_rows;
+    form.number_of_coefficients =
+      form.pivot_rows.number_of_entries() + form.core_rows.number_of_entries();
+    form.largest_coefficient = Exact_integer(m_largest_coefficient);
+    form.is_multiprecision = std::is_same<Integer, Exact_integer>::value;
+    return form;
   }
 
 private:
   enum State : char { WAITING, CORE, DONE };
+  struct Pivot { Row_index row; Column_index column; };
 
-  void load(const Integer_system<Integer>& system)
+  std::size_t number_of_columns() const
+  { return m_number_of_original_columns + m_auxiliary_unknowns.size(); }
+  const Row& row(const Row_index i) const { return m_rows[std::size_t(i)]; }
+  const Integer& right_hand_side(const Row_index i) const
+  { return m_right_hand_side[std::size_t(i)]; }
+
+  void add_row(const Row_index i, Integer_system& system) const
   {
-    for(std::size_t i = 0; i < m_rows.size(); ++i) {
+    if constexpr(std::is_same<Integer, Exact_integer>::value) {
+      system.add_row(Integer_row<Exact_integer>{row(i), right_hand_side(i)});
+    } else if(fits_64_bits(right_hand_side(i)) &&
+              std::all_of(row(i).begin(), row(i).end(), [](const Entry<Integer>& e)
+                          { return fits_64_bits(e.coefficient); })) {
+      system.add_row(row(i), right_hand_side(i));
+    } else {
+      Integer_row<Exact_integer> exact{{}, Exact_integer(right_hand_side(i))};
+      for(const Entry<Integer>& e : row(i))
+        exact.entries.push_back({e.column, Exact_integer(e.coefficient)});
+      system.add_row(std::move(exact));
+    }
+  }
+
+  void load_row(const Integer_system& system, const std::size_t i)
+  {
+    if constexpr(std::is_same<Integer, Exact_integer>::value) {
+      Integer_row<Exact_integer> row = system.exact_row(i);
+      m_rows[i] = std::move(row.entries);
+      m_right_hand_side[i] = std::move(row.right_hand_side);
+    } else {
       m_rows[i].reserve(2 * std::size_t(system.end(i) - system.begin(i))); // most rows grow
       m_rows[i].assign(system.begin(i), system.end(i));
       m_right_hand_side[i] = system.right_hand_side(i);
+    }
+  }
+
+  void load(const Integer_system& system)
+  {
+    for(std::size_t i = 0; i < m_rows.size(); ++i) {
+      load_row(system, i);
       for(const Entry<Integer>& e : m_rows[i])
         m_columns.add(e.column, Row_index(i));
       divide_by_common_factor(Row_index(i));
@@ -242,6 +203,8 @@ private:
         continue; // the list was out of date
       const Integer factor(found->coefficient * pivot.coefficient); // = / pivot, a unit
       subtract(j, factor, i);
+      if(m_log != nullptr)
+        m_log->push_back({j, i, factor});
       m_changed_rows.push_back(j);
     }
     for(const Row_index j : m_changed_rows) { // which columns are single is known only now
@@ -287,7 +250,7 @@ private:
       rhs = difference_with_product(rhs, factor, right_hand_side(i));
   }
 
-  // The sum of at most this many of the system's unknowns is a new one, so that its value still fits.
+  // The sum of at most this many of the system's unknowns is an auxiliary one, so that its value still fits.
   static constexpr int largest_sum = 128;
 
   // c (u + q v + ...) becomes c w, where w = u + q v + ... is new, and u = w - q v - ... is implied.
@@ -298,35 +261,35 @@ private:
       return;
     Row& row = m_rows[std::size_t(i)];
     const Integer c = row[first].coefficient;
-    Definition<Integer> definition;
+    Entries<std::int64_t> sum;
     int size = 0;
     for(std::size_t k = first; k < row.size(); ++k) {
       if(m_columns.count(row[k].column) != 1 || (row[k].coefficient != c && row[k].coefficient != -c) ||
          size + sum_size(row[k].column) > largest_sum)
         continue;
       size += sum_size(row[k].column);
-      definition.sum.push_back({row[k].column, row[k].coefficient == c ? Integer(1) : Integer(-1)});
+      sum.push_back({row[k].column, row[k].coefficient == c ? 1 : -1});
     }
-    if(definition.sum.size() < 2)
+    if(sum.size() < 2)
       return;
-    definition.column = Column_index(number_of_columns());
-    auto merged = definition.sum.begin();
+    const Column_index column = Column_index(number_of_columns());
+    auto merged = sum.begin();
     row.erase(std::remove_if(row.begin(), row.end(), [&](const Entry<Integer>& e) {
-      if(merged == definition.sum.end() || e.column != merged->column)
+      if(merged == sum.end() || e.column != merged->column)
         return false;
       ++merged;
       return true;
     }), row.end());
-    row.push_back({definition.column, c});
-    m_columns.add_column(definition.column, i);
+    row.push_back({column, c});
+    m_columns.add_column(column, i);
 
-    Row implied(definition.sum); // w - u - q v - ... = 0, with pivot u
-    for(Entry<Integer>& e : implied)
-      e.coefficient = -e.coefficient;
-    implied.push_back({definition.column, Integer(1)});
+    Row implied; // w - u - q v - ... = 0, with pivot u
+    for(const Entry<std::int64_t>& e : sum)
+      implied.push_back({e.column, Integer(-e.coefficient)});
+    implied.push_back({column, Integer(1)});
     m_pivots.push_back({Row_index(m_rows.size()), implied.front().column});
     m_sum_sizes.push_back(size);
-    m_definitions.push_back(std::move(definition));
+    m_auxiliary_unknowns.push_back(std::move(sum));
     m_rows.push_back(std::move(implied)); // invalidates `row`
     m_right_hand_side.push_back(Integer(0));
     m_states.push_back(DONE);
@@ -341,7 +304,7 @@ private:
       if(m_columns.count(row[k].column) == 1) {
         if(is_unit(row[k].coefficient))
           return row.size(); // a pivot at no cost
-        m_singles.push_back({Integer(CGAL::abs(row[k].coefficient)), sum_size(row[k].column), k});
+        m_singles.push_back({Integer(absolute_value(row[k].coefficient)), sum_size(row[k].column), k});
       }
     std::sort(m_singles.begin(), m_singles.end());
     std::size_t first = row.size();
@@ -386,18 +349,21 @@ private:
     for(Entry<Integer>& e : row)
       e.coefficient = exact_quotient(e.coefficient, factor);
     m_right_hand_side[std::size_t(i)] = exact_quotient(right_hand_side(i), factor);
+    if(m_log != nullptr)
+      m_log->push_back({i, -1, factor});
   }
 
-  std::size_t m_number_of_original_rows, m_number_of_original_columns;
-  std::vector<Definition<Integer> > m_definitions;
-  std::vector<int> m_sum_sizes; // per definition
+  std::size_t m_number_of_original_columns;
+  std::vector<Entries<std::int64_t> > m_auxiliary_unknowns;
+  std::vector<int> m_sum_sizes; // of the auxiliary unknowns
   std::vector<Row> m_rows;
   std::vector<Integer> m_right_hand_side;
   std::vector<State> m_states;
   Column_lists m_columns;
   Row_queue m_queue;
   std::vector<Pivot> m_pivots;
-  std::vector<Row_index> m_core_rows, m_redundant_rows, m_contradictory_rows;
+  std::vector<Row_index> m_redundant_rows, m_contradictory_rows;
+  Log* m_log;
   Integer m_largest_coefficient = Integer(0);
   std::vector<std::tuple<Integer, int, std::size_t> > m_singles; // scratch
   std::vector<Row_index> m_rows_of_column, m_changed_rows; // scratch
@@ -408,4 +374,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_UNIT_PIVOT_ELIMINATION_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_UNIT_PIVOT_ELIMINATION_H

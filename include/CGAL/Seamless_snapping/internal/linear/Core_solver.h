@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CORE_SOLVER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CORE_SOLVER_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CORE_SOLVER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CORE_SOLVER_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -19,13 +19,15 @@
 // given, but for redundant ones: a solution near by in all unknowns is wanted, and implied ones amplify
 // changes of the core.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Integer_lattice.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Unit_pivot_elimination.h>
+#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/linear/Echelon_form.h>
+#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,16 +35,13 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Invariant: without core rows, all is empty, consistent, and solved.
-template <typename Integer>
 class Core_solver
 {
 public:
-  Core_solver(const Integer_system<Integer>& system,
-              const Unit_pivot_elimination<Integer>& elimination)
-    : m_is_whole(!elimination.core_rows().empty() &&
+  Core_solver(const Integer_system& system, const Echelon_form& form)
+    : m_is_whole(!form.rows_in_core.empty() &&
                  system.number_of_columns() <= largest_whole_system),
-      m_lattice(m_is_whole ? core_of(system, nonzero_rows(system, elimination))
-                           : core_of(elimination))
+      m_lattice(m_is_whole ? whole_system(system, form) : core_of(form))
   {
     for(const Row_index i : m_lattice.independent_rows())
       m_independent_rows.push_back(m_rows[std::size_t(i)]);
@@ -71,7 +70,19 @@ public:
   const Exact_integer& largest_coefficient() const { return m_largest_coefficient; }
   Exact_integer largest_pivot() const { return m_lattice.largest_pivot(); }
 
-  // What is near, for `nearest()`: dear, so made once for all grids.
+  // A combination of rows, by their index in the system, that reads 0 = c with c != 0.
+  // \pre !is_consistent()
+  Certificate contradiction() const
+  {
+    const Lattice_solution solution = m_lattice.some_solution(m_right_hand_side);
+    Certificate result;
+    for(std::size_t i = 0; i < m_rows.size(); ++i)
+      if(solution.certificate.multipliers[i] != 0)
+        result.emplace_back(std::size_t(m_rows[i]), solution.certificate.multipliers[i]);
+    return result;
+  }
+
+  // The reduced basis for `nearest()`; expensive, computed once for all grids.
   Lattice_metric metric(const std::vector<double>& weights) const
   {
     std::vector<double> core_weights;
@@ -94,7 +105,7 @@ public:
     std::vector<Exact_integer> b(m_right_hand_side);
     const Exact_integer factor = power_of_two(shift);
     for(Exact_integer& value : b)
-      value = Exact_integer(value * factor);
+      value = product(value, factor);
     const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, metric);
     CGAL_assertion(solution.solvability == Solvability::SOLVABLE);
     for(std::size_t j = 0; j < m_columns.size(); ++j) {
@@ -108,73 +119,57 @@ public:
 private:
   static constexpr std::size_t largest_whole_system = 2000; // columns
 
-  // Those that the elimination left something of: about the others it said all.
-  static std::vector<Row_index> nonzero_rows(const Integer_system<Integer>& system,
-                                             const Unit_pivot_elimination<Integer>& elimination)
+  // The rows that the elimination left something of: about the others it said all.
+  Integer_system whole_system(const Integer_system& system, const Echelon_form& form)
   {
     std::vector<bool> is_zero(system.number_of_rows(), false);
-    for(const Row_index row : elimination.redundant_rows())
+    for(const Row_index row : form.redundant_rows)
       is_zero[std::size_t(row)] = true;
-    for(const Row_index row : elimination.contradictory_rows())
+    for(const Row_index row : form.contradictory_rows)
       is_zero[std::size_t(row)] = true;
-    std::vector<Row_index> rows;
+    std::vector<Integer_row<Exact_integer> > rows;
     for(std::size_t i = 0; i < is_zero.size(); ++i)
-      if(!is_zero[i])
-        rows.push_back(Row_index(i));
-    return rows;
+      if(!is_zero[i]) {
+        rows.push_back(system.exact_row(i));
+        m_rows.push_back(Row_index(i));
+      }
+    return renumbered(std::move(rows));
   }
 
-  Integer_system<Integer> core_of(const Integer_system<Integer>& system,
-                                  const std::vector<Row_index>& rows)
+  Integer_system core_of(const Echelon_form& form)
   {
-    for(const Row_index row : rows)
-      collect(system.begin(std::size_t(row)), system.end(std::size_t(row)),
-              system.right_hand_side(std::size_t(row)), row);
-    return renumbered();
+    std::vector<Integer_row<Exact_integer> > rows;
+    for(std::size_t i = 0; i < form.rows_in_core.size(); ++i)
+      rows.push_back(form.core_rows.exact_row(i));
+    m_rows = form.rows_in_core;
+    return renumbered(std::move(rows));
   }
 
-  Integer_system<Integer> core_of(const Unit_pivot_elimination<Integer>& elimination)
+  // The rows with columns as indices into `m_columns`, and without right-hand sides.
+  Integer_system renumbered(std::vector<Integer_row<Exact_integer> > rows)
   {
-    for(const Row_index row : elimination.core_rows()) {
-      const auto& entries = elimination.row(row);
-      collect(entries.data(), entries.data() + entries.size(), elimination.right_hand_side(row), row);
-    }
-    return renumbered();
-  }
-
-  void collect(const Entry<Integer>* first, const Entry<Integer>* last, const Integer& b,
-               const Row_index row)
-  {
-    m_entries.emplace_back(first, last);
-    m_right_hand_side.push_back(Exact_integer(b));
-    m_rows.push_back(row);
-    for(; first != last; ++first) {
-      m_columns.push_back(first->column);
-      m_largest_coefficient = (std::max)(m_largest_coefficient,
-                                         Exact_integer(CGAL::abs(Exact_integer(first->coefficient))));
-    }
-  }
-
-  // The collected rows, with columns as indices into `m_columns`.
-  Integer_system<Integer> renumbered()
-  {
+    for(const Integer_row<Exact_integer>& row : rows)
+      for(const Entry<Exact_integer>& e : row.entries) {
+        m_columns.push_back(e.column);
+        m_largest_coefficient = (std::max)(m_largest_coefficient, absolute_value(e.coefficient));
+      }
     std::sort(m_columns.begin(), m_columns.end());
     m_columns.erase(std::unique(m_columns.begin(), m_columns.end()), m_columns.end());
-    Integer_system<Integer> system(m_columns.size());
-    for(std::vector<Entry<Integer> >& entries : m_entries) {
-      for(Entry<Integer>& e : entries)
+    Integer_system system(m_columns.size());
+    for(Integer_row<Exact_integer>& row : rows) {
+      for(Entry<Exact_integer>& e : row.entries)
         e.column = Column_index(std::lower_bound(m_columns.begin(), m_columns.end(), e.column) -
                                 m_columns.begin());
-      system.add_row(entries, Integer(0));
+      m_right_hand_side.push_back(std::move(row.right_hand_side));
+      row.right_hand_side = 0;
+      system.add_row(std::move(row));
     }
-    m_entries.clear();
     return system;
   }
 
   bool m_is_whole;
   // filled while the lattice is made from them
-  std::vector<std::vector<Entry<Integer> > > m_entries;
-  std::vector<Row_index> m_rows;
+  std::vector<Row_index> m_rows; // of the system
   std::vector<Column_index> m_columns;
   std::vector<Exact_integer> m_right_hand_side;
   Exact_integer m_largest_coefficient = Exact_integer(0);
@@ -189,4 +184,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CORE_SOLVER_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CORE_SOLVER_H

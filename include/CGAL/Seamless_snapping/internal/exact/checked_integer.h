@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_CHECKED_INTEGER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_CHECKED_INTEGER_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -20,6 +20,8 @@
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/config.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -70,6 +72,38 @@ inline std::int64_t checked_difference(const std::int64_t a, const std::int64_t 
   return result;
 }
 
+inline std::int64_t absolute_value(const std::int64_t a) { return a < 0 ? -a : a; }
+
+// Adds a b to `sum`. Returns false if something does not fit; then `sum` is undefined.
+inline bool add_product(const std::int64_t a, const std::int64_t b, std::int64_t& sum)
+{
+#if defined(__GNUC__)
+  std::int64_t product = 0;
+  return !__builtin_mul_overflow(a, b, &product) && !__builtin_add_overflow(sum, product, &sum) &&
+         sum != (std::numeric_limits<std::int64_t>::min)();
+#else
+  try {
+    sum = checked_difference(sum, checked_product(-a, b));
+    return true;
+  } catch(const Integer_overflow&) {
+    return false;
+  }
+#endif
+}
+
+// Sets `result` to a 2^shift. Returns false if that is not an integer of at most 62 bits.
+// \pre |a| <= 2^62
+inline bool shifted(const std::int64_t a, const int shift, std::int64_t& result)
+{
+  result = 0;
+  if(a == 0)
+    return true;
+  if(shift < 0 || shift > 62 || absolute_value(a) > (std::int64_t(1) << 62 >> shift))
+    return false;
+  result = a * (std::int64_t(1) << shift);
+  return true;
+}
+
 // a - f b
 inline std::int64_t difference_with_product(const std::int64_t a, const std::int64_t f,
                                             const std::int64_t b)
@@ -77,10 +111,28 @@ inline std::int64_t difference_with_product(const std::int64_t a, const std::int
   return checked_difference(a, checked_product(f, b));
 }
 
-inline Exact_integer difference_with_product(const Exact_integer& a, const Exact_integer& f,
-                                             const Exact_integer& b)
+// The multiprecision operations are functions of their own, not inlined: as expression templates,
+// written where they are needed, they cost seconds to compile.
+inline BOOST_NOINLINE Exact_integer product(const Exact_integer& a, const Exact_integer& b)
+{
+  return Exact_integer(a * b);
+}
+
+inline BOOST_NOINLINE Exact_integer difference(const Exact_integer& a, const Exact_integer& b)
+{
+  return Exact_integer(a - b);
+}
+
+inline BOOST_NOINLINE Exact_integer difference_with_product(const Exact_integer& a,
+                                                            const Exact_integer& f,
+                                                            const Exact_integer& b)
 {
   return Exact_integer(a - Exact_integer(f * b));
+}
+
+inline BOOST_NOINLINE Exact_integer absolute_value(const Exact_integer& a)
+{
+  return Exact_integer(CGAL::abs(a));
 }
 
 inline std::int64_t greatest_common_divisor(const std::int64_t a, const std::int64_t b)
@@ -88,14 +140,14 @@ inline std::int64_t greatest_common_divisor(const std::int64_t a, const std::int
   return std::gcd(a, b);
 }
 
-inline Exact_integer greatest_common_divisor(const Exact_integer& a, const Exact_integer& b)
+inline BOOST_NOINLINE Exact_integer greatest_common_divisor(const Exact_integer& a, const Exact_integer& b)
 {
   return CGAL::gcd(a, b);
 }
 
 inline std::int64_t exact_quotient(const std::int64_t a, const std::int64_t b) { return a / b; }
 
-inline Exact_integer exact_quotient(const Exact_integer& a, const Exact_integer& b)
+inline BOOST_NOINLINE Exact_integer exact_quotient(const Exact_integer& a, const Exact_integer& b)
 {
   return CGAL::integral_division(a, b);
 }
@@ -116,7 +168,7 @@ inline std::size_t bit_length(const std::int64_t a)
   return bits;
 }
 
-inline std::size_t bit_length(const Exact_integer& a)
+inline BOOST_NOINLINE std::size_t bit_length(const Exact_integer& a)
 {
   std::size_t bits = 0;
   // A power of two that exceeds |a| is found by doubling its exponent, then by bisection.
@@ -156,14 +208,14 @@ inline bool fits_64_bits(const std::int64_t a)
   return -bound <= a && a <= bound;
 }
 
-inline bool fits_64_bits(const Exact_integer& a)
+inline BOOST_NOINLINE bool fits_64_bits(const Exact_integer& a)
 {
   static const Exact_integer bound(machine_integer_bound);
   return CGAL::abs(a) <= bound;
 }
 
 // \pre fits_64_bits(a)
-inline std::int64_t to_64_bits(const Exact_integer& a)
+inline BOOST_NOINLINE std::int64_t to_64_bits(const Exact_integer& a)
 {
   const Exact_integer radix(2147483648.0); // 2^31: both halves convert to double without rounding
   const Exact_integer high(a / radix);
@@ -175,7 +227,7 @@ inline std::int64_t to_64_bits(const Exact_integer& a)
 inline std::int64_t to_64_bits(const std::int64_t a) { return a; }
 
 // 2^exponent
-inline Exact_integer power_of_two(std::size_t exponent)
+inline BOOST_NOINLINE Exact_integer power_of_two(std::size_t exponent)
 {
   Exact_integer result(1);
   for(Exact_integer square(2); exponent != 0; exponent >>= 1) {
@@ -196,7 +248,7 @@ inline int number_of_halvings(std::int64_t a)
   return count;
 }
 
-inline int number_of_halvings(Exact_integer a)
+inline BOOST_NOINLINE int number_of_halvings(Exact_integer a)
 {
   std::vector<Exact_integer> powers(1, Exact_integer(2)); // 2^(2^i), as far as they divide a
   while(Exact_integer(a % powers.back()) == 0)
@@ -225,4 +277,4 @@ inline Exact_integer halved(const Exact_integer& a, const int times)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CHECKED_INTEGER_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_CHECKED_INTEGER_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_BLOCK_REDUCTION_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_BLOCK_REDUCTION_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_BLOCK_REDUCTION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_BLOCK_REDUCTION_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // Reduction of a basis of hundreds of vectors.
 
-#include <CGAL/Seamless_snapping/internal/algebra/fplll_reduction.h>
-#include <CGAL/Seamless_snapping/internal/algebra/lattice_reduction.h>
+#include <CGAL/Seamless_snapping/internal/linear/fplll_reduction.h>
+#include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -198,4 +198,4 @@ Orthogonal_frame<double> reduce_basis(std::vector<std::vector<Integer> >& basis,
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_BLOCK_REDUCTION_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_BLOCK_REDUCTION_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_ORTHOGONAL_FRAME_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_ORTHOGONAL_FRAME_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -20,7 +20,7 @@
 //
 // Numbers of hundreds of bits come as rows of doubles that share one binary exponent.
 
-#include <CGAL/Seamless_snapping/internal/algebra/checked_integer.h>
+#include <CGAL/Seamless_snapping/internal/linear/Scaled_double.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,43 +31,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// mantissa 2^exponent
-struct Scaled_double
-{
-  double mantissa;
-  long exponent;
-};
-
-inline Scaled_double to_scaled_double(const std::int64_t a)
-{
-  return {static_cast<double>(a), 0};
-}
-
-// The relative error is a few ulps, whatever the size of the integer.
-inline Scaled_double to_scaled_double(const Exact_integer& a)
-{
-  static const Exact_integer too_large = power_of_two(960);
-  static const Exact_integer divisor = power_of_two(512);
-  Exact_integer rest = a;
-  long exponent = 0;
-  while(rest >= too_large || Exact_integer(-rest) >= too_large) {
-    rest = Exact_integer(rest / divisor);
-    exponent += 512;
-  }
-  int binary_exponent = 0;
-  const double mantissa = std::frexp(CGAL::to_double(rest), &binary_exponent);
-  return {mantissa, mantissa == 0 ? 0 : exponent + binary_exponent};
-}
-
-// ldexp for exponents of any size.
-template <typename Real>
-Real scaled_by_power(const Real a, const long exponent)
-{
-  if(exponent == 0 || a == 0)
-    return a;
-  return std::ldexp(a, static_cast<int>((std::max)(-5000L, (std::min)(5000L, exponent))));
-}
 
 // Writes the first components of v, each times its scale, as `row` 2^(returned exponent).
 template <typename Real>
@@ -208,4 +171,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_ORTHOGONAL_FRAME_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H

@@ -9,16 +9,16 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_METRIC_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_METRIC_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_METRIC_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_METRIC_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // A lattice together with a weighted Euclidean norm, in which near lattice points are looked for.
 // The point found is a lattice point exactly; that it is near rests on floating point arithmetic.
 
-#include <CGAL/Seamless_snapping/internal/algebra/Grid.h>
-#include <CGAL/Seamless_snapping/internal/algebra/Kernel_lattice.h>
+#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/linear/Kernel_lattice.h>
 
 #include <cmath>
 #include <cstddef>
@@ -33,7 +33,7 @@ namespace internal {
 
 // a += factor b
 inline void add_multiple(std::vector<Exact_integer>& a, const Exact_integer& factor,
-                         const Sparse_vector<Exact_integer>& b)
+                         const Entries<Exact_integer>& b)
 {
   const Exact_integer opposite(-factor);
   for(const Entry<Exact_integer>& e : b) {
@@ -47,7 +47,7 @@ inline void add_multiple(std::vector<Exact_integer>& a, const Exact_integer& fac
 class Lattice_metric
 {
 public:
-  using Vector = Sparse_vector<Exact_integer>;
+  using Vector = Entries<Exact_integer>;
 
   // \pre the vectors are linearly independent, the weights positive
   Lattice_metric(const std::vector<Vector>& basis, const std::vector<double>& weights)
@@ -159,4 +159,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_LATTICE_METRIC_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LATTICE_METRIC_H

@@ -9,16 +9,16 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_INTEGER_LATTICE_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_INTEGER_LATTICE_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_INTEGER_LATTICE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_INTEGER_LATTICE_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // All integer solutions of A Y = B, for a fixed A and several B: whether there are any, with proof,
-// and one that is near to given real numbers. Complete, other than the divisibility rule of
+// and one that is near to given real numbers. Complete, unlike the divisibility rule of
 // Algorithm 4 (see part B of the paper's addendum).
 
-#include <CGAL/Seamless_snapping/internal/algebra/Lattice_metric.h>
+#include <CGAL/Seamless_snapping/internal/linear/Lattice_metric.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -60,24 +60,24 @@ struct Lattice_solution
 class Integer_lattice
 {
 public:
-  using Vector = Sparse_vector<Exact_integer>;
+  using Vector = Entries<Exact_integer>;
 
   // The right-hand sides of the system, all 0, play no role.
-  template <typename Integer>
-  explicit Integer_lattice(const Integer_system<Integer>& system)
-    : m_system(to_multiprecision(system))
+  explicit Integer_lattice(const Integer_system& system)
+    : m_number_of_columns(system.number_of_columns())
   {
-    try {
-      if(const auto small = to_machine_integers(m_system)) {
-        take(Kernel_lattice<std::int64_t>(*small));
+    for(std::size_t i = 0; i < system.number_of_rows(); ++i)
+      m_rows.push_back(system.exact_row(i).entries);
+    if(system.is_small())
+      try {
+        take(Kernel_lattice<std::int64_t>(system));
         return;
-      }
-    } catch(const Integer_overflow&) { }
-    take(Kernel_lattice<Exact_integer>(m_system));
+      } catch(const Integer_overflow&) { }
+    take(Kernel_lattice<Exact_integer>(system));
   }
 
-  std::size_t number_of_columns() const { return m_system.number_of_columns(); }
-  std::size_t number_of_rows() const { return m_system.number_of_rows(); }
+  std::size_t number_of_columns() const { return m_number_of_columns; }
+  std::size_t number_of_rows() const { return m_rows.size(); }
   std::size_t rank() const { return number_of_columns() - m_basis.size(); }
 
   // Rows that all others depend on over the rational numbers.
@@ -175,12 +175,12 @@ private:
     m_basis.clear();
     for(const Echelon_step<Integer>& step : kernel.steps())
       m_steps.push_back({step.row, Exact_integer(step.gcd), to_exact_vector(step.vector)});
-    for(const Sparse_vector<Integer>& vector : kernel.basis())
+    for(const Entries<Integer>& vector : kernel.basis())
       m_basis.push_back(to_exact_vector(vector));
   }
 
   template <typename Integer>
-  static Vector to_exact_vector(const Sparse_vector<Integer>& vector)
+  static Vector to_exact_vector(const Entries<Integer>& vector)
   {
     Vector result;
     for(const Entry<Integer>& e : vector)
@@ -191,8 +191,8 @@ private:
   Exact_integer image(const std::size_t row, const std::vector<Exact_integer>& point) const
   {
     Exact_integer sum(0);
-    for(const Entry<Exact_integer>* e = m_system.begin(row); e != m_system.end(row); ++e)
-      sum += Exact_integer(e->coefficient * point[std::size_t(e->column)]);
+    for(const Entry<Exact_integer>& e : m_rows[row])
+      sum += product(e.coefficient, point[std::size_t(e.column)]);
     return sum;
   }
 
@@ -268,12 +268,12 @@ private:
                std::vector<Exact_integer>& combination) const
   {
     result.multipliers[std::size_t(row)] = factor;
-    for(const Entry<Exact_integer>* e = m_system.begin(std::size_t(row));
-        e != m_system.end(std::size_t(row)); ++e)
-      combination[std::size_t(e->column)] += Exact_integer(factor * e->coefficient);
+    for(const Entry<Exact_integer>& e : m_rows[std::size_t(row)])
+      combination[std::size_t(e.column)] += product(factor, e.coefficient);
   }
 
-  Integer_system<Exact_integer> m_system;
+  std::size_t m_number_of_columns;
+  std::vector<Entries<Exact_integer> > m_rows;
   std::vector<Echelon_step<Exact_integer> > m_steps;
   std::vector<Vector> m_basis;
 };
@@ -282,4 +282,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_INTEGER_LATTICE_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_INTEGER_LATTICE_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // Reads the forms in which callers give C and b.
 
 #include <CGAL/Seamless_snapping/Linear_constraints.h>
-#include <CGAL/Seamless_snapping/internal/algebra/System_builder.h>
+#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 
 #include <Eigen/SparseCore>
 
@@ -35,15 +35,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The type that coefficients are handled in before they are integers.
 template <typename Number>
 constexpr bool is_built_in_integer = std::is_integral<Number>::value && sizeof(Number) <= 8;
-
-template <typename Coefficient>
-using Input_coefficient =
-  typename std::conditional<is_built_in_integer<Coefficient> &&
-                              (sizeof(Coefficient) < 8 || std::is_signed<Coefficient>::value),
-                            std::int64_t, Exact_rational>::type;
 
 template <typename Number>
 Exact_rational to_exact_rational(const Number& a)
@@ -86,17 +79,17 @@ std::size_t number_of_rows(const Eigen::SparseMatrix<Scalar, Options, StorageInd
 struct No_right_hand_side { };
 
 template <typename Coefficient>
-Exact_rational right_hand_side(const Linear_constraints<Coefficient>& c, const No_right_hand_side&,
-                               const std::size_t i)
+const Exact_rational& right_hand_side(const Linear_constraints<Coefficient>& c,
+                                      const No_right_hand_side&, const std::size_t i)
 {
   return c.right_hand_side(i);
 }
 
 template <typename Scalar, int Options, typename StorageIndex>
-Exact_rational right_hand_side(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&,
-                               const No_right_hand_side&, const std::size_t)
+No_right_hand_side right_hand_side(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&,
+                                   const No_right_hand_side& b, const std::size_t)
 {
-  return Exact_rational(0);
+  return b;
 }
 
 template <typename Constraints, typename RightHandSide>
@@ -188,27 +181,43 @@ bool for_each_row(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c, c
   return true;
 }
 
-// Whether a floating point coefficient converts to 64 bits. (Other types are what `Input_coefficient` says.)
+// Whether a built-in number is an integer that fits into 64 bits.
 template <typename T>
 bool is_small_integer(const T& t)
 {
   if constexpr(std::is_floating_point<T>::value)
     return std::abs(t) < T(4503599627370496.) && t == std::floor(t);
   else
-    return std::is_same<Input_coefficient<T>, std::int64_t>::value;
+    return sizeof(T) < 8 || (sizeof(T) == 8 && std::is_signed<T>::value);
 }
 
-template <typename Input, typename Coefficient>
-std::vector<Entry<Input> > converted_row(const std::vector<Entry<Coefficient> >& row)
+// Adds a row with the right-hand side that `b()` returns. `small` is scratch.
+template <typename Coefficient, typename RightHandSide>
+void add_row(const std::vector<Entry<Coefficient> >& row, const RightHandSide& b,
+             Entries<std::int64_t>& small, System_builder& builder)
 {
-  std::vector<Entry<Input> > entries;
-  entries.reserve(row.size());
+  if constexpr(std::is_arithmetic<Coefficient>::value) {
+    small.clear();
+    for(const Entry<Coefficient>& e : row) {
+      if(!is_small_integer(e.coefficient))
+        break;
+      small.push_back({e.column, static_cast<std::int64_t>(e.coefficient)});
+    }
+    if(small.size() == row.size()) {
+      if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
+        builder.add_row(small);
+      else
+        builder.add_row(small, b());
+      return;
+    }
+  }
+  Entries<Exact_rational> entries;
   for(const Entry<Coefficient>& e : row)
-    if constexpr(std::is_same<Input, Exact_rational>::value)
-      entries.push_back({e.column, to_exact_rational(e.coefficient)});
-    else
-      entries.push_back({e.column, static_cast<Input>(e.coefficient)});
-  return entries;
+    entries.push_back({e.column, to_exact_rational(e.coefficient)});
+  if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
+    builder.add_row(entries, Exact_rational(0));
+  else
+    builder.add_row(entries, b());
 }
 
 // Returns false and tells the problem if something is not a number or of the wrong size.
@@ -229,21 +238,15 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
     return false;
   }
   System_builder builder(number_of_columns(c));
+  Entries<std::int64_t> small;
   const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
-    using Coefficient = std::decay_t<decltype(row.front().coefficient)>;
     for(const auto& e : row)
       if(!is_finite_number(e.coefficient)) {
         problem = "the coefficient of unknown " + std::to_string(e.column) + " in constraint " +
                   std::to_string(i) + " is NaN or infinite";
         return false;
       }
-    if constexpr(std::is_arithmetic<Coefficient>::value)
-      if(std::all_of(row.begin(), row.end(),
-                     [](const auto& e) { return is_small_integer(e.coefficient); })) {
-        builder.add_row(converted_row<std::int64_t>(row), right_hand_side(c, b, i));
-        return true;
-      }
-    builder.add_row(converted_row<Input_coefficient<Coefficient> >(row), right_hand_side(c, b, i));
+    add_row(row, [&]() -> decltype(auto) { return right_hand_side(c, b, i); }, small, builder);
     return true;
   });
   if(finite)
@@ -255,4 +258,4 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ALGEBRA_CONSTRAINT_INPUT_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H

@@ -1,0 +1,389 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_COMPONENT_SOLVER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_COMPONENT_SOLVER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Joins elimination, target, and evaluation for one component of a system: real values on a grid
+// become integers that solve the rows exactly, near the values.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/linear/Core_solver.h>
+#include <CGAL/Seamless_snapping/internal/linear/Least_squares_projection.h>
+#include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Values or solutions of one component, on a grid.
+struct Component_solution
+{
+  Grid grid;
+  std::vector<std::int64_t> x;
+  std::vector<Grid_value> optimum; // before it is found: the values to be snapped
+};
+
+// Invariant: the elimination of the component is complete. What depends on the weights, too, is
+// computed when it is needed first, and kept.
+class Component_solver
+{
+public:
+  // \param is_representable which columns must be numbers of the format
+  Component_solver(Integer_system system, std::vector<double> weights, const Number_format& format,
+                   std::vector<bool> is_representable, const bool may_be_finer)
+    : m_system(std::move(system)), m_weights(std::move(weights)), m_format(format),
+      m_is_representable(std::move(is_representable)), m_may_be_finer(may_be_finer),
+      m_form(eliminate(m_system))
+  {
+    if(!m_form.rows_in_core.empty())
+      m_core = std::make_unique<Core_solver>(m_system, m_form);
+    std::vector<bool> is_free(m_form.pivot_rows.number_of_columns(), true);
+    for(const Column_index column : m_form.pivot_columns)
+      is_free[std::size_t(column)] = false;
+    if(m_core != nullptr)
+      for(const Column_index column : m_core->columns())
+        is_free[std::size_t(column)] = false;
+    for(std::size_t j = 0; j < is_free.size(); ++j)
+      if(is_free[j])
+        m_free_columns.push_back(Column_index(j));
+    for(std::size_t i = 0; i < m_system.number_of_rows(); ++i)
+      m_is_homogeneous = m_is_homogeneous && !m_system.has_right_hand_side(i);
+  }
+
+  const Integer_system& system() const { return m_system; }
+
+  // Whether there are solutions over the rationals.
+  bool is_consistent() const
+  {
+    return m_form.contradictory_rows.empty() && (m_core == nullptr || m_core->is_consistent());
+  }
+
+  // Multiples of rows that add up to 0 = c with c != 0.
+  // \pre !is_consistent()
+  std::vector<std::pair<std::size_t, Exact_rational> > contradiction() const
+  {
+    if(!m_form.contradictory_rows.empty())
+      return multipliers_of_rows(m_system, m_form, {{std::size_t(m_form.contradictory_rows.front()),
+                                                     Exact_integer(1)}});
+    const Certificate multiples = m_core->contradiction();
+    if(!is_whole())
+      return multipliers_of_rows(m_system, m_form, multiples);
+    std::vector<std::pair<std::size_t, Exact_rational> > result;
+    for(const auto& multiple : multiples)
+      result.emplace_back(multiple.first, Exact_rational(multiple.second));
+    return result;
+  }
+
+  // Adds to the figures of other components.
+  void add_to(Linear_solver_figures& figures) const
+  {
+    const std::size_t core_rank = m_core == nullptr ? 0 : m_core->independent_rows().size();
+    figures.number_of_redundant_constraints +=
+      m_form.redundant_rows.size() + (m_core == nullptr ? 0 : m_core->number_of_redundant_rows());
+    figures.number_of_non_unit_pivots +=
+      is_whole() ? core_rank - m_form.rows_with_pivot.size() : core_rank;
+    figures.number_of_coefficients += m_system.number_of_entries();
+    figures.number_of_eliminated_coefficients += m_form.number_of_coefficients;
+    Exact_integer largest = m_form.largest_coefficient;
+    double largest_pivot = m_form.pivot_columns.empty() ? 0 : 1;
+    if(m_core != nullptr) {
+      largest = (std::max)(largest, m_core->largest_coefficient());
+      largest_pivot = (std::max)(largest_pivot, CGAL::to_double(m_core->largest_pivot()));
+    }
+    figures.coefficient_bits = (std::max)(figures.coefficient_bits, bit_length(largest));
+    figures.largest_coefficient =
+      (std::max)(figures.largest_coefficient, CGAL::to_double(largest));
+    figures.largest_pivot = (std::max)(figures.largest_pivot, largest_pivot);
+    figures.multiprecision = figures.multiprecision || m_form.is_multiprecision;
+  }
+
+  // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from
+  // the finest that fits the values on. Returns false if there is no solution on any grid that the
+  // number type has for values of this size: impossible for homogeneous systems, which 0 solves.
+  // \pre is_consistent()
+  bool solve(Component_solution& solution, Step_timer* const timer) const
+  {
+    int coarsest = m_format.maximum_exponent - 1;
+    if(!m_is_homogeneous) {
+      if(m_core != nullptr && !m_core->right_hand_shift())
+        return false;
+      const int shift = m_core == nullptr ? 0 : static_cast<int>(*m_core->right_hand_shift());
+      coarsest = (std::min)(coarsest, -m_system.right_hand_scale() - shift);
+    }
+    if(coarsest < m_format.minimum_exponent || !find_optimum(coarsest, solution))
+      return false;
+    if(m_is_homogeneous)
+      pull_into_range(solution);
+    add_auxiliary_unknowns(solution.optimum);
+    if(m_core != nullptr && m_metric == nullptr)
+      m_metric = std::make_unique<Lattice_metric>(m_core->metric(all_weights()));
+    finish(timer, "least-squares target");
+
+    for(int excess = 0; (excess = evaluate(solution)) > 0;) {
+      if(solution.grid.exponent() == coarsest) {
+        if(!m_is_homogeneous)
+          return false;
+        solution.x.assign(solution.x.size(), 0);
+        break;
+      }
+      change_grid((std::min)(solution.grid.exponent() + excess, coarsest), solution);
+    }
+    solution.x.resize(m_system.number_of_columns());
+    solution.optimum.resize(m_system.number_of_columns());
+    finish(timer, "evaluation");
+    return true;
+  }
+
+  // How the optimum answers to shifts of the values.
+  Eigen::VectorXd displacements(const Eigen::VectorXd& shifts) const
+  { return projection().nearest_difference(shifts); }
+
+private:
+  static void finish(Step_timer* const timer, const char* step)
+  {
+    if(timer != nullptr)
+      timer->finish(step);
+  }
+
+  bool is_whole() const { return m_core != nullptr && m_core->is_whole(); }
+
+  // Rows of which all others are combinations.
+  std::vector<Row_index> independent_rows() const
+  {
+    std::vector<Row_index> rows;
+    if(m_core != nullptr)
+      rows = m_core->independent_rows();
+    if(is_whole())
+      return rows;
+    rows.insert(rows.end(), m_form.rows_with_pivot.begin(), m_form.rows_with_pivot.end());
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }
+
+  const Least_squares_projection& projection() const
+  {
+    if(m_projection == nullptr)
+      m_projection =
+        std::make_unique<Least_squares_projection>(m_system, independent_rows(), m_weights);
+    return *m_projection;
+  }
+
+  // Those of the auxiliary unknowns are 1.
+  std::vector<double> all_weights() const
+  {
+    std::vector<double> weights(m_weights);
+    weights.resize(m_form.pivot_rows.number_of_columns(), 1.);
+    return weights;
+  }
+
+  // Projects the values, and chooses a grid for that: right-hand sides may want a finer one, and so
+  // does a projection much smaller than the values. Returns false if no grid holds it.
+  bool find_optimum(const int coarsest, Component_solution& solution) const
+  {
+    // A single solution lies on the coarsest grid.
+    const bool may_be_finer =
+      m_may_be_finer && projection().number_of_rows() < m_system.number_of_columns();
+    // Where values shrink by much, each round makes up for the rounding errors of the last one.
+    double size = std::numeric_limits<double>::infinity(); // of the optimum, in steps of the grid
+    for(bool again = true; again;) {
+      projection().project(m_system, right_hand_shift(solution.grid), solution.optimum);
+      const double previous = size;
+      size = largest_value(solution);
+      again = size >= machine_integer_bound && size < previous / 2;
+      int wanted = (std::min)(solution.grid.exponent(), coarsest);
+      if(may_be_finer)
+        wanted = finer_exponent(solution.grid, size, wanted);
+      if(wanted != solution.grid.exponent()) {
+        change_grid(wanted, solution);
+        size = std::numeric_limits<double>::infinity();
+        again = true;
+      }
+    }
+    if(std::isfinite(size) && (size < machine_integer_bound || solution.grid.exponent() < coarsest))
+      return true;
+    std::fill(solution.optimum.begin(), solution.optimum.end(), Grid_value());
+    return m_is_homogeneous;
+  }
+
+  // That of the finest grid that holds numbers of a size, if it is worth another projection.
+  int finer_exponent(const Grid& grid, const double size, const int exponent) const
+  {
+    constexpr int worthwhile = 4; // bits
+    if(size == 0 || !std::isfinite(size))
+      return exponent;
+    int bits = 0;
+    std::frexp(size, &bits);
+    const int finest = (std::max)(grid.exponent() + bits - m_format.digits,
+                                  m_format.minimum_exponent);
+    return finest <= exponent - worthwhile ? finest : exponent;
+  }
+
+  // How often right-hand sides are doubled on a grid.
+  int right_hand_shift(const Grid& grid) const
+  {
+    return -m_system.right_hand_scale() - grid.exponent();
+  }
+
+  // An optimum beyond the largest number is replaced by the solution on its way to 0 that is not.
+  void pull_into_range(Component_solution& solution) const
+  {
+    const double limit = std::ldexp(1., m_format.maximum_exponent - solution.grid.exponent());
+    const double largest = largest_value(solution);
+    if(!(largest >= limit))
+      return;
+    const double factor = limit / largest * (1 - std::ldexp(1., 4 - m_format.digits));
+    for(Grid_value& v : solution.optimum)
+      v = {0, to_double(v) * factor};
+  }
+
+  void add_auxiliary_unknowns(std::vector<Grid_value>& optimum) const
+  {
+    for(const Entries<std::int64_t>& terms : m_form.auxiliary_unknowns) {
+      Grid_value sum;
+      for(const Entry<std::int64_t>& e : terms) {
+        const Grid_value& v = optimum[std::size_t(e.column)];
+        const std::int64_t base = e.coefficient * v.base;
+        if(std::abs(static_cast<double>(sum.base) + static_cast<double>(base)) <
+           machine_integer_bound)
+          sum.base += base;
+        else
+          sum.offset += static_cast<double>(base);
+        sum.offset += static_cast<double>(e.coefficient) * v.offset;
+      }
+      optimum.push_back(sum);
+    }
+  }
+
+  void change_grid(const int exponent, Component_solution& solution) const
+  {
+    for(Grid_value& v : solution.optimum)
+      rescale(v, exponent - solution.grid.exponent());
+    solution.grid = Grid(m_format, exponent);
+  }
+
+  // Infinity if a value is not a number.
+  static double largest_value(const Component_solution& solution)
+  {
+    double largest = 0;
+    for(const Grid_value& v : solution.optimum) {
+      const double size = std::abs(to_double(v));
+      if(!(size <= largest))
+        largest = std::isnan(size) ? std::numeric_limits<double>::infinity() : size;
+    }
+    return largest;
+  }
+
+  // Chooses the core and the free columns near the optimum, and computes the implied ones. Returns 0
+  // if all fit, else by how many bits the grid must be coarser.
+  int evaluate(Component_solution& solution) const
+  {
+    constexpr int many = 10; // for numbers of unknown size beyond 2^62
+    // negative only if all right-hand sides are zero
+    const int shift = (std::max)(right_hand_shift(solution.grid), 0);
+    std::vector<std::int64_t>& x = solution.x;
+    x.assign(solution.optimum.size(), 0);
+    if(m_core != nullptr && !m_core->nearest(std::size_t(shift), solution.optimum, *m_metric, x))
+      return many;
+    if(!is_whole()) {
+      for(const Column_index column : m_free_columns)
+        if(!solution.grid.nearest(solution.optimum[std::size_t(column)], x[std::size_t(column)]))
+          return many;
+      for(std::size_t i = m_form.pivot_columns.size(); i-- > 0;)
+        if(!back_substitute(i, shift, x))
+          return many;
+    }
+    return excess_of(solution);
+  }
+
+  // By how many bits values exceed the number type.
+  int excess_of(const Component_solution& solution) const
+  {
+    int excess = 0;
+    for(std::size_t j = 0; j < m_is_representable.size(); ++j)
+      if(m_is_representable[j] && !solution.grid.is_representable(solution.x[j]))
+        excess = (std::max)({excess, 1, static_cast<int>(bit_length(solution.x[j])) -
+                                          m_format.digits});
+    return excess;
+  }
+
+  // Eq. (2') for one pivot row, whose pivot is 1 or -1. The sum is exact whatever its order, so
+  // Algorithm 5 has nothing left to do. Returns false if the value exceeds 2^62.
+  bool back_substitute(const std::size_t row, const int right_hand_shift,
+                       std::vector<std::int64_t>& x) const
+  {
+    const Integer_system& rows = m_form.pivot_rows;
+    const Column_index column = m_form.pivot_columns[row];
+    std::int64_t& value = x[std::size_t(column)];
+    value = 0; // drops out of the sum
+    std::int64_t sum = 0, pivot = 1; // the sum is that of the row, minus b
+    bool fits = rows.is_small(row) && shifted(-rows.right_hand_side(row), right_hand_shift, sum);
+    if(fits)
+      for(const Entry<std::int64_t>* e = rows.begin(row); e != rows.end(row); ++e) {
+        if(e->column == column)
+          pivot = e->coefficient;
+        fits = fits && add_product(e->coefficient, x[std::size_t(e->column)], sum);
+      }
+    if(!fits && !large_sum(rows.exact_row(row), right_hand_shift, x, column, sum, pivot))
+      return false;
+    value = -pivot * sum;
+    return fits_64_bits(value);
+  }
+
+  // Returns false if the sum exceeds 2^62.
+  static bool large_sum(const Integer_row<Exact_integer>& row, const int right_hand_shift,
+                        const std::vector<std::int64_t>& x, const Column_index column,
+                        std::int64_t& sum, std::int64_t& pivot)
+  {
+    Exact_integer exact_sum = product(row.right_hand_side,
+                                      power_of_two(std::size_t(right_hand_shift)));
+    exact_sum = difference(Exact_integer(0), exact_sum);
+    for(const Entry<Exact_integer>& e : row.entries)
+      if(e.column == column)
+        pivot = to_64_bits(e.coefficient);
+      else
+        exact_sum += product(e.coefficient, Exact_integer(x[std::size_t(e.column)]));
+    if(!fits_64_bits(exact_sum))
+      return false;
+    sum = to_64_bits(exact_sum);
+    return true;
+  }
+
+  Integer_system m_system;
+  std::vector<double> m_weights;
+  Number_format m_format;
+  std::vector<bool> m_is_representable;
+  bool m_may_be_finer;
+  Echelon_form m_form;
+  std::unique_ptr<Core_solver> m_core; // if there are core rows
+  std::vector<Column_index> m_free_columns; // neither implied nor in the core
+  bool m_is_homogeneous = true;
+  mutable std::unique_ptr<Least_squares_projection> m_projection;
+  mutable std::unique_ptr<Lattice_metric> m_metric; // of the core
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_COMPONENT_SOLVER_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ELIMINATION_QUEUES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ELIMINATION_QUEUES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What an elimination looks up to choose its pivots: rows by length, and the rows of each column.
+
+#include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Rows keyed by length, shortest first. Entries are never removed: a row that changed its length or
+// state since it was pushed is recognised by the caller when popped.
+class Row_queue
+{
+public:
+  Row_queue() : m_buckets(max_length + 1) { }
+
+  void push(const Row_index row, const std::size_t length)
+  {
+    const std::size_t bucket = (std::min)(length, std::size_t(max_length));
+    m_buckets[bucket].push_back(row);
+    m_first = (std::min)(m_first, bucket);
+  }
+
+  // Returns false if the queue is empty.
+  bool pop(Row_index& row)
+  {
+    while(m_first <= max_length && m_buckets[m_first].empty())
+      ++m_first;
+    if(m_first > max_length)
+      return false;
+    row = m_buckets[m_first].back();
+    m_buckets[m_first].pop_back();
+    return true;
+  }
+
+private:
+  static constexpr std::size_t max_length = 255; // longer rows share a bucket
+  std::vector<std::vector<Row_index> > m_buckets;
+  std::size_t m_first = 0;
+};
+
+// For each column the rows that hold it: exact as a count, and as a list that also keeps rows which no
+// longer do. (Lists in one array: appending must not allocate.)
+class Column_lists
+{
+public:
+  explicit Column_lists(const std::size_t number_of_columns)
+    : m_head(number_of_columns, -1), m_count(number_of_columns, 0)
+  { }
+
+  void add(const Column_index column, const Row_index row)
+  {
+    std::int32_t& head = m_head[std::size_t(column)];
+    m_nodes.push_back({row, head});
+    head = static_cast<std::int32_t>(m_nodes.size()) - 1;
+    ++m_count[std::size_t(column)];
+  }
+
+  // \pre `column` is the number of columns so far
+  void add_column(const Column_index column, const Row_index row)
+  {
+    m_head.push_back(-1);
+    m_count.push_back(0);
+    add(column, row);
+  }
+
+  void remove_one(const Column_index column) { --m_count[std::size_t(column)]; }
+
+  int count(const Column_index column) const { return m_count[std::size_t(column)]; }
+
+  // Moves the list of `column` to `rows`.
+  void take(const Column_index column, std::vector<Row_index>& rows)
+  {
+    rows.clear();
+    for(std::int32_t i = m_head[std::size_t(column)]; i >= 0; i = m_nodes[std::size_t(i)].next)
+      rows.push_back(m_nodes[std::size_t(i)].row);
+    m_head[std::size_t(column)] = -1;
+  }
+
+private:
+  struct Node { Row_index row; std::int32_t next; };
+  std::vector<Node> m_nodes;
+  std::vector<std::int32_t> m_head;
+  std::vector<int> m_count;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_ELIMINATION_QUEUES_H
