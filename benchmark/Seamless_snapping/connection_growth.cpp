@@ -61,17 +61,6 @@ struct Measurement
 
 // --- one model, one number of connections --------------------------------------------------------
 
-template <typename Integer>
-void eliminate(const SS::internal::Integer_system<Integer>& system, SS::Snapping_report& report)
-{
-  try {
-    SS::internal::Grid_solver<Integer>(system).fill_in(report);
-  } catch(const SS::internal::Integer_overflow&) {
-    SS::internal::Grid_solver<CGAL::Exact_integer>(SS::internal::to_multiprecision(system))
-      .fill_in(report);
-  }
-}
-
 // Snaps the model, and checks it.
 template <typename Connections, typename Cycles, typename NamedParameters>
 bool snap_and_check(Parametrized_model& model, const SS::Seam_transitions<Mesh>& transitions,
@@ -111,8 +100,11 @@ Measurement measure(const std::string& file, std::size_t number_of_connections,
   for(int i = 0; i < settings.repeats; ++i) {
     result.report = SS::Snapping_report();
     const double start = benchmark::seconds_now();
-    std::visit([&](const auto& system) { eliminate(system, result.report); }, reduced.own_system);
+    const SS::internal::Linear_solver solver(reduced.own_system, reduced.weights,
+                                             SS::internal::Number_format::of<double>(),
+                                             reduced.weights.size(), false);
     const double seconds = benchmark::seconds_now() - start;
+    result.report.linear_solver = solver.figures();
     result.seconds = i == 0 ? seconds : (std::min)(result.seconds, seconds);
   }
   if(settings.with_textbook)

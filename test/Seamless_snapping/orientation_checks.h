@@ -48,7 +48,7 @@ inline bool are_all_positive(const std::vector<int>& signs)
 // Totals over all runs.
 struct Tally
 {
-  std::size_t runs = 0, lost = 0, moves = 0, weights = 0, program = 0, remaining = 0;
+  std::size_t runs = 0, lost = 0, moves = 0, program = 0, remaining = 0;
   std::size_t flips = 0, repaired_flips = 0;
   double largest_growth = 0, rms_growth = 0; // of the changes, by repairs
 
@@ -57,7 +57,6 @@ struct Tally
     ++runs;
     lost += report.run.number_of_lost_faces;
     moves += report.run.number_of_faces_repaired_by_moves;
-    weights += report.run.number_of_faces_repaired_by_weights;
     program += report.run.number_of_faces_repaired_by_program;
     remaining += report.lost_faces.size();
     repaired_flips += report.run.number_of_repaired_flips;
@@ -72,7 +71,7 @@ struct Tally
   void print(const std::string& name) const
   {
     std::cout << name << ": " << runs << " runs, " << lost << " faces lost, repaired by moves " << moves
-              << ", by weights " << weights << ", by programs " << program << ", remaining "
+              << ", by programs " << program << ", remaining "
               << remaining << "; flips " << flips << ", repaired " << repaired_flips
               << "; largest change times " << largest_growth << ", rms change times " << rms_growth
               << std::endl;
@@ -94,7 +93,6 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   CHECK_IN(context, report.lost_faces == not_positive(before, after, true));
   CHECK_IN(context, report.run.number_of_lost_faces
                       == report.run.number_of_faces_repaired_by_moves
-                           + report.run.number_of_faces_repaired_by_weights
                            + report.run.number_of_faces_repaired_by_program + report.lost_faces.size());
   if(repair_flips) {
     CHECK_IN(context, report.remaining_flips == not_positive(before, after, false));

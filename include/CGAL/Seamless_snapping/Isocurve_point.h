@@ -18,7 +18,7 @@
 // vertices.
 
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
-#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 
 #include <CGAL/Exact_rational.h>

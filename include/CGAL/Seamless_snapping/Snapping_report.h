@@ -127,8 +127,6 @@ struct Snapping_figures
   std::size_t number_of_lost_faces = 0;
   /// those that moves of single vertices made positive again
   std::size_t number_of_faces_repaired_by_moves = 0;
-  /// those that a target which spares slivers did
-  std::size_t number_of_faces_repaired_by_weights = 0;
   std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;

@@ -18,13 +18,13 @@
 // about the price of a floating point pass: see Exact_difference.h.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/surface/Align_edges.h>
-#include <CGAL/Seamless_snapping/internal/surface/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
-#include <CGAL/Seamless_snapping/internal/surface/Path_rotations.h>
-#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -50,7 +50,7 @@ struct Seamlessness
 {
   std::size_t number_of_interior_edges = 0; ///< edges with a face on both sides
   /// interior edges whose sides have different coordinates, or that are given as cuts
-  std::size_t number_of_open_edges = 0;
+  std::size_t number_of_mismatched_edges = 0;
   std::size_t number_of_inexact_edges = 0;  ///< interior edges for which no transition holds exactly
   std::size_t number_of_aligned_edges = 0;  ///< edges that were asked to be aligned
   std::size_t number_of_misaligned_edges = 0; ///< those of them along which neither coordinate is constant
@@ -71,7 +71,8 @@ struct Seamlessness
 namespace internal {
 
 // Whether the transition across an interior edge is exact: the given one, or any.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Given, typename Halfedge>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Given,
+          typename Halfedge>
 bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Given& given,
                    const Halfedge h)
 {
@@ -86,9 +87,9 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
       return sides.are_identical();
   }
   if constexpr(Given::has_rotations)
-    return satisfies_transition<Quarter_turns>(sides, given.rotation(h));
+    return satisfies_transition<Group>(sides, given.rotation(h));
   else
-    return satisfies_some_transition<Quarter_turns>(sides);
+    return satisfies_some_transition<Group>(sides);
 }
 
 // Eq. (5) for one edge: whether a coordinate is constant along it, exactly.
@@ -125,38 +126,42 @@ bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np,
 
 // Edges of no length don't tell the rotation of a path that crosses them: as where they are snapped,
 // the branch does.
-// \pre all transitions hold exactly
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+// \pre all transitions and alignments hold exactly
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                               const NamedParameters& np)
 {
   const Constraint_list<TriangleMesh> constraints(tmesh, np);
-  if(constraints.status() != Snapping_status::ALREADY_EXACT)
+  if(constraints.refusal())
     return false;
+  if(constraints.empty())
+    return true;
   for(const auto corner : constraints.corners()) // perhaps on no interior edge
     if(!is_finite(get_uv(uv_map, corner)))
       return false;
-  Transition_data<TriangleMesh> transitions;
-  if(!constraints.paths().empty())
-    transitions = read_transitions(tmesh, uv_map, np);
-  return transitions.status == Snapping_status::ALREADY_EXACT &&
-         constraints_hold(tmesh, uv_map, constraints,
-                          Path_rotations<TriangleMesh>(tmesh, transitions, constraints));
+  const auto transitions = read_transitions<Group>(tmesh, uv_map, np);
+  if(transitions.refusal)
+    return false;
+  const auto cuts =
+    read_cut_complex(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np), transitions,
+                     Aligned_edges<Group, TriangleMesh>(tmesh), constraints);
+  return is_exact(cuts.complex, cuts.complex.coordinates);
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
-  const auto given = given_transitions(tmesh, np);
+  using Group = Quarter_turns;
+  const auto given = given_transitions<Group>(tmesh, np);
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
-    if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge(tmesh, uv_map, given, h))
+    if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge<Group>(tmesh, uv_map, given, h))
       return false;
   }
   const bool aligned = for_each_aligned_edge(tmesh, np, [&](const auto e) {
     return misalignment(tmesh, uv_map, halfedge(e, tmesh)) == 0;
   });
-  return aligned && further_constraints_hold(tmesh, uv_map, np);
+  return aligned && further_constraints_hold<Group>(tmesh, uv_map, np);
 }
 
 // The sign of the area of a face in the domain, exactly.
@@ -177,7 +182,8 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
                                   const NamedParameters& np)
 {
   Seamlessness result;
-  const auto given = given_transitions(tmesh, np);
+  using Group = Quarter_turns;
+  const auto given = given_transitions<Group>(tmesh, np);
   Uv_box box;
   for(const auto f : faces(tmesh)) {
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))
@@ -196,12 +202,12 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
     const Edge_sides sides = edge_sides(tmesh, uv_map, h);
     if(sides.are_identical() && !given.is_cut_anyway(h))
       continue;
-    ++result.number_of_open_edges;
-    if(is_exact_edge(tmesh, uv_map, given, h))
+    ++result.number_of_mismatched_edges;
+    if(is_exact_edge<Group>(tmesh, uv_map, given, h))
       continue;
     ++result.number_of_inexact_edges;
     result.violation = (std::max)(result.violation,
-                                  transition_violation(sides, given, h, scale) / scale);
+                                  transition_violation<Group>(sides, given, h, scale) / scale);
   }
   for_each_aligned_edge(tmesh, np, [&](const auto e) {
     const double m = misalignment(tmesh, uv_map, halfedge(e, tmesh));

@@ -18,8 +18,8 @@
 // vertices are singular.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/surface/singular_vertices.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -30,6 +30,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,7 +73,7 @@ public:
       (m_data.edges[i].is_cut ? m_cut_halfedges : m_merged_halfedges).push_back(h);
     }
     if(*this)
-      m_singular_vertices = internal::singular_vertices(tmesh, uv_map,
+      m_singular_vertices = internal::singular_vertices<Group>(tmesh, uv_map,
                                                         internal::unit_scale(m_data.extent),
                                                         m_data.edges);
   }
@@ -81,14 +82,17 @@ public:
   /// \endcond
 
   /// returns `true` if the transitions could be read off.
-  explicit operator bool() const { return m_data.status == Snapping_status::ALREADY_EXACT; }
+  explicit operator bool() const { return !m_data.refusal; }
 
   /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`,
-  /// `NOT_SEAMLESS`, or `INVALID_ROTATIONS`; otherwise `ALREADY_EXACT`.
-  Snapping_status status() const { return m_data.status; }
+  /// `NOT_SEAMLESS`, or `INVALID_ROTATIONS`; nothing if they could.
+  std::optional<Snapping_status> failure() const
+  {
+    return m_data.refusal ? std::optional<Snapping_status>(m_data.refusal->status) : std::nullopt;
+  }
 
   /// returns the place, the reason, and the remedy in these cases.
-  const std::string& message() const { return m_data.message; }
+  std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
 
   /// returns the number 0, 1, 2, or 3 of counterclockwise quarter turns of the transition from the chart of
   /// `face(h)` to the chart of `face(opposite(h))`.
@@ -98,7 +102,7 @@ public:
     if(i < 0)
       return 0;
     const auto& edge = m_data.edges[std::size_t(i)];
-    return edge.halfedge == h ? edge.rotation : internal::inverse_rotation(edge.rotation);
+    return Group::turns(edge.halfedge == h ? edge.rotation : Group::inverse(edge.rotation));
   }
 
   /// returns `true` if the transition across the edge of `h` is not the identity.
@@ -130,6 +134,7 @@ public:
   double violation() const { return m_data.violation; }
 
 private:
+  using Group = internal::Quarter_turns;
   using Edge_map =
     typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
 
@@ -212,7 +217,8 @@ Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, Halfe
 {
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   return Seam_transitions<TriangleMesh>(tmesh, uv_map,
-                                        internal::read_transitions(tmesh, uv_map, internal::strip(np)));
+                                        internal::read_transitions<internal::Quarter_turns>(
+                                          tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

@@ -17,7 +17,7 @@
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/surface/Surface_snapper.h>
+#include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
 
@@ -183,7 +183,7 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
   // Callers may sit inside interval arithmetic; splitting numbers exactly needs rounding to nearest.
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
-  return internal::Surface_snapper<TriangleMesh, HalfedgeUVMap, Parameters>(
+  return internal::Surface_snapper<internal::Quarter_turns, TriangleMesh, HalfedgeUVMap, Parameters>(
            tmesh, uv_map, internal::strip(np)).run();
 }
 

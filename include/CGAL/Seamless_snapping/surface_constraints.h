@@ -17,9 +17,11 @@
 // Further constraints on a parametrization (Sec. 5.1): connections, cycles, and linear equations on the
 // coordinates of corners; and helpers to state them.
 
-#include <CGAL/Seamless_snapping/seam_transitions.h>
-
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -43,7 +45,6 @@ A path is a sequence of halfedges: `h` leads from `face(h)` to `face(opposite(h)
 connection begins in `face(a)` and ends in `face(b)`; it is empty if these are the same.
 
 \sa `shortest_face_path()`
-\sa `component_at_end_of_path()`
 */
 template <typename TriangleMesh>
 struct Connection_constraint
@@ -145,28 +146,6 @@ shortest_face_path(const TriangleMesh& tmesh,
     path.push_back(get(arrivals, f).halfedge);
   std::reverse(path.begin(), path.end());
   return path;
-}
-
-/*!
-\ingroup PkgSeamlessSnappingConstraints
-
-returns the component, in the chart where a path ends, of an isocurve along which `component` is constant in
-the chart where the path begins.
-
-\param transitions the transitions of the parametrization
-\param path a path across edges
-\param component 0 or 1
-*/
-template <typename TriangleMesh>
-int component_at_end_of_path(
-  const Seam_transitions<TriangleMesh>& transitions,
-  const std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>& path,
-  const int component)
-{
-  int rotation = 0;
-  for(const auto h : path)
-    rotation += transitions.rotation(h);
-  return internal::rotated_component(rotation % internal::number_of_rotations, component);
 }
 
 } // namespace Seamless_snapping

@@ -170,7 +170,7 @@ public:
   }
 
 private:
-  // In the order of their first rows; their columns, too, in the order of first use.
+  // In the order of their first rows; rows and columns of each in the system's order.
   void find_components(const Integer_system& system)
   {
     std::vector<int> parent(system.number_of_columns()), rank(system.number_of_columns(), 0);
@@ -202,9 +202,14 @@ private:
         if(m_local_column[std::size_t(j)] >= 0)
           return;
         m_component_of_column[std::size_t(j)] = c;
-        m_local_column[std::size_t(j)] = Column_index(m_columns[std::size_t(c)].size());
+        m_local_column[std::size_t(j)] = 0;
         m_columns[std::size_t(c)].push_back(j);
       });
+    }
+    for(std::vector<Column_index>& columns : m_columns) {
+      std::sort(columns.begin(), columns.end());
+      for(std::size_t k = 0; k < columns.size(); ++k)
+        m_local_column[std::size_t(columns[k])] = Column_index(k);
     }
   }
 

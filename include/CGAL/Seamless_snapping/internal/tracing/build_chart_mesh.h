@@ -16,7 +16,7 @@
 
 // From a mesh, its uv map, and its transitions to plain arrays.
 
-#include <CGAL/Seamless_snapping/internal/surface/uv_survey.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 

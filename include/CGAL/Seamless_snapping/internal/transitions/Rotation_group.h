@@ -69,6 +69,9 @@ public:
   // The element of any number of turns by 360 / N degrees, also a negative one.
   static constexpr Element element(const int turns) { return (turns % N + N) % N; }
 
+  // The least number of turns, from 0 on.
+  static constexpr int turns(const Element g) { return g; }
+
   static constexpr const Matrix& matrix(const Element g) { return matrices[std::size_t(g)]; }
 
   static constexpr Functional<dimension> functional(const int f)
@@ -106,6 +109,15 @@ public:
     const Matrix& m = matrix(g);
     return {Number(m[0][0]) * v[0] + Number(m[0][1]) * v[1],
             Number(m[1][0]) * v[0] + Number(m[1][1]) * v[1]};
+  }
+
+  // The vector in Cartesian coordinates, rounded: for angles and lengths that decide nothing exactly.
+  static std::array<double, dimension> to_cartesian(const std::array<double, dimension>& v)
+  {
+    if constexpr(is_signed_permutation)
+      return v;
+    else
+      return {v[0] + 0.5 * v[1], 0.86602540378443864676 * v[1]}; // sqrt(3) / 2
   }
 
 private:

@@ -1,0 +1,138 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_CUT_COMPLEX_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_CUT_COMPLEX_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What is left of a parametrization when all that no constraint concerns is taken away: the sectors
+// at cuts and aligned edges, and how these link them (Sec. 5.3). It knows no mesh and no uv map: a
+// reader fills it, and rows, exact coordinates, and the verification are functions of it.
+
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Sector_index = std::int32_t;
+using Vertex_index = std::int32_t; // of a vertex of the complex: those without constraints are not in it
+using Branch_index = std::int32_t;
+
+// A place in one of the complex' arrays, up to the place of the next element.
+using Offsets = std::vector<std::size_t>;
+
+// Invariants: the sectors of a vertex are consecutive. The pairs of a branch, and the sectors of a
+// chain, are in order; the first and the last are at nodes, all others are not, and those are in no
+// other pair or chain. Coordinates are finite.
+template <typename Group>
+struct Cut_complex
+{
+  using Vector = std::array<double, Group::dimension>;
+  using Element = typename Group::Element;
+
+  // The sectors on both sides of a cut, at one vertex: u(minus) = g u(plus) + t, with the g and t
+  // of the branch.
+  struct Pair
+  {
+    Sector_index plus, minus;
+  };
+
+  // A sector whose corners differ in the input, along edges that are no cuts.
+  struct Mixed_sector
+  {
+    Sector_index sector;
+    Vector deviation;  // of the mean of the corners from the first
+    double distance;   // root mean square, of the corners from their mean
+    double largest;    // absolute value of a coordinate of its corners
+  };
+
+  // A path crosses a branch: along, from plus to minus, or back.
+  struct Crossing
+  {
+    Branch_index branch;
+    bool is_along;
+  };
+
+  // Eq. (6): with g the transitions of the crossings, composed, and f' = act(g, functional),
+  // f'(g(u(a))) and f'(u(b)) are to be equal. A cycle has a = b.
+  struct Path
+  {
+    Sector_index a, b;
+    int functional;
+    std::vector<Crossing> crossings;
+  };
+
+  // The sum of coordinates times coefficients is to be equal to the right-hand side.
+  struct Equation
+  {
+    struct Term
+    {
+      Sector_index sector;
+      int coordinate;
+      Exact_rational coefficient;
+    };
+
+    std::vector<Term> terms;
+    Exact_rational right_hand_side;
+  };
+
+  // Sectors
+  std::vector<Vector> coordinates;          // of the input; of the first corner of mixed sectors
+  std::vector<Mixed_sector> mixed_sectors;  // by sector
+  std::vector<Sector_index> first_sector;   // per vertex, and the number of sectors
+  std::vector<char> is_node;                // per vertex
+
+  // Cut branches
+  std::vector<Element> element;             // per branch: g
+  Offsets first_pair = Offsets(1, 0);       // per branch, and the number of pairs
+  std::vector<Pair> pairs;
+
+  // Chains of aligned edges, along which a functional is constant: f(u) = a
+  std::vector<int> functional;              // per chain
+  Offsets first_link = Offsets(1, 0);       // per chain, and the number of links
+  std::vector<Sector_index> links;          // sectors
+
+  // Further constraints, between sectors of nodes
+  std::vector<Path> paths;
+  std::vector<Equation> equations;
+
+  std::size_t number_of_sectors() const { return coordinates.size(); }
+  std::size_t number_of_vertices() const { return is_node.size(); }
+  std::size_t number_of_branches() const { return element.size(); }
+  std::size_t number_of_chains() const { return functional.size(); }
+  bool has_further_constraints() const { return !paths.empty() || !equations.empty(); }
+
+  const Pair* pairs_begin(const std::size_t b) const { return pairs.data() + first_pair[b]; }
+  const Pair* pairs_end(const std::size_t b) const { return pairs.data() + first_pair[b + 1]; }
+
+  const Sector_index* links_begin(const std::size_t c) const { return links.data() + first_link[c]; }
+  const Sector_index* links_end(const std::size_t c) const { return links.data() + first_link[c + 1]; }
+
+  // Whether there are pairs, or links, between those at the nodes.
+  bool has_inner_pairs(const std::size_t b) const { return first_pair[b + 1] - first_pair[b] > 2; }
+  bool has_inner_links(const std::size_t c) const { return first_link[c + 1] - first_link[c] > 2; }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_CUT_COMPLEX_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_GRID_COORDINATES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_GRID_COORDINATES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The coordinates of sectors on the grids of the components they belong to. A component is a part
+// of the reduced system that shares no unknown with others: each has a grid of its own, as fine as
+// its coordinates allow.
+
+#include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
+#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// A point on a grid per coordinate: base + offset, in steps.
+template <std::size_t D>
+struct Grid_point
+{
+  std::array<std::int64_t, D> base;
+  std::array<double, D> offset;
+};
+
+// The components of the coordinates of a sector, or of a translation; -1 for what no row concerns.
+template <std::size_t D>
+using Components = std::array<Component_index, D>;
+
+// By how far the targets of some sectors are moved from the input.
+template <typename Group>
+using Target_shifts = std::unordered_map<Sector_index, typename Cut_complex<Group>::Vector>;
+
+// Which component each coordinate belongs to: a function of the complex, its system, and the
+// solver.
+template <typename Group>
+class Coordinate_components
+{
+  static constexpr std::size_t dimension = Group::dimension;
+
+public:
+  Coordinate_components(const Cut_complex<Group>& complex, const Reduced_system<Group>& system,
+                        const Linear_solver& solver)
+    : m_complex(complex), m_system(system), m_solver(solver)
+  { }
+
+  Components<dimension> of_node(const Sector_index s) const
+  {
+    return of_columns(m_system.unknown(s));
+  }
+
+  // Of a branch with inner pairs: of the minus sectors, which share the components of the
+  // translation.
+  Components<dimension> of_minus(const std::size_t b) const
+  {
+    return of_columns(m_system.translation(b));
+  }
+
+  // Of its plus sectors: a row of the rotation links a coordinate to one of the minus sectors.
+  Components<dimension> of_plus(const std::size_t b) const
+  {
+    const Components<dimension> minus = of_minus(b);
+    const auto& m = Group::matrix(m_complex.element[b]);
+    Components<dimension> result{};
+    for(std::size_t d = 0; d < dimension; ++d)
+      for(std::size_t c = 0; c < dimension; ++c)
+        if(m[c][d] != 0)
+          result[d] = minus[c];
+    return result;
+  }
+
+  // Of the inner sectors of a chain: those coordinates that the functional has.
+  Components<dimension> of_link(const std::size_t chain) const
+  {
+    const auto f = Group::functional(m_complex.functional[chain]);
+    Components<dimension> result{};
+    for(std::size_t c = 0; c < dimension; ++c)
+      result[c] = f[c] != 0 ? m_solver.component(m_system.level(chain)) : -1;
+    return result;
+  }
+
+  // Calls f(sector, components) for all sectors that some row concerns.
+  template <typename F>
+  void for_each_sector(const F& f) const
+  {
+    for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
+      if(m_system.unknown(Sector_index(s)) >= 0)
+        f(Sector_index(s), of_node(Sector_index(s)));
+    for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
+      if(m_complex.has_inner_pairs(b)) {
+        const Components<dimension> plus = of_plus(b), minus = of_minus(b);
+        for(auto p = m_complex.pairs_begin(b) + 1; p != m_complex.pairs_end(b) - 1; ++p) {
+          f(p->plus, plus);
+          f(p->minus, minus);
+        }
+      }
+    for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c)
+      if(m_complex.has_inner_links(c)) {
+        const Components<dimension> link = of_link(c);
+        for(auto s = m_complex.links_begin(c) + 1; s != m_complex.links_end(c) - 1; ++s)
+          f(*s, link);
+      }
+  }
+
+private:
+  Components<dimension> of_columns(const Column_index first) const
+  {
+    Components<dimension> result;
+    for(std::size_t c = 0; c < dimension; ++c)
+      result[c] = m_solver.component(first + Column_index(c));
+    return result;
+  }
+
+  const Cut_complex<Group>& m_complex;
+  const Reduced_system<Group>& m_system;
+  const Linear_solver& m_solver;
+};
+
+// The largest absolute value of a coordinate of each component.
+template <typename Group>
+std::vector<double> largest_coordinates(const Cut_complex<Group>& complex,
+                                        const Coordinate_components<Group>& components,
+                                        const std::size_t number_of_components)
+{
+  std::vector<double> result(number_of_components, 0);
+  const auto add = [&](const Component_index k, const double x) {
+    if(k >= 0)
+      result[std::size_t(k)] = (std::max)(result[std::size_t(k)], std::abs(x));
+  };
+  auto mixed = [&](const Sector_index s) {
+    const auto found = std::lower_bound(
+      complex.mixed_sectors.begin(), complex.mixed_sectors.end(), s,
+      [](const auto& m, const Sector_index t) { return m.sector < t; });
+    return found != complex.mixed_sectors.end() && found->sector == s ? found->largest : 0.;
+  };
+  const bool has_mixed = !complex.mixed_sectors.empty();
+  components.for_each_sector([&](const Sector_index s, const Components<Group::dimension>& k) {
+    const double largest = has_mixed ? mixed(s) : 0;
+    for(std::size_t c = 0; c < Group::dimension; ++c)
+      add(k[c], (std::max)(std::abs(complex.coordinates[std::size_t(s)][c]), largest));
+  });
+  return result;
+}
+
+// What is to be approximated: the input, with the mean of the corners where these differ, and
+// shifted where that is asked for.
+template <typename Group>
+class Grid_coordinates
+{
+  static constexpr std::size_t dimension = Group::dimension;
+  using Vector = typename Cut_complex<Group>::Vector;
+
+public:
+  // \param grids per component
+  Grid_coordinates(const Cut_complex<Group>& complex, const std::vector<Grid>& grids,
+                   const Target_shifts<Group>& shifts)
+    : m_complex(complex), m_grids(grids), m_shifts(shifts)
+  { }
+
+  Grid_point<dimension> operator()(const Sector_index s, const Components<dimension>& k) const
+  {
+    const Vector& u = m_complex.coordinates[std::size_t(s)];
+    Grid_point<dimension> result{};
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(k[c] >= 0) {
+        const Grid_value value = m_grids[std::size_t(k[c])].split(u[c]);
+        result.base[c] = value.base;
+        result.offset[c] = value.offset;
+      }
+    if(!m_complex.mixed_sectors.empty())
+      add_deviation(s, k, result);
+    if(!m_shifts.empty())
+      add_shift(s, k, result);
+    return result;
+  }
+
+private:
+  void add_deviation(const Sector_index s, const Components<dimension>& k,
+                     Grid_point<dimension>& point) const
+  {
+    const auto found = std::lower_bound(
+      m_complex.mixed_sectors.begin(), m_complex.mixed_sectors.end(), s,
+      [](const auto& m, const Sector_index t) { return m.sector < t; });
+    if(found != m_complex.mixed_sectors.end() && found->sector == s)
+      add(found->deviation, k, point);
+  }
+
+  void add_shift(const Sector_index s, const Components<dimension>& k,
+                 Grid_point<dimension>& point) const
+  {
+    const auto found = m_shifts.find(s);
+    if(found != m_shifts.end())
+      add(found->second, k, point);
+  }
+
+  void add(const Vector& by, const Components<dimension>& k, Grid_point<dimension>& point) const
+  {
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(k[c] >= 0)
+        point.offset[c] += m_grids[std::size_t(k[c])].in_steps(by[c]);
+  }
+
+  const Cut_complex<Group>& m_complex;
+  const std::vector<Grid>& m_grids;
+  const Target_shifts<Group>& m_shifts;
+};
+
+// g u+ + t - u-, with the minus sign: what the minus sector has too much, in steps.
+template <typename Group>
+std::array<double, Group::dimension>
+translation_gap(const typename Group::Element g, const Grid_point<Group::dimension>& plus,
+                const Grid_point<Group::dimension>& minus,
+                const std::array<std::int64_t, Group::dimension>& t)
+{
+  const auto base = Group::apply(g, plus.base);
+  const auto offset = Group::apply(g, plus.offset);
+  std::array<double, Group::dimension> gap;
+  for(std::size_t c = 0; c < Group::dimension; ++c)
+    gap[c] = static_cast<double>(minus.base[c] - base[c] - t[c]) + (minus.offset[c] - offset[c]);
+  return gap;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_GRID_COORDINATES_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXPAND_SOLUTION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXPAND_SOLUTION_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a solution of the reduced system to the coordinates of all sectors. The sectors between
+// nodes take the grid points nearest to their optimum, given the translations and levels.
+
+#include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Exact coordinates of all sectors, near the input.
+template <typename Group>
+struct Snapped_coordinates
+{
+  std::vector<typename Cut_complex<Group>::Vector> coordinates; // per sector
+  // The sum of the squared changes of all coordinates, had they not been rounded to grids: that of
+  // the least-squares optimum, in `unit`s squared.
+  double optimal_squares = 0;
+  double unit = 1; // the step of the coarsest grid
+  Component_index misfit = -1; // a component that needs a coarser grid; if there is one, all is void
+};
+
+template <typename Group>
+class Solution_expander
+{
+  static constexpr std::size_t dimension = Group::dimension;
+  using Vector = typename Cut_complex<Group>::Vector;
+
+public:
+  Solution_expander(const Cut_complex<Group>& complex, const Reduced_system<Group>& system,
+                    const Coordinate_components<Group>& components,
+                    const Grid_coordinates<Group>& targets, const Linear_solution& solution,
+                    const Number_format& format, const double unit)
+    : m_complex(complex), m_system(system), m_components(components), m_targets(targets),
+      m_solution(solution), m_format(format)
+  {
+    m_result.unit = unit;
+    m_result.coordinates = complex.coordinates;
+    expand_mixed_sectors();
+    expand_nodes();
+    for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
+      if(complex.has_inner_pairs(b))
+        expand_branch(b);
+    for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
+      if(complex.has_inner_links(c))
+        expand_chain(c);
+  }
+
+  Snapped_coordinates<Group> take() { return std::move(m_result); }
+
+private:
+  // Corners that differ get one place, whether or not a row concerns it.
+  void expand_mixed_sectors()
+  {
+    for(const auto& mixed : m_complex.mixed_sectors) {
+      Vector& u = m_result.coordinates[std::size_t(mixed.sector)];
+      for(std::size_t c = 0; c < dimension; ++c)
+        u[c] = rounded_to(m_format, u[c] + mixed.deviation[c]);
+      add_optimal_change(mixed.distance / m_result.unit);
+    }
+  }
+
+  void expand_nodes()
+  {
+    for(std::size_t i = 0; i < m_complex.number_of_sectors(); ++i) {
+      const Sector_index s = Sector_index(i);
+      const Column_index unknown = m_system.unknown(s);
+      if(unknown < 0)
+        continue;
+      const Components<dimension> k = m_components.of_node(s);
+      const Grid_point<dimension> target = m_targets(s, k);
+      for(std::size_t c = 0; c < dimension; ++c)
+        if(k[c] >= 0) {
+          const Column_index column = unknown + Column_index(c);
+          set(s, c, k[c], m_solution.x[std::size_t(column)]);
+          add_optimal_change(optimal_change({target.base[c], target.offset[c]}, column), k[c]);
+        }
+    }
+  }
+
+  // Given t, u+ is the grid point nearest to the mean of u+ and g^-1 (u- - t), and u- = g u+ + t.
+  void expand_branch(const std::size_t b)
+  {
+    const auto g = m_complex.element[b], back = Group::inverse(g);
+    const Components<dimension> plus_k = m_components.of_plus(b), minus_k = m_components.of_minus(b);
+    const std::size_t first_column = std::size_t(m_system.translation(b));
+    std::array<std::int64_t, dimension> t;
+    Vector rounding; // of t
+    for(std::size_t c = 0; c < dimension; ++c) {
+      t[c] = m_solution.x[first_column + c];
+      rounding[c] = optimal_change({t[c], 0}, Column_index(first_column + c));
+    }
+    rounding = Group::apply(back, rounding);
+    for(auto p = m_complex.pairs_begin(b) + 1; p != m_complex.pairs_end(b) - 1; ++p) {
+      const Grid_point<dimension> plus = m_targets(p->plus, plus_k);
+      const Grid_point<dimension> minus = m_targets(p->minus, minus_k);
+      const Vector gap = Group::apply(back, translation_gap<Group>(g, plus, minus, t));
+      std::array<std::int64_t, dimension> x;
+      for(std::size_t c = 0; c < dimension; ++c) {
+        x[c] = plus.base[c] + nearest_integer(plus.offset[c] + gap[c] * 0.5);
+        for(int side = 0; side < 2; ++side)
+          add_optimal_change((gap[c] - rounding[c]) * 0.5, plus_k[c]);
+      }
+      const auto turned = Group::apply(g, x);
+      for(std::size_t c = 0; c < dimension; ++c) {
+        set(p->plus, c, plus_k[c], x[c]);
+        set(p->minus, c, minus_k[c], turned[c] + t[c]);
+      }
+    }
+  }
+
+  // What a functional of several coordinates misses is shared by these.
+  void expand_chain(const std::size_t chain)
+  {
+    const auto f = Group::functional(m_complex.functional[chain]);
+    const Components<dimension> k = m_components.of_link(chain);
+    const std::size_t column = std::size_t(m_system.level(chain));
+    const int number_of_terms = f[0] * f[0] + f[1] * f[1];
+    for(auto s = m_complex.links_begin(chain) + 1; s != m_complex.links_end(chain) - 1; ++s) {
+      const Grid_point<dimension> target = m_targets(*s, k);
+      std::int64_t rest = m_solution.x[column];
+      double gap = static_cast<double>(rest);
+      for(std::size_t c = 0; c < dimension; ++c)
+        gap -= f[c] * (static_cast<double>(target.base[c]) + target.offset[c]);
+      for(std::size_t c = 0, left = std::size_t(number_of_terms); c < dimension; ++c) {
+        if(f[c] == 0)
+          continue;
+        const std::int64_t x = --left == 0 ? rest : target.base[c] +
+                                 nearest_integer(target.offset[c] + gap / number_of_terms);
+        rest -= x;
+        set(*s, c, k[c], x);
+      }
+      add_optimal_change(optimal_level_change(f, target, column) / std::sqrt(number_of_terms), k[0] >= 0 ? k[0] : k[1]);
+    }
+  }
+
+  // By how much the real-valued optimum of an unknown differs from a value.
+  double optimal_change(const Grid_value& from, const Column_index column) const
+  {
+    const Grid_value& optimum = m_solution.optimum[std::size_t(column)];
+    return static_cast<double>(optimum.base - from.base) + (optimum.offset - from.offset);
+  }
+
+  double optimal_level_change(const Functional<dimension>& f, const Grid_point<dimension>& u,
+                              const std::size_t column) const
+  {
+    Grid_value level;
+    for(std::size_t c = 0; c < dimension; ++c) {
+      level.base += f[c] * u.base[c];
+      level.offset += f[c] * u.offset[c];
+    }
+    return optimal_change(level, Column_index(column));
+  }
+
+  // \param change in steps of the component's grid
+  void add_optimal_change(const double change, const Component_index k)
+  {
+    add_optimal_change(change * (grid(k).step() / m_result.unit));
+  }
+
+  void add_optimal_change(const double change) { m_result.optimal_squares += change * change; }
+
+  void set(const Sector_index s, const std::size_t c, const Component_index k, const std::int64_t x)
+  {
+    if(!grid(k).is_representable(x))
+      m_result.misfit = k;
+    m_result.coordinates[std::size_t(s)][c] = grid(k).value(x);
+  }
+
+  const Grid& grid(const Component_index k) const { return m_solution.grids[std::size_t(k)]; }
+
+  const Cut_complex<Group>& m_complex;
+  const Reduced_system<Group>& m_system;
+  const Coordinate_components<Group>& m_components;
+  const Grid_coordinates<Group>& m_targets;
+  const Linear_solution& m_solution;
+  Number_format m_format;
+  Snapped_coordinates<Group> m_result;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXPAND_SOLUTION_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_TRACE_BRANCHES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_TRACE_BRANCHES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The branches of Sec. 5.3: the chains into which nodes divide a set of edges, cut or aligned.
+
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Edge_index = std::int32_t; // of an edge of a list
+
+// An edge and a direction: 2 i for the direction from the source of edge i to its target, 2 i + 1
+// for the other.
+using Directed_edge = std::int32_t;
+
+inline Directed_edge opposite_edge(const Directed_edge d) { return d ^ 1; }
+
+// The ends of an edge, by the numbers of their vertices.
+struct Edge_ends
+{
+  Vertex_index source, target;
+};
+
+// An end of an edge at a vertex: `points_to_vertex` tells whether it is the target.
+struct Incidence
+{
+  Edge_index edge;
+  bool points_to_vertex;
+};
+
+// Which edges of a list end at each numbered vertex, in the order of the list.
+class Vertex_incidences
+{
+public:
+  Vertex_incidences() = default;
+
+  Vertex_incidences(const std::size_t number_of_vertices, const std::vector<Edge_ends>& ends)
+    : m_begin(number_of_vertices + 1, 0), m_incidences(2 * ends.size())
+  {
+    for(const Edge_ends& e : ends) {
+      ++m_begin[std::size_t(e.source) + 1];
+      ++m_begin[std::size_t(e.target) + 1];
+    }
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
+      m_begin[v + 1] += m_begin[v];
+    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
+    for(std::size_t i = 0; i < ends.size(); ++i) {
+      const Edge_index e = static_cast<Edge_index>(i);
+      m_incidences[next[std::size_t(ends[i].source)]++] = {e, false};
+      m_incidences[next[std::size_t(ends[i].target)]++] = {e, true};
+    }
+  }
+
+  std::size_t degree(const Vertex_index v) const
+  { return m_begin[std::size_t(v) + 1] - m_begin[std::size_t(v)]; }
+  const Incidence* begin(const Vertex_index v) const
+  { return m_incidences.data() + m_begin[std::size_t(v)]; }
+  const Incidence* end(const Vertex_index v) const
+  { return m_incidences.data() + m_begin[std::size_t(v) + 1]; }
+
+private:
+  std::vector<std::size_t> m_begin;
+  std::vector<Incidence> m_incidences;
+};
+
+// The directed edges of each branch, in the order in which they follow each other from node to
+// node.
+class Branch_list
+{
+public:
+  void add_edge(const Directed_edge d) { m_edges.push_back(d); }
+  void finish_branch() { m_begin.push_back(m_edges.size()); }
+
+  std::size_t size() const { return m_begin.size() - 1; }
+  const Directed_edge* begin(const std::size_t b) const { return m_edges.data() + m_begin[b]; }
+  const Directed_edge* end(const std::size_t b) const { return m_edges.data() + m_begin[b + 1]; }
+
+private:
+  std::vector<Directed_edge> m_edges;
+  Offsets m_begin = Offsets(1, 0);
+};
+
+// Walks along the branches of one set of edges.
+class Branch_tracer
+{
+public:
+  Branch_tracer(const Vertex_incidences& incidences, const std::vector<Edge_ends>& ends)
+    : m_incidences(incidences), m_ends(ends), m_is_done(ends.size(), false)
+  { }
+
+  // First the branches that begin at a node, then closed ones, which receive a node where they
+  // begin.
+  // \param is_node per vertex
+  Branch_list trace(std::vector<char>& is_node)
+  {
+    Branch_list branches;
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      for(int side = 0; side < 2 && !m_is_done[i]; ++side) {
+        const Directed_edge d = static_cast<Directed_edge>(2 * i) + side;
+        if(is_node[std::size_t(source(d))])
+          walk(d, is_node, branches);
+      }
+    for(std::size_t i = 0; i < m_ends.size(); ++i)
+      if(!m_is_done[i]) {
+        const Directed_edge d = static_cast<Directed_edge>(2 * i);
+        is_node[std::size_t(source(d))] = true;
+        walk(d, is_node, branches);
+      }
+    return branches;
+  }
+
+private:
+  Vertex_index source(const Directed_edge d) const
+  {
+    const Edge_ends& ends = m_ends[std::size_t(d / 2)];
+    return d % 2 == 0 ? ends.source : ends.target;
+  }
+
+  Vertex_index target(const Directed_edge d) const { return source(opposite_edge(d)); }
+
+  // At a vertex that is no node, two edges meet; this is the other one, away from the vertex.
+  Directed_edge continuation(const Directed_edge d) const
+  {
+    const Incidence* ends = m_incidences.begin(target(d));
+    const bool first_is_here = ends[0].edge == d / 2 && ends[0].points_to_vertex == (d % 2 == 0);
+    const Incidence& other = ends[first_is_here ? 1 : 0];
+    return 2 * other.edge + (other.points_to_vertex ? 1 : 0);
+  }
+
+  void walk(Directed_edge d, const std::vector<char>& is_node, Branch_list& branches)
+  {
+    for(;;) {
+      m_is_done[std::size_t(d / 2)] = true;
+      branches.add_edge(d);
+      if(is_node[std::size_t(target(d))])
+        break;
+      d = continuation(d);
+    }
+    branches.finish_branch();
+  }
+
+  const Vertex_incidences& m_incidences;
+  const std::vector<Edge_ends>& m_ends;
+  std::vector<bool> m_is_done;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_TRACE_BRANCHES_H

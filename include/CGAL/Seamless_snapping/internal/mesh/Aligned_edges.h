@@ -1,0 +1,173 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ALIGNED_EDGES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ALIGNED_EDGES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The edges of alignment constraints, Eq. (5), and which functional of the coordinates is constant
+// along each.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename F>
+void for_each_edge_to_align(const TriangleMesh& tmesh, const EdgeIsConstrainedMap& edge_is_constrained,
+                            const bool align_border, const F& f)
+{
+  for(const auto e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    if((get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
+       has_face(h, tmesh))
+      f(h);
+  }
+}
+
+// Invariant: each edge is represented by a halfedge that has a face, in whose chart the functional is
+// constant up to the tolerance; if not, `refusal()` tells.
+template <typename Group, typename TriangleMesh>
+class Aligned_edges
+{
+public:
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Edge = Indexed_edge<Halfedge>;
+
+  explicit Aligned_edges(const TriangleMesh& tmesh) : m_tmesh(&tmesh) { }
+
+  template <typename HalfedgeUVMap, typename VertexIndexMap, typename EdgeIsConstrainedMap>
+  Aligned_edges(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+              const VertexIndexMap& vertex_indices, const EdgeIsConstrainedMap& edge_is_constrained,
+              const bool align_border, const double tolerance)
+    : m_tmesh(&tmesh)
+  {
+    const auto index = [&](const auto v) { return std::size_t(get(vertex_indices, v)); };
+    std::vector<Edge> found;
+    for_each_edge_to_align(tmesh, edge_is_constrained, align_border, [&](const Halfedge h) {
+      found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
+    });
+    const auto turn = [&](Edge& edge) { edge = {opposite(edge.halfedge, tmesh), edge.target, edge.source}; };
+    for(Edge& edge : found)
+      if(must_turn(tmesh, vertex_indices, edge))
+        turn(edge);
+    Vertex_numbers numbers(num_vertices(tmesh));
+    numbers.mark_ends(found);
+    numbers.assign_numbers();
+    for(const std::size_t i : canonical_order(tmesh, vertex_indices, numbers, found)) {
+      m_edges.push_back(found[i]);
+      if(is_border(found[i].halfedge, tmesh))
+        turn(m_edges.back());
+    }
+    choose_functionals(uv_map, vertex_indices, tolerance);
+  }
+
+  const std::optional<Refusal>& refusal() const { return m_refusal; }
+
+  const std::vector<Edge>& edges() const { return m_edges; }
+  std::size_t size() const { return m_edges.size(); }
+  Halfedge halfedge(const Edge_index a) const { return m_edges[std::size_t(a)].halfedge; }
+
+  // In the chart of the halfedge's face.
+  int functional(const Edge_index a) const { return m_functionals[std::size_t(a)]; }
+
+  // The largest violation of Eq. (5).
+  double violation() const { return m_violation; }
+
+private:
+  // The functional that changes least along the edge.
+  template <typename HalfedgeUVMap, typename VertexIndexMap>
+  void choose_functionals(const HalfedgeUVMap& uv_map, const VertexIndexMap& vertex_indices,
+                         const double tolerance)
+  {
+    std::size_t count = 0;
+    Halfedge worst{};
+    for(const Edge& edge : m_edges) {
+      const Halfedge h = edge.halfedge;
+      const Uv a = get_uv(uv_map, prev(h, *m_tmesh));
+      const Uv b = get_uv(uv_map, h);
+      const Uv vector{b[0] - a[0], b[1] - a[1]};
+      int best = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for(int f = 0; f < Group::number_of_functionals; ++f) {
+        const auto terms = Group::functional(f);
+        const double change = std::abs(terms[0] * vector[0] + terms[1] * vector[1]);
+        if(change < least) {
+          best = f;
+          least = change;
+        }
+      }
+      m_functionals.push_back(best);
+      if(least > tolerance)
+        ++count;
+      if(least > m_violation) {
+        m_violation = least;
+        worst = h;
+      }
+    }
+    if(count == 0)
+      return;
+    const std::string message = edge_name(*m_tmesh, vertex_indices, worst) +
+                " is to be aligned, but neither coordinate is constant along it: the lesser change is " +
+                short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
+                (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
+                "; constrain only edges that lie on isocurves, or raise the tolerance";
+    m_refusal = Refusal{Snapping_status::NOT_ALIGNED, message, {}};
+  }
+
+  const TriangleMesh* m_tmesh;
+  std::vector<Edge> m_edges;
+  std::vector<int> m_functionals;
+  std::optional<Refusal> m_refusal;
+  double m_violation = 0;
+};
+
+// The edges that the named parameters ask to align.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                           const double extent, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
+  const auto edge_is_constrained =
+    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
+  const bool align_border = choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  if(std::is_same<std::decay_t<decltype(edge_is_constrained)>, No_edges>::value && !align_border)
+    return Aligned_edges<Group, TriangleMesh>(tmesh);
+  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
+                                            default_tolerance);
+  return Aligned_edges<Group, TriangleMesh>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
+                                   edge_is_constrained, align_border, tolerance * extent);
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ALIGNED_EDGES_H

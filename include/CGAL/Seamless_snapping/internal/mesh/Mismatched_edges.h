@@ -1,0 +1,157 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_MISMATCHED_EDGES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_MISMATCHED_EDGES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The mismatched edges of a uv map, whose two sides have different coordinates, in an order that does not depend on the mesh data structure, and which of
+// them meet at which vertex.
+
+#include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// An edge, by one of its halfedges, and the mesh's indices of its ends.
+template <typename Halfedge>
+struct Indexed_edge
+{
+  Halfedge halfedge;
+  std::size_t source, target;
+};
+
+// A mismatched edge together with the coordinates of its sides, so that the mesh need not be asked again.
+template <typename Halfedge>
+struct Surveyed_edge
+  : Indexed_edge<Halfedge>
+{
+  Edge_sides sides;
+};
+
+template <typename Halfedge>
+struct Mismatched_edge
+  : Surveyed_edge<Halfedge> // directed towards the end of larger index
+{
+  int rotation = 0;      // element of the transition from face(halfedge) to the opposite face
+  bool is_cut = true;    // else the corners of both sides are merged
+  bool is_exact = false; // whether Eq. (4) holds exactly
+  // in units of the extent, rounded up to a power of two:
+  double residual = 0;   // by how much Eq. (4) is violated
+  double length = 0;     // of the edge
+  double gap = 0;        // between the sides: for k = 0 the length of the translation
+};
+
+// Numbers without gaps for the ends of some edges, in the order of the mesh's indices.
+class Vertex_numbers
+{
+public:
+  // \param number_of_vertices of the mesh; indices of views of a mesh may be larger
+  explicit Vertex_numbers(const std::size_t number_of_vertices) : m_numbers(number_of_vertices, -1) { }
+
+  template <typename Edges>
+  void mark_ends(const Edges& edges)
+  {
+    for(const auto& edge : edges) {
+      mark(edge.source);
+      mark(edge.target);
+    }
+  }
+
+  void assign_numbers()
+  {
+    m_size = 0;
+    for(Vertex_index& number : m_numbers)
+      if(number >= 0)
+        number = m_size++;
+  }
+
+  std::size_t size() const { return std::size_t(m_size); }
+  Vertex_index operator[](const std::size_t index) const { return m_numbers[index]; }
+
+  template <typename Edges>
+  std::vector<Edge_ends> ends(const Edges& edges) const
+  {
+    std::vector<Edge_ends> result;
+    result.reserve(edges.size());
+    for(const auto& edge : edges)
+      result.push_back({m_numbers[edge.source], m_numbers[edge.target]});
+    return result;
+  }
+
+private:
+  void mark(const std::size_t index)
+  {
+    if(index >= m_numbers.size())
+      m_numbers.resize(index + 1, -1);
+    m_numbers[index] = 0;
+  }
+
+  std::vector<Vertex_index> m_numbers; // -1 for none
+  Vertex_index m_size = 0;
+};
+
+// The order of edges by the indices of their ends: two mesh data structures that number their vertices
+// alike get the same. Parallel edges are told apart by the vertices opposite to them.
+// \pre each edge is directed towards its end of larger index
+template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
+std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices,
+                                         const Vertex_numbers& numbers, const std::vector<Edge>& edges)
+{
+  const auto apexes = [&](const Edge& edge) {
+    const auto g = opposite(edge.halfedge, tmesh);
+    return std::make_pair(std::size_t(get(vertex_indices, target(next(edge.halfedge, tmesh), tmesh))),
+                          std::size_t(get(vertex_indices, target(next(g, tmesh), tmesh))));
+  };
+  std::vector<std::size_t> begin(numbers.size() + 1, 0); // a counting sort by source
+  for(const Edge& edge : edges)
+    ++begin[std::size_t(numbers[edge.source]) + 1];
+  for(std::size_t v = 0; v < numbers.size(); ++v)
+    begin[v + 1] += begin[v];
+  std::vector<std::size_t> order(edges.size());
+  std::vector<std::size_t> next_place(begin.begin(), begin.end() - 1);
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    order[next_place[std::size_t(numbers[edges[i].source])]++] = i;
+  for(std::size_t v = 0; v < numbers.size(); ++v)
+    std::sort(order.begin() + std::ptrdiff_t(begin[v]), order.begin() + std::ptrdiff_t(begin[v + 1]),
+              [&](const std::size_t i, const std::size_t j) {
+                if(edges[i].target != edges[j].target)
+                  return edges[i].target < edges[j].target;
+                return apexes(edges[i]) < apexes(edges[j]);
+              });
+  return order;
+}
+
+// Whether an edge runs against the direction that `canonical_order` wants.
+template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
+bool must_turn(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Edge& edge)
+{
+  if(edge.source != edge.target)
+    return edge.source > edge.target;
+  const auto h = edge.halfedge, g = opposite(h, tmesh);
+  return get(vertex_indices, target(next(h, tmesh), tmesh)) >
+         get(vertex_indices, target(next(g, tmesh), tmesh));
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_MISMATCHED_EDGES_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SURFACE_CUTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SURFACE_CUTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A complex that was read off a mesh, and the way back: which corners each sector has, and what the
+// constraints of the complex are called.
+
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: the corners of a sector are consecutive, clockwise. Sectors are made for the ends of
+// all cut, merged, and aligned edges, and for the vertices of further constraints.
+template <typename Group, typename TriangleMesh>
+struct Surface_cuts
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  Cut_complex<Group> complex;
+  std::vector<Halfedge> corners;
+  Offsets first_corner;            // per sector, and the number of corners
+  std::vector<std::array<Halfedge, 2> > branch_ends, chain_ends; // the first and the last edge
+  std::size_t number_of_singular_vertices = 0;
+
+  const Halfedge* corners_begin(const Sector_index s) const
+  { return corners.data() + first_corner[std::size_t(s)]; }
+  const Halfedge* corners_end(const Sector_index s) const
+  { return corners.data() + first_corner[std::size_t(s) + 1]; }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SURFACE_CUTS_H

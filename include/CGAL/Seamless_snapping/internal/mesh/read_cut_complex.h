@@ -1,0 +1,490 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_CUT_COMPLEX_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_CUT_COMPLEX_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a mesh and the transitions of its uv map to a complex: divides the corners around each
+// vertex of a cut or aligned edge into sectors, finds the nodes, and follows the branches (Sec.
+// 5.3). One linear pass over these vertices.
+
+#include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The numbers of the vertices that the complex has, and which edges end at them.
+template <typename Halfedge>
+struct Constrained_vertices
+{
+  template <typename TriangleMesh, typename Aligned>
+  Constrained_vertices(const TriangleMesh& tmesh, const Transition_data<TriangleMesh>& transitions,
+                       const Aligned& aligned_edges,
+                       const std::vector<Indexed_edge<Halfedge> >& node_corners)
+  {
+    Vertex_numbers numbers(num_vertices(tmesh));
+    numbers.mark_ends(transitions.edges);
+    numbers.mark_ends(aligned_edges.edges());
+    numbers.mark_ends(node_corners);
+    numbers.assign_numbers();
+    size = numbers.size();
+    mismatched_ends = numbers.ends(transitions.edges);
+    aligned_ends = numbers.ends(aligned_edges.edges());
+    node_corner_ends = numbers.ends(node_corners);
+    cut_ends.assign(mismatched_ends.begin(),
+                    mismatched_ends.begin() + std::ptrdiff_t(transitions.number_of_cuts));
+    cuts = Vertex_incidences(size, cut_ends);
+    aligned = Vertex_incidences(size, aligned_ends);
+  }
+
+  std::size_t size;
+  std::vector<Edge_ends> mismatched_ends, cut_ends, aligned_ends, node_corner_ends;
+  Vertex_incidences cuts, aligned;
+};
+
+// One run. The sectors at the ends of directed edges are on the side of the halfedge's face.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+class Cut_complex_reader
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Complex = Cut_complex<Group>;
+  using Cuts = Surface_cuts<Group, TriangleMesh>;
+  using Aligned = Aligned_edges<Group, TriangleMesh>;
+
+public:
+  Cut_complex_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                     const VertexIndexMap& vertex_indices,
+                     const Transition_data<TriangleMesh>& transitions, const Aligned& aligned_edges,
+                     const Constraint_list<TriangleMesh>& constraints)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_transitions(transitions),
+      m_aligned_edges(aligned_edges), m_constraints(constraints),
+      m_node_corners(indexed_corners(constraints.corners())),
+      m_vertices(tmesh, transitions, aligned_edges, m_node_corners),
+      m_target_sector(2 * transitions.number_of_cuts, -1),
+      m_source_sector(2 * transitions.number_of_cuts, -1),
+      m_aligned_target_sector(aligned_edges.size(), -1),
+      m_aligned_source_sector(aligned_edges.size(), -1)
+  { }
+
+  Cuts run()
+  {
+    form_sectors(start_halfedges());
+    m_result.first_corner.push_back(m_result.corners.size());
+    measure_mixed_sectors();
+    add_branches();
+    add_chains();
+    add_further_constraints();
+    return std::move(m_result);
+  }
+
+private:
+  static constexpr std::size_t number_of_walks = 64; // at a time
+
+  // A corner's vertex, as both ends of an edge.
+  std::vector<Indexed_edge<Halfedge> > indexed_corners(const std::vector<Halfedge>& corners) const
+  {
+    std::vector<Indexed_edge<Halfedge> > result;
+    for(const Halfedge h : corners) {
+      const std::size_t v = std::size_t(get(m_vertex_indices, target(h, m_tmesh)));
+      result.push_back({h, v, v});
+    }
+    return result;
+  }
+
+  // For each vertex a halfedge towards it where a sector begins: a cut edge or, where there is
+  // none, one behind the border or, at an inner vertex, that from the neighbor of least index.
+  std::vector<Halfedge> start_halfedges() const
+  {
+    std::vector<Halfedge> starts(m_vertices.size);
+    std::vector<char> has_start(m_vertices.size, false);
+    const auto set = [&](const Vertex_index v, const Halfedge h, const bool is_cut) {
+      if(!has_start[std::size_t(v)])
+        starts[std::size_t(v)] = is_cut ? h : uncut_start(h);
+      has_start[std::size_t(v)] = true;
+    };
+    for(std::size_t i = 0; i < m_transitions.edges.size(); ++i) {
+      const auto& edge = m_transitions.edges[i];
+      set(m_vertices.mismatched_ends[i].target, edge.halfedge, edge.is_cut);
+      set(m_vertices.mismatched_ends[i].source, opposite(edge.halfedge, m_tmesh), edge.is_cut);
+    }
+    for(std::size_t a = 0; a < m_aligned_edges.size(); ++a) {
+      const Halfedge h = m_aligned_edges.halfedge(Edge_index(a));
+      set(m_vertices.aligned_ends[a].target, h, false);
+      set(m_vertices.aligned_ends[a].source, opposite(h, m_tmesh), false);
+    }
+    for(std::size_t i = 0; i < m_node_corners.size(); ++i)
+      set(m_vertices.node_corner_ends[i].target, m_node_corners[i].halfedge, false);
+    return starts;
+  }
+
+  Halfedge uncut_start(const Halfedge any) const
+  {
+    Halfedge best = any;
+    Halfedge h = any;
+    do {
+      if(is_border(h, m_tmesh))
+        return h;
+      if(get(m_vertex_indices, source(h, m_tmesh)) < get(m_vertex_indices, source(best, m_tmesh)))
+        best = h;
+      h = opposite(next(h, m_tmesh), m_tmesh);
+    } while(h != any);
+    return best;
+  }
+
+  // All halfedges towards each of some vertices, clockwise. The walks take turns, so that their
+  // accesses to the memory overlap: in a single walk each waits for the one before.
+  void walk_around_vertices(const Halfedge* starts, const std::size_t number,
+                            std::vector<std::vector<Halfedge> >& walks) const
+  {
+    std::array<std::size_t, number_of_walks> under_way;
+    for(std::size_t i = 0; i < number; ++i) {
+      walks[i].assign(1, starts[i]);
+      under_way[i] = i;
+    }
+    for(std::size_t left = number; left > 0;) {
+      std::size_t still = 0;
+      for(std::size_t j = 0; j < left; ++j) {
+        std::vector<Halfedge>& walk = walks[under_way[j]];
+        const Halfedge h = opposite(next(walk.back(), m_tmesh), m_tmesh);
+        if(h == walk.front())
+          continue;
+        walk.push_back(h);
+        under_way[still++] = under_way[j];
+      }
+      left = still;
+    }
+  }
+
+  // Divides the corners around each vertex into sectors.
+  void form_sectors(const std::vector<Halfedge>& starts)
+  {
+    Complex& complex = m_result.complex;
+    mark_merged_vertices();
+    m_result.corners.reserve(7 * starts.size());
+    m_result.first_corner.reserve(2 * starts.size());
+    complex.coordinates.reserve(2 * starts.size());
+    complex.first_sector.reserve(starts.size() + 1);
+    complex.is_node.reserve(starts.size());
+    std::vector<std::vector<Halfedge> > walks(number_of_walks);
+    for(std::size_t v = 0; v < starts.size(); ++v) {
+      if(v % number_of_walks == 0)
+        walk_around_vertices(starts.data() + v, (std::min)(starts.size() - v, number_of_walks), walks);
+      complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
+      const std::size_t gaps = form_sectors_at(Vertex_index(v), walks[v % number_of_walks]);
+      const bool is_singular =
+        gaps == 0 && holonomy<Group>(m_vertices.cuts, m_transitions.edges, Vertex_index(v)) !=
+                       Group::identity();
+      m_result.number_of_singular_vertices += is_singular ? 1 : 0;
+      complex.is_node.push_back(needs_node(Vertex_index(v), gaps, is_singular));
+    }
+    complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
+    for(std::size_t i = 0; i < m_node_corners.size(); ++i)
+      make_node(m_node_corners[i].halfedge, m_vertices.node_corner_ends[i].target);
+  }
+
+  void mark_merged_vertices()
+  {
+    m_has_merged_edge.resize(m_vertices.size, false);
+    for(std::size_t i = m_transitions.number_of_cuts; i < m_vertices.mismatched_ends.size(); ++i)
+      for(const Vertex_index v : {m_vertices.mismatched_ends[i].source,
+                                  m_vertices.mismatched_ends[i].target})
+        m_has_merged_edge[std::size_t(v)] = true;
+  }
+
+  // Returns how often the border passes the vertex.
+  std::size_t form_sectors_at(const Vertex_index v, const std::vector<Halfedge>& walk)
+  {
+    collect_cuts_towards(v);
+    std::size_t gaps = 0;
+    bool begins = true;
+    const Directed_edge first_cut = cut_towards(walk.front());
+    Directed_edge cut = first_cut;
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      const Halfedge h = walk[i];
+      const Directed_edge following_cut = i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
+      if(is_border(h, m_tmesh)) {
+        ++gaps;
+        begins = true;
+      } else {
+        if(begins || cut >= 0)
+          begin_sector(h, cut);
+        else if(m_has_merged_edge[std::size_t(v)])
+          compare_with_first(h);
+        add_corner(h, cut, following_cut);
+        if(m_vertices.aligned.degree(v) > 0)
+          add_to_aligned(v, h);
+        begins = false;
+      }
+      cut = following_cut;
+    }
+    return gaps;
+  }
+
+  // The cut edges at a vertex, each by its halfedge towards it.
+  void collect_cuts_towards(const Vertex_index v)
+  {
+    m_cuts_here.clear();
+    for(const Incidence* i = m_vertices.cuts.begin(v); i != m_vertices.cuts.end(v); ++i) {
+      const Halfedge h = m_transitions.edges[std::size_t(i->edge)].halfedge;
+      m_cuts_here.push_back(i->points_to_vertex ? Cut_here{h, 2 * i->edge}
+                                                : Cut_here{opposite(h, m_tmesh), 2 * i->edge + 1});
+    }
+  }
+
+  // -1 if the edge of `h`, which points to the vertex under way, is not a cut
+  Directed_edge cut_towards(const Halfedge h) const
+  {
+    for(const Cut_here& cut : m_cuts_here)
+      if(cut.halfedge == h)
+        return cut.directed;
+    return -1;
+  }
+
+  // Where no edge is merged all further corners have the coordinates of the first.
+  void begin_sector(const Halfedge h, const Directed_edge cut)
+  {
+    m_result.complex.coordinates.push_back(cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h));
+    m_result.first_corner.push_back(m_result.corners.size());
+  }
+
+  void compare_with_first(const Halfedge h)
+  {
+    auto& mixed = m_result.complex.mixed_sectors;
+    const Sector_index s = last_sector();
+    if((mixed.empty() || mixed.back().sector != s) &&
+       get_uv(m_uv_map, h) != m_result.complex.coordinates.back())
+      mixed.push_back({s, {}, 0, 0});
+  }
+
+  Sector_index last_sector() const
+  {
+    return Sector_index(m_result.complex.number_of_sectors()) - 1;
+  }
+
+  // At the target of a cut.
+  const Uv& uv_behind(const Directed_edge d) const
+  {
+    const Edge_sides& sides = m_transitions.edges[std::size_t(d / 2)].sides;
+    return d % 2 == 0 ? sides.b : sides.a_opposite;
+  }
+
+  void add_corner(const Halfedge h, const Directed_edge cut, const Directed_edge following_cut)
+  {
+    m_result.corners.push_back(h);
+    if(cut >= 0)
+      m_target_sector[std::size_t(cut)] = last_sector();
+    if(following_cut >= 0)
+      m_source_sector[std::size_t(opposite_edge(following_cut))] = last_sector();
+  }
+
+  void add_to_aligned(const Vertex_index v, const Halfedge h)
+  {
+    const Halfedge out = next(h, m_tmesh);
+    for(const Incidence* i = m_vertices.aligned.begin(v); i != m_vertices.aligned.end(v); ++i) {
+      const std::size_t a = std::size_t(i->edge);
+      if(i->points_to_vertex && m_aligned_edges.edges()[a].halfedge == h)
+        m_aligned_target_sector[a] = last_sector();
+      else if(!i->points_to_vertex && m_aligned_edges.edges()[a].halfedge == out)
+        m_aligned_source_sector[a] = last_sector();
+    }
+  }
+
+  // Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned chains.
+  // (A vertex on a closed branch becomes a node later.) Chains don't pass vertices where only
+  // corners of the mesh touch.
+  bool needs_node(const Vertex_index v, const std::size_t gaps, const bool is_singular) const
+  {
+    const std::size_t cuts = m_vertices.cuts.degree(v);
+    const std::size_t aligned = m_vertices.aligned.degree(v);
+    if(cuts > 0)
+      return cuts != 2 || aligned > 0 || gaps > 0 || is_singular;
+    if(aligned == 0)
+      return false;
+    const Incidence* ends = m_vertices.aligned.begin(v);
+    return aligned != 2 || gaps > 1 ||
+           m_aligned_edges.functional(ends[0].edge) != m_aligned_edges.functional(ends[1].edge);
+  }
+
+  void make_node(const Halfedge corner, const Vertex_index v)
+  {
+    const Complex& complex = m_result.complex;
+    m_result.complex.is_node[std::size_t(v)] = true;
+    // the last corner of each sector is followed by the first of the next one
+    const Sector_index last = complex.first_sector[std::size_t(v) + 1];
+    for(Sector_index s = complex.first_sector[std::size_t(v)]; s != last; ++s) {
+      const auto first = m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s)]);
+      const auto end = std::size_t(s) + 1 < m_result.first_corner.size()
+        ? m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s) + 1])
+        : m_result.corners.end();
+      if(std::find(first, end, corner) != end)
+        m_node_corner_sectors.push_back(s);
+    }
+  }
+
+  // The corners are so close together that their differences are exact, or nearly so.
+  void measure_mixed_sectors()
+  {
+    for(auto& mixed : m_result.complex.mixed_sectors) {
+      const Uv first = m_result.complex.coordinates[std::size_t(mixed.sector)];
+      std::vector<Uv> differences;
+      double unit = 0;
+      const auto end = m_result.corners_end(mixed.sector);
+      for(auto h = m_result.corners_begin(mixed.sector); h != end; ++h) {
+        const Uv u = get_uv(m_uv_map, *h);
+        differences.push_back({u[0] - first[0], u[1] - first[1]});
+        unit = (std::max)({unit, std::abs(differences.back()[0]), std::abs(differences.back()[1])});
+        mixed.largest = (std::max)({mixed.largest, std::abs(u[0]), std::abs(u[1])});
+      }
+      const double count = static_cast<double>(differences.size());
+      double squares = 0; // in units, so that they neither overflow nor vanish
+      for(std::size_t c = 0; c < 2; ++c) {
+        double sum = 0;
+        for(const Uv& d : differences)
+          sum += d[c];
+        mixed.deviation[c] = sum / count;
+        for(const Uv& d : differences)
+          squares += ((d[c] - mixed.deviation[c]) / unit) * ((d[c] - mixed.deviation[c]) / unit);
+      }
+      mixed.distance = unit * std::sqrt(squares / count);
+    }
+  }
+
+  void add_branches()
+  {
+    Complex& complex = m_result.complex;
+    m_branches = Branch_tracer(m_vertices.cuts, m_vertices.cut_ends).trace(complex.is_node);
+    complex.pairs.reserve(m_vertices.cut_ends.size() + m_branches.size());
+    for(std::size_t b = 0; b < m_branches.size(); ++b) {
+      const Directed_edge* const first = m_branches.begin(b);
+      const Directed_edge* const last = m_branches.end(b);
+      const auto g = m_transitions.edges[std::size_t(*first / 2)].rotation;
+      complex.element.push_back(*first % 2 == 0 ? g : Group::inverse(g));
+      complex.pairs.push_back({m_source_sector[std::size_t(*first)],
+                               m_target_sector[std::size_t(opposite_edge(*first))]});
+      for(const Directed_edge* d = first; d != last; ++d)
+        complex.pairs.push_back({m_target_sector[std::size_t(*d)],
+                                 m_source_sector[std::size_t(opposite_edge(*d))]});
+      complex.first_pair.push_back(complex.pairs.size());
+      m_result.branch_ends.push_back({m_transitions.edges[std::size_t(*first / 2)].halfedge,
+                                      m_transitions.edges[std::size_t(*(last - 1) / 2)].halfedge});
+    }
+  }
+
+  void add_chains()
+  {
+    Complex& complex = m_result.complex;
+    const Branch_list chains =
+      Branch_tracer(m_vertices.aligned, m_vertices.aligned_ends).trace(complex.is_node);
+    for(std::size_t c = 0; c < chains.size(); ++c) {
+      const Directed_edge* const first = chains.begin(c);
+      const Directed_edge* const last = chains.end(c);
+      complex.functional.push_back(m_aligned_edges.functional(*first / 2));
+      complex.links.push_back(aligned_sector(*first, false));
+      for(const Directed_edge* d = first; d != last; ++d)
+        complex.links.push_back(aligned_sector(*d, true));
+      complex.first_link.push_back(complex.links.size());
+      m_result.chain_ends.push_back({m_aligned_edges.halfedge(*first / 2),
+                                     m_aligned_edges.halfedge(*(last - 1) / 2)});
+    }
+  }
+
+  // The sector at one end of an aligned edge that is walked along in one direction.
+  Sector_index aligned_sector(const Directed_edge d, const bool at_target) const
+  {
+    return at_target == (d % 2 == 0) ? m_aligned_target_sector[std::size_t(d / 2)]
+                                     : m_aligned_source_sector[std::size_t(d / 2)];
+  }
+
+  void add_further_constraints()
+  {
+    Complex& complex = m_result.complex;
+    std::unordered_map<Halfedge, typename Complex::Crossing> crossings;
+    if(!m_constraints.paths().empty())
+      for(std::size_t b = 0; b < m_branches.size(); ++b)
+        for(const Directed_edge* d = m_branches.begin(b); d != m_branches.end(b); ++d) {
+          const Halfedge h = m_transitions.edges[std::size_t(*d / 2)].halfedge;
+          crossings[h] = {Branch_index(b), *d % 2 == 0};
+          crossings[opposite(h, m_tmesh)] = {Branch_index(b), *d % 2 != 0};
+        }
+    auto sector = m_node_corner_sectors.begin();
+    for(const auto& constraint : m_constraints.paths()) {
+      const Sector_index a = *sector++, b = *sector++;
+      complex.paths.push_back({a, b, constraint.connection.component, {}});
+      for(const Halfedge h : constraint.connection.path) {
+        const auto found = crossings.find(h);
+        if(found != crossings.end())
+          complex.paths.back().crossings.push_back(found->second);
+      }
+    }
+    for(const auto& constraint : m_constraints.corner_constraints()) {
+      complex.equations.push_back({{}, constraint.right_hand_side});
+      for(const auto& term : constraint.terms)
+        complex.equations.back().terms.push_back({*sector++, term.component, term.coefficient});
+    }
+  }
+
+  const TriangleMesh& m_tmesh;
+  const HalfedgeUVMap& m_uv_map;
+  const VertexIndexMap& m_vertex_indices;
+  const Transition_data<TriangleMesh>& m_transitions;
+  const Aligned& m_aligned_edges;
+  const Constraint_list<TriangleMesh>& m_constraints;
+  std::vector<Indexed_edge<Halfedge> > m_node_corners;
+  Constrained_vertices<Halfedge> m_vertices;
+  struct Cut_here { Halfedge halfedge; Directed_edge directed; };
+  std::vector<Cut_here> m_cuts_here; // at the vertex under way
+  std::vector<Sector_index> m_target_sector, m_source_sector; // per directed cut
+  std::vector<Sector_index> m_aligned_target_sector, m_aligned_source_sector;
+  std::vector<Sector_index> m_node_corner_sectors;
+  std::vector<char> m_has_merged_edge; // per vertex
+  Branch_list m_branches;
+  Surface_cuts<Group, TriangleMesh> m_result;
+};
+
+// \pre nothing was refused
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+Surface_cuts<Group, TriangleMesh>
+read_cut_complex(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                 const VertexIndexMap& vertex_indices,
+                 const Transition_data<TriangleMesh>& transitions,
+                 const Aligned_edges<Group, TriangleMesh>& aligned_edges,
+                 const Constraint_list<TriangleMesh>& constraints)
+{
+  return Cut_complex_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
+           tmesh, uv_map, vertex_indices, transitions, aligned_edges, constraints).run();
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_CUT_COMPLEX_H

@@ -1,0 +1,344 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_TRANSITIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_TRANSITIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from noise.
+
+#include <CGAL/Seamless_snapping/internal/mesh/classify_mismatched_edges.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The transitions of a uv map.
+template <typename TriangleMesh>
+struct Transition_data
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  std::vector<Mismatched_edge<Halfedge> > edges; // the cut edges, then the merged ones
+  std::size_t number_of_cuts = 0;
+  std::optional<Refusal> refusal;
+  bool is_exact = true;
+  double extent = 0;
+  double violation = 0;
+};
+
+// What the caller knows about cuts and rotations, if anything.
+template <typename Group, typename TriangleMesh, typename EdgeIsCutMap,
+          typename HalfedgeRotationMap>
+struct Given_transitions
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Not_given = CGAL::internal_np::Param_not_found;
+  static constexpr bool has_cuts = !std::is_same<EdgeIsCutMap, Not_given>::value;
+  static constexpr bool has_rotations = !std::is_same<HalfedgeRotationMap, Not_given>::value;
+
+  const TriangleMesh& tmesh;
+  EdgeIsCutMap edge_is_cut;
+  HalfedgeRotationMap halfedge_rotation;
+
+  bool is_cut(const Halfedge h) const
+  {
+    if constexpr(has_cuts)
+      return get(edge_is_cut, edge(h, tmesh));
+    else
+      return false;
+  }
+
+  typename Group::Element rotation(const Halfedge h) const
+  {
+    if constexpr(has_rotations)
+      return Group::element(static_cast<int>(get(halfedge_rotation, h) % Group::order));
+    else
+      return Group::identity();
+  }
+
+  // Whether what is given of an edge fits together.
+  bool is_consistent(const Halfedge h) const
+  {
+    const auto g = rotation(h);
+    return g == Group::inverse(rotation(opposite(h, tmesh))) &&
+           (g == Group::identity() || !has_cuts || is_cut(h));
+  }
+
+  // Edges that count as open even if their sides are the same to the bit.
+  bool is_cut_anyway(const Halfedge h) const
+  {
+    if constexpr(has_rotations)
+      if(rotation(h) != Group::identity() ||
+         rotation(opposite(h, tmesh)) != Group::identity()) // perhaps not inverse
+        return true;
+    return is_cut(h);
+  }
+};
+
+template <typename Group, typename TriangleMesh, typename NamedParameters>
+auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto edge_is_cut =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_cut);
+  const auto rotations =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::halfedge_rotation);
+  return Given_transitions<Group, TriangleMesh, std::decay_t<decltype(edge_is_cut)>,
+                           std::decay_t<decltype(rotations)> >{tmesh, edge_is_cut, rotations};
+}
+
+// By how much an edge violates Eq. (4), times `scale`: for the given rotation, or the best.
+template <typename Group, typename Given, typename Halfedge>
+double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
+                            const double scale)
+{
+  const Edge_vectors vectors(sides);
+  const bool is_known = Given::has_rotations || (Given::has_cuts && !given.is_cut(h));
+  Mismatched_edge<Halfedge> edge;
+  set_rotation<Group>(edge, vectors, is_known ? given.rotation(h) : vectors.best_fit<Group>(scale),
+                      scale);
+  return edge.residual;
+}
+
+template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
+std::string edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
+{
+  return "the edge between vertices " + std::to_string(get(vertex_indices, source(h, tmesh))) +
+         " and " + std::to_string(get(vertex_indices, target(h, tmesh)));
+}
+
+inline std::string short_number(const double x)
+{
+  std::ostringstream os;
+  os.precision(3);
+  os << x;
+  return os.str();
+}
+
+// One run; the member functions are its steps, in order.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Given>
+class Transition_reader
+{
+  using Data = Transition_data<TriangleMesh>;
+  using Halfedge = typename Data::Halfedge;
+
+public:
+  Transition_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                    const VertexIndexMap& vertex_indices, const Given& given, const double tolerance)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_given(given),
+      m_tolerance(tolerance)
+  { }
+
+  Data run()
+  {
+    Data data;
+    if(!(m_tolerance >= 0)) {
+      data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT, "the tolerance is " +
+                             short_number(m_tolerance) + "; it must not be negative", {}};
+      return data;
+    }
+    Uv_survey<TriangleMesh> survey =
+      survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
+                [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
+    data.extent = survey.extent;
+    data.refusal = std::move(survey.refusal);
+    if(data.refusal)
+      return data;
+    m_scale = unit_scale(data.extent);
+    Vertex_numbers numbers(num_vertices(m_tmesh));
+    numbers.mark_ends(survey.mismatched_edges);
+    numbers.assign_numbers();
+    if(!read_rotations(survey.mismatched_edges, numbers, data) || !check_residuals(data) ||
+       !tell_cuts_from_noise(numbers, data))
+      return data;
+    std::stable_partition(data.edges.begin(), data.edges.end(),
+                          [](const Mismatched_edge<Halfedge>& edge) { return edge.is_cut; });
+    data.number_of_cuts = std::size_t(std::count_if(data.edges.begin(), data.edges.end(),
+                                                    [](const auto& edge) { return edge.is_cut; }));
+    data.is_exact = data.is_exact && data.number_of_cuts == data.edges.size();
+    return data;
+  }
+
+private:
+  bool read_rotations(std::vector<Surveyed_edge<Halfedge> >& surveyed, const Vertex_numbers& numbers,
+                      Data& data) const
+  {
+    for(Surveyed_edge<Halfedge>& s : surveyed)
+      if(must_turn(m_tmesh, m_vertex_indices, s))
+        s = {{opposite(s.halfedge, m_tmesh), s.target, s.source}, s.sides.turned()};
+    data.edges.reserve(surveyed.size());
+    for(const std::size_t i : canonical_order(m_tmesh, m_vertex_indices, numbers, surveyed)) {
+      data.edges.emplace_back();
+      static_cast<Surveyed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
+      if(!read_rotation_of(data.edges.back(), data))
+        return false;
+    }
+    return true;
+  }
+
+  bool read_rotation_of(Mismatched_edge<Halfedge>& edge, Data& data) const
+  {
+    const Edge_vectors vectors(edge.sides);
+    measure_length_and_gap(edge, vectors, m_scale);
+    edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
+    if constexpr(Given::has_rotations) {
+      const auto g = m_given.rotation(edge.halfedge);
+      set_rotation<Group>(edge, vectors, g, m_scale);
+      if(g != Group::inverse(m_given.rotation(opposite(edge.halfedge, m_tmesh)))) {
+        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+             " has rotations that are not inverse to each other; those of opposite halfedges must "
+             "add up to a multiple of " + std::to_string(Group::order));
+        return false;
+      }
+      if(g != Group::identity() && !edge.is_cut) {
+        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+             " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
+        return false;
+      }
+    } else {
+      set_rotation<Group>(edge, vectors, edge.is_cut ? vectors.best_fit<Group>(m_scale)
+                                                     : Group::identity(), m_scale);
+    }
+    return true;
+  }
+
+  // A residual beyond the tolerance is an error that names the edge, never a guess.
+  bool check_residuals(Data& data) const
+  {
+    const Mismatched_edge<Halfedge>* worst = nullptr;
+    std::size_t count = 0;
+    double worst_violation = 0;
+    data.is_exact = true;
+    data.violation = 0;
+    for(const Mismatched_edge<Halfedge>& edge : data.edges) {
+      data.is_exact = data.is_exact && edge.is_exact;
+      data.violation = (std::max)(data.violation, edge.residual / m_scale);
+      // the sides of an edge that is known to be no cut must coincide
+      const double violation = edge.is_cut ? edge.residual : (std::max)(edge.residual, edge.gap);
+      if(violation == 0 || violation <= m_tolerance * (data.extent * m_scale)) // 0 times infinity is NaN
+        continue;
+      ++count;
+      if(worst == nullptr || violation > worst_violation) {
+        worst = &edge;
+        worst_violation = violation;
+      }
+    }
+    if(worst == nullptr)
+      return true;
+    fail(data, Snapping_status::NOT_SEAMLESS, worst->halfedge,
+         " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
+         " of the extent, more than the tolerance of " + short_number(m_tolerance) +
+         (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
+         "; if this is the accuracy of the parametrization, raise the tolerance");
+    return false;
+  }
+
+  // Returns false if a rotation that an edge takes from its branch does not fit it.
+  bool tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
+  {
+    const double residual = largest_residual(data.edges);
+    const auto is_hidden = [&](const Mismatched_edge<Halfedge>& edge) {
+      constexpr double epsilon =
+        std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
+      return hides_its_rotation(edge, residual, epsilon);
+    };
+    if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Mismatched_edge<Halfedge>& edge)
+                    { return is_hidden(edge) || may_be_noise<Group>(edge, residual); }))
+      return true;
+    const std::vector<Edge_ends> ends = numbers.ends(data.edges);
+    const Vertex_incidences incidences(numbers.size(), ends);
+    if(!Given::has_rotations &&
+       complete_rotations<Group>(m_tmesh, m_scale, is_hidden, ends, incidences, data.edges) &&
+       !check_residuals(data))
+      return false;
+    if(!Given::has_cuts)
+      mark_merged_edges<Group>(m_tmesh, ends, incidences, residual, data.edges);
+    return true;
+  }
+
+  void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
+  {
+    data.refusal = Refusal{status, edge_name(m_tmesh, m_vertex_indices, h) + what, {}};
+    data.edges.clear(); // incomplete
+  }
+
+  const TriangleMesh& m_tmesh;
+  const HalfedgeUVMap& m_uv_map;
+  const VertexIndexMap& m_vertex_indices;
+  const Given& m_given;
+  double m_tolerance;
+  double m_scale = 1; // lengths are measured after multiplication with it
+};
+
+// Whether indices are as for CGAL's functions: different, and less than the number of vertices. Callers
+// can give others, which would be places outside of arrays.
+template <typename TriangleMesh, typename VertexIndexMap>
+bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
+{
+  std::vector<bool> is_taken(std::size_t(num_vertices(tmesh)), false);
+  for(const auto v : vertices(tmesh)) {
+    const std::size_t i = std::size_t(get(vertex_indices, v));
+    if(i >= is_taken.size() || is_taken[i])
+      return false;
+    is_taken[i] = true;
+  }
+  return true;
+}
+
+// The residual, relative to the extent, up to which a map counts as seamless by default.
+constexpr double default_tolerance = 1e-4;
+
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                               const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  if(!CGAL::parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>::value &&
+     !are_valid_indices(tmesh, vertex_indices)) {
+    Transition_data<TriangleMesh> data;
+    data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT,
+                           "the indices of vertex_index_map must be different, from 0 to " +
+                           std::to_string(num_vertices(tmesh)) + " - 1, as many as there are "
+                           "vertices; leave the parameter out to have them made", {}};
+    return data;
+  }
+  const auto given = given_transitions<Group>(tmesh, np);
+  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
+                                            default_tolerance);
+  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
+                           std::decay_t<decltype(given)> >(
+           tmesh, uv_map, vertex_indices, given, tolerance).run();
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_TRANSITIONS_H

@@ -1,0 +1,238 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURVEY_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURVEY_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The one pass over all edges of a mesh: finds the open edges, those whose two sides are not the same to
+// the bit, and checks on the way that faces are triangles and coordinates are finite. What follows looks
+// at open edges only.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/prefetch.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The number type of a uv map's points.
+template <typename HalfedgeUVMap>
+struct Uv_number
+{
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
+                "the coordinates of the uv map must be of type float or double");
+};
+
+template <typename HalfedgeUVMap, typename Halfedge>
+Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
+{
+  const auto& p = get(uv_map, h);
+  return {static_cast<double>(p.x()), static_cast<double>(p.y())};
+}
+
+template <typename Point>
+bool are_equal(const Point& p, const Point& q)
+{
+  return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
+}
+
+// Meshes may have edges without.
+template <typename TriangleMesh, typename Halfedge>
+bool has_face(const Halfedge h, const TriangleMesh& tmesh)
+{
+  return !is_border(h, tmesh) || !is_border(opposite(h, tmesh), tmesh);
+}
+
+// \pre both sides of `h` have a face
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h)
+{
+  const Halfedge g = opposite(h, tmesh);
+  return {get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
+          get_uv(uv_map, g), get_uv(uv_map, prev(g, tmesh))};
+}
+
+template <typename TriangleMesh>
+struct Uv_survey
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  std::vector<Surveyed_edge<Halfedge> > mismatched_edges;
+  double extent = 0;                    // the larger side of the bounding box of the coordinates
+  std::optional<Refusal> refusal;
+};
+
+// Beyond this, differences of coordinates and their squares may overflow.
+constexpr double largest_coordinate = 1e300;
+
+inline bool is_finite(const Uv& u) { return std::isfinite(u[0]) && std::isfinite(u[1]); }
+
+inline bool is_in_range(const Uv& u)
+{
+  return std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate;
+}
+
+// The bounding box of coordinates. Ignores NaN, and what comes together with NaN.
+class Uv_box
+{
+public:
+  void add(const Uv& u) { add(u, u); }
+
+  // Two at a time, since most are inside.
+  void add(const Uv& u, const Uv& v)
+  {
+    const Uv low{{(std::min)(u[0], v[0]), (std::min)(u[1], v[1])}};
+    const Uv high{{(std::max)(u[0], v[0]), (std::max)(u[1], v[1])}};
+    const bool is_inside = (int(low[0] >= m_low[0]) & int(low[1] >= m_low[1]) &
+                            int(high[0] <= m_high[0]) & int(high[1] <= m_high[1])) != 0;
+    if(is_inside)
+      return;
+    for(std::size_t c = 0; c < 2; ++c) {
+      m_low[c] = (std::min)(m_low[c], low[c]);
+      m_high[c] = (std::max)(m_high[c], high[c]);
+    }
+  }
+
+  bool is_empty() const { return m_low[0] > m_high[0]; }
+  bool is_in_range() const
+  { return is_empty() || (internal::is_in_range(m_low) && internal::is_in_range(m_high)); }
+
+  double extent() const
+  { return is_empty() ? 0 : (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]); }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Uv m_low{{infinity, infinity}};
+  Uv m_high{{-infinity, -infinity}};
+};
+
+// On failure only: names the place, if there is one.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+std::optional<Refusal> find_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                     const VertexIndexMap& vertex_indices)
+{
+  std::optional<Refusal> refusal;
+  std::size_t index = 0;
+  for(const auto f : faces(tmesh)) {
+    std::size_t degree = 0;
+    for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+      ++degree;
+      if(!is_in_range(get_uv(uv_map, h)))
+        refusal = Refusal{Snapping_status::NOT_FINITE,
+                          "face " + std::to_string(index) + " has a coordinate that is NaN, "
+                          "infinite, or beyond 1e300 at vertex " +
+                          std::to_string(get(vertex_indices, target(h, tmesh))) +
+                          "; all corners need finite coordinates", {}};
+    }
+    if(degree != 3)
+      refusal = Refusal{Snapping_status::NOT_TRIANGULAR,
+                        "face " + std::to_string(index) + " has " + std::to_string(degree) +
+                        " corners; triangulate the mesh first", {}};
+    if(refusal)
+      break;
+    ++index;
+  }
+  return refusal;
+}
+
+// Whether the face of a halfedge, or the hole that it borders, has less than three corners.
+template <typename TriangleMesh, typename Halfedge>
+bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
+{
+  return next(h, tmesh) == prev(h, tmesh);
+}
+
+constexpr std::size_t survey_lookahead = 24; // edges
+
+// `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap, typename Predicate>
+Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                  const VertexIndexMap& vertex_indices,
+                                  const Predicate& is_open_anyway)
+{
+  Uv_survey<TriangleMesh> survey;
+  survey.mismatched_edges.reserve(std::size_t(num_edges(tmesh)) / 16); // growing would copy and touch more memory
+  Uv_box box;
+  std::size_t number_of_corners = 0;
+  std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
+  bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
+  const auto range = edges(tmesh);
+  auto ahead = std::begin(range);
+  for(std::size_t i = 0; i < survey_lookahead && ahead != std::end(range); ++i)
+    ++ahead;
+  for(const auto e : range) {
+    if(ahead != std::end(range)) {
+      const auto soon = halfedge(*ahead, tmesh);
+      for(const auto side : {soon, opposite(soon, tmesh)})
+        if(!is_border(side, tmesh)) // else the map need not have a value
+          prefetch(uv_map, prev(side, tmesh));
+      ++ahead;
+    }
+    const auto h = halfedge(e, tmesh);
+    const auto g = opposite(h, tmesh);
+    number_of_digons += std::size_t(is_in_digon(h, tmesh)) + std::size_t(is_in_digon(g, tmesh));
+    if(is_border(h, tmesh) || is_border(g, tmesh)) {
+      for(const auto corner : {h, g})
+        if(!is_border(corner, tmesh)) {
+          ++number_of_corners;
+          box.add(get_uv(uv_map, corner));
+          in_range = in_range && is_in_range(get_uv(uv_map, corner));
+        }
+      continue;
+    }
+    number_of_corners += 2;
+    // Points are compared where they are: copying them first would take as long again.
+    const auto& h_point = get(uv_map, h);
+    const auto& g_point = get(uv_map, g);
+    box.add(Uv{static_cast<double>(h_point.x()), static_cast<double>(h_point.y())},
+            Uv{static_cast<double>(g_point.x()), static_cast<double>(g_point.y())});
+    if(are_equal(h_point, get(uv_map, prev(g, tmesh))) &&
+       are_equal(g_point, get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
+      continue;
+    const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+    survey.mismatched_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
+                                  std::size_t(get(vertex_indices, target(h, tmesh)))}, sides});
+    in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
+  }
+  survey.extent = box.extent();
+  // If faces have at least three corners, all are triangles if there are no more corners than that.
+  // num_faces() counts removed ones too.
+  if(!in_range || number_of_digons > 0 || !box.is_in_range() ||
+     number_of_corners != 3 * std::size_t(faces(tmesh).size()))
+    survey.refusal = find_bad_face(tmesh, uv_map, vertex_indices);
+  return survey;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURVEY_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_PROGRAM_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_PROGRAM_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The exact solution nearest to the input, among those that keep some faces positive: for what single vertices
+// can't repair, such as slivers at cones. A quadratic program over all sectors and the vertices of these faces,
+// with one linearized condition per face. In its dual, the multipliers of the conditions are forces that shift the
+// targets of the faces' corners; so the program has only as many unknowns as faces, needs no neighborhood to be
+// chosen, and the ordinary exact solution for the shifted targets takes its solution to the grid.
+
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
+#include <CGAL/Seamless_snapping/internal/complex/Displacements.h>
+#include <CGAL/Seamless_snapping/internal/linear/nonnegative_program.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Points>
+class Orientation_program
+{
+  using Group = typename Points::Group;
+  using Vectors = Sparse_vectors<Group>;
+  using Response = typename Displacements<Group>::Response;
+
+public:
+  // \param optimum the exact solution for targets that are not shifted
+  Orientation_program(const Points& points, const Complex_solver<Group>& solver,
+                      const Uv_state& optimum)
+    : m_points(points), m_solver(solver), m_optimum(optimum), m_unit(solver.coarsest_step()),
+      m_displacements(points.cuts().complex, solver)
+  { }
+
+  // \param margin the part of its wanted area that each face is to have
+  // \param at where the conditions are linearized
+  // \param forces receives the multiplier of each face
+  bool solve(const std::vector<Face_index>& active, const double margin, const Uv_state& at,
+             Uv_state& result, Eigen::VectorXd& forces) const
+  {
+    std::vector<Condition> conditions;
+    for(const Face_index f : active)
+      conditions.push_back(condition(f, margin, at));
+    const Eigen::Index n = Eigen::Index(conditions.size());
+    Eigen::MatrixXd s(n, n);
+    Eigen::VectorXd missing(n);
+    for(Eigen::Index j = 0; j < n; ++j) {
+      missing[j] = conditions[std::size_t(j)].missing;
+      const Response response = m_displacements(conditions[std::size_t(j)].gradient);
+      for(Eigen::Index i = 0; i < n; ++i)
+        s(i, j) = change(conditions[std::size_t(i)], response);
+    }
+    s = (0.5 * (s + s.transpose())).eval();
+    s.diagonal().array() += 1e-9; // of lengths 1; for conditions that exclude each other
+    forces = minimize_nonnegative(s, missing);
+    if(!forces.allFinite())
+      return false;
+    Vectors shift; // in units
+    for(Eigen::Index i = 0; i < n; ++i)
+      for(const auto& p : conditions[std::size_t(i)].gradient)
+        add(shift, p.first, {{forces[i] * p.second[0], forces[i] * p.second[1]}});
+    Target_shifts<Group> shifts; // of sectors
+    for(const auto& p : shift)
+      if(m_points.is_sector(p.first))
+        shifts[p.first] = {{p.second[0] * m_unit, p.second[1] * m_unit}};
+    if(!m_solver.solve_shifted(shifts, result))
+      return false;
+    set_free_coordinates(shift, result);
+    return true;
+  }
+
+private:
+  // gradient . displacement >= missing, for displacements from the optimum in units. The gradient
+  // has length 1.
+  struct Condition
+  {
+    Vectors gradient; // also the force: the shift of targets in its direction
+    double missing;
+  };
+
+  static void add(Vectors& vectors, const Point_index p, const Uv& d)
+  {
+    for(auto& v : vectors)
+      if(v.first == p) {
+        v.second = {{v.second[0] + d[0], v.second[1] + d[1]}};
+        return;
+      }
+    vectors.emplace_back(p, d);
+  }
+
+  Condition condition(const Face_index f, const double margin, const Uv_state& at) const
+  {
+    const Domain_face& face = m_points.domain_face(f);
+    const Uv_triangle now = m_points.triangle(at, face);
+    Condition result;
+    double by_rounding = 0;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Uv& a = now[(i + 1) % 3];
+      const Uv& b = now[(i + 2) % 3];
+      const Uv g{{(a[1] - b[1]) / m_unit, (b[0] - a[0]) / m_unit}};
+      by_rounding += std::sqrt(dot(g, g)) * (m_points.spacing(face.points[i]) / m_unit);
+      add(result.gradient, face.points[i], g);
+    }
+    const double wanted = wanted_area(face.input, face.was_positive, m_unit);
+    result.missing = (std::max)(margin * wanted, by_rounding) - twice_area(now, m_unit);
+    double square = 0;
+    for(const auto& g : result.gradient) {
+      const Uv here = m_points.uv(at, g.first), there = m_points.uv(m_optimum, g.first);
+      result.missing += dot(g.second, {{(here[0] - there[0]) / m_unit,
+                                        (here[1] - there[1]) / m_unit}});
+      square += dot(g.second, g.second);
+    }
+    const double length = square > 0 ? std::sqrt(square) : 1;
+    result.missing /= length;
+    for(auto& g : result.gradient)
+      g.second = {{g.second[0] / length, g.second[1] / length}};
+    return result;
+  }
+
+  double change(const Condition& condition, const Response& response) const
+  {
+    double result = 0;
+    for(const auto& g : condition.gradient)
+      result += dot(g.second, m_displacements(response, g.first));
+    return result;
+  }
+
+  // What no equation determines moves with its target.
+  void set_free_coordinates(const Vectors& shift, Uv_state& result) const
+  {
+    for(const auto& s : shift) {
+      Uv u = std::size_t(s.first) < result.size() ? m_points.uv(result, s.first)
+                                                  : m_points.uv(m_optimum, s.first);
+      for(std::size_t c = 0; c < 2; ++c)
+        if(!m_displacements.is_dependent(s.first, c))
+          u[c] = rounded_to(m_solver.format(),
+                            m_points.uv(m_optimum, s.first)[c] + s.second[c] * m_unit);
+      m_points.set_uv(result, s.first, u);
+    }
+  }
+
+  const Points& m_points;
+  const Complex_solver<Group>& m_solver;
+  const Uv_state& m_optimum;
+  double m_unit;
+  Displacements<Group> m_displacements;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_PROGRAM_H

@@ -1,0 +1,267 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_REPAIR_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_REPAIR_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The step after the exact solution (Sec. 5.4): finds the faces that lost their positive
+// orientation, exactly, and gives it back to them where an exact solution near by has it.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// First what changes least: moves of single vertices; then, for what they can't repair, the nearest
+// exact solution that keeps the faces.
+template <typename Points, typename HalfedgeUVMap>
+class Orientation_repair
+{
+public:
+  using Group = typename Points::Group;
+
+  // \param repair_flips whether faces that are not positive in the input are to be repaired too
+  Orientation_repair(Points& points, const HalfedgeUVMap& uv_map,
+                     const Complex_solver<Group>& solver, const bool repair_flips)
+    : m_points(points), m_uv_map(uv_map), m_solver(solver), m_watched(m_points),
+      m_move(m_points, solver.format()), m_repair_flips(repair_flips)
+  { }
+
+  // Repairs the coordinates of an exact solution, and keeps them exact.
+  void run(Uv_state& state, Snapping_report& report)
+  {
+    m_reach = largest_move(m_points.cuts(), m_uv_map, state);
+    report.run.largest_change_before_repair = m_reach;
+    watch_within(m_reach);
+    if(m_repair_flips)
+      watch_flips();
+    const std::size_t lost = m_watched.not_positive(state, true).size();
+    const std::size_t flipped = flips(state).size();
+    if(lost == 0 && flipped == 0)
+      return;
+    report.run.number_of_lost_faces = lost;
+    m_largest_repair = (std::max)(largest_growth * (std::max)(m_reach, report.violation_before),
+                                  16 * m_solver.coarsest_step());
+    m_flip_reach = (std::max)(m_largest_repair, largest_reach * report.extent);
+    m_optimum = state;
+    Attempt best{state, {}, {}};
+    make_attempts(best, report);
+    report.lost_faces = m_points.numbers_in_mesh(best.lost);
+    if(m_repair_flips) {
+      report.run.number_of_repaired_flips = flipped - best.flips.size();
+      report.remaining_flips = m_points.numbers_in_mesh(best.flips);
+    }
+    state = std::move(best.state);
+  }
+
+private:
+  using Program = Orientation_program<Points>;
+
+  // Coordinates, the faces that lost their orientation in them, and the flips that remain to be
+  // repaired.
+  struct Attempt
+  {
+    Uv_state state;
+    std::vector<Face_index> lost, flips;
+  };
+
+  void make_attempts(Attempt& best, Snapping_report& report)
+  {
+    std::size_t remaining = report.run.number_of_lost_faces;
+    const auto count = [&](std::size_t& repaired) {
+      repaired += remaining - best.lost.size();
+      remaining = best.lost.size();
+    };
+    best = repaired_by_moves(best.state, m_reach);
+    count(report.run.number_of_faces_repaired_by_moves);
+    if(m_reach > largest_reach * report.extent)
+      return;
+    if(remaining > 0 || !best.flips.empty())
+      repair_by_program(best);
+    count(report.run.number_of_faces_repaired_by_program);
+    if(remaining > 0)
+      best = repaired_by_moves(best.state, m_largest_repair);
+    count(report.run.number_of_faces_repaired_by_moves);
+  }
+
+  void watch_flips()
+  {
+    for(const auto f : faces(m_points.mesh())) {
+      const auto h = halfedge(f, m_points.mesh());
+      if(!is_surely_positive(uv_triangle(m_points.mesh(), m_uv_map, h), 0))
+        m_watched.add(h);
+    }
+  }
+
+  std::vector<Face_index> flips(const Uv_state& state) const
+  {
+    return m_repair_flips ? m_watched.not_positive(state, false) : std::vector<Face_index>();
+  }
+
+  // Faces that snapping costs are to be repaired without larger changes than snapping makes; flips
+  // of the input can be of any size.
+  Attempt repaired_by_moves(const Uv_state& state, const double reach) const
+  {
+    Attempt result{state, {}, {}};
+    result.lost = m_move.repair(m_watched.not_positive(state, true), reach, result.state);
+    result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
+                                 result.state);
+    for(std::vector<Face_index>* faces : {&result.lost, &result.flips}) // others may have saved some
+      faces->erase(std::remove_if(faces->begin(), faces->end(), [&](const Face_index f) {
+                     return m_points.is_positive(result.state, f);
+                   }), faces->end());
+    return result;
+  }
+
+  // Fewer faces that snapping costs come first; flips of the input are repaired at no face's price.
+  static bool is_better(const Attempt& a, const Attempt& b)
+  {
+    return a.lost.size() < b.lost.size() ||
+           (a.flips.size() < b.flips.size() && is_subset(a.lost, b.lost) &&
+            is_subset(a.flips, b.flips));
+  }
+
+  static bool is_subset(std::vector<Face_index> a, std::vector<Face_index> b)
+  {
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return std::includes(b.begin(), b.end(), a.begin(), a.end());
+  }
+
+  // All faces that sectors can turn over if they move that far.
+  void watch_within(const double reach)
+  {
+    if(reach <= m_watched_reach)
+      return;
+    for(const auto h : corners_at_risk(m_points.mesh(), m_points.cuts(), m_uv_map, reach))
+      m_watched.add(h);
+    m_watched_reach = reach;
+  }
+
+  void repair_by_program(Attempt& best)
+  {
+    watch_within(m_largest_repair);
+    const Program program(m_points, m_solver, m_optimum);
+    for(const double reach : {m_reach, m_largest_repair})
+      for(const double margin : area_margins)
+        if(!best.lost.empty())
+          search(program, margin, reach, false, best);
+    for(const double margin : area_margins)
+      if(!best.flips.empty())
+        search(program, margin, m_flip_reach, true, best);
+  }
+
+  // Solves with the conditions of the faces that remain, and again with those of faces that this
+  // costs, linearized at the previous solution.
+  // \param reach the largest change of a coordinate
+  void search(const Program& program, const double margin, const double reach, const bool with_flips,
+              Attempt& best)
+  {
+    std::vector<Face_index> active = best.lost, given_up;
+    if(with_flips)
+      active.insert(active.end(), best.flips.begin(), best.flips.end());
+    Uv_state at = m_optimum, next;
+    Eigen::VectorXd forces;
+    active.resize((std::min)(active.size(), largest_program));
+    for(int idle = 0; idle < 4 && !active.empty() && m_work < largest_work; ++idle) {
+      m_work += active.size();
+      if(!program.solve(active, margin, at, next, forces))
+        return;
+      if(!is_near_input(next, reach)) { // conditions exclude each other: drop that which asks for most
+        Eigen::Index most = 0;
+        forces.maxCoeff(&most);
+        given_up.push_back(active[std::size_t(most)]);
+        active.erase(active.begin() + most);
+        --idle;
+        continue;
+      }
+      watch_within(largest_move(m_points.cuts(), m_uv_map, next));
+      watch_moved_vertices(next);
+      const Attempt attempt = repaired_by_moves(next, m_reach);
+      bool has_changed = is_better(attempt, best);
+      if(has_changed)
+        best = attempt;
+      if(best.lost.empty() && (best.flips.empty() || !with_flips))
+        return;
+      for(const Face_index f : attempt.lost)
+        if(active.size() < largest_program && !contains(active, f) && !contains(given_up, f)) {
+          active.push_back(f);
+          has_changed = true;
+        }
+      idle = has_changed ? -1 : idle;
+      at = next;
+    }
+  }
+
+  static bool contains(const std::vector<Face_index>& faces, const Face_index f)
+  {
+    return std::find(faces.begin(), faces.end(), f) != faces.end();
+  }
+
+  bool is_near_input(const Uv_state& state, const double reach) const
+  {
+    bool result = largest_move(m_points.cuts(), m_uv_map, state) <= reach;
+    for(std::size_t p = m_points.number_of_sectors(); p < state.size(); ++p) {
+      const Uv before = m_points.uv({}, Point_index(p));
+      result = result && std::abs(state[p][0] - before[0]) <= reach &&
+               std::abs(state[p][1] - before[1]) <= reach;
+    }
+    return result;
+  }
+
+  void watch_moved_vertices(const Uv_state& state)
+  {
+    for(std::size_t p = m_points.number_of_sectors(); p < state.size(); ++p)
+      m_points.for_each_face(Point_index(p),
+                             [&](const Face_corner& corner) { m_watched.add(corner.face); });
+  }
+
+  // Repairs may change coordinates by so many times the violation or, where that is larger, the
+  // optimum's largest change.
+  static constexpr double largest_growth = 4;
+  // Of the extent. Where constraints ask for larger changes, linearized orientations mean nothing.
+  static constexpr double largest_reach = 0.01;
+  // Faces of one program, and of all together: what takes some seconds.
+  static constexpr std::size_t largest_program = 1000, largest_work = 4000;
+
+  Points& m_points;
+  const HalfedgeUVMap& m_uv_map;
+  const Complex_solver<Group>& m_solver;
+  Watched_faces<Points> m_watched;
+  Kernel_moves<Points> m_move;
+  bool m_repair_flips;
+  Uv_state m_optimum; // the exact solution for targets that are not shifted
+  std::size_t m_work = 0;
+  // The largest change; that which repairs may make; that of programs for flips of the input; and
+  // that for which all faces are watched.
+  double m_reach = 0, m_largest_repair = 0, m_flip_reach = 0, m_watched_reach = -1;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_REPAIR_H
