@@ -49,6 +49,13 @@ bool record_equal(const A& a, const B& b, const char* expression, const char* fi
 #define CHECK(condition) checking::record(bool(condition), #condition, __FILE__, __LINE__)
 #define CHECK_EQUAL(a, b) checking::record_equal((a), (b), #a " == " #b, __FILE__, __LINE__)
 
+// The same, telling where, as test programs go through many inputs.
+#define CHECK_IN(context, condition)                                                               \
+  do {                                                                                             \
+    if(!CHECK(condition))                                                                          \
+      std::cerr << "    in " << (context) << std::endl;                                            \
+  } while(false)
+
 inline int report_checks()
 {
   std::cout << checking::counts().passed << " passed, " << checking::counts().failed << " failed"

@@ -25,13 +25,6 @@
 #include <string>
 #include <vector>
 
-// A check that tells in which case it failed.
-#define CHECK_IN(context, condition)                                                               \
-  do {                                                                                             \
-    if(!CHECK(condition))                                                                          \
-      std::cerr << "    in " << (context) << std::endl;                                            \
-  } while(false)
-
 namespace surface_checks {
 
 namespace SS = CGAL::Seamless_snapping;
