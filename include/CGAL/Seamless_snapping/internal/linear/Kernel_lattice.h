@@ -17,9 +17,9 @@
 // The Hermite normal form of a sparse integer matrix by unimodular column operations, of which only
 // the operations are kept. Starting with the unit vectors as a basis of Z^n, the lattice is
 // intersected with the kernel of one row after the other. As the basis is reduced all along, its
-// entries stay small, other than those of an eliminated matrix.
+// entries stay small, unlike those of an eliminated matrix.
 
-#include <CGAL/Seamless_snapping/internal/linear/Block_reduction.h>
+#include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
 
 #include <algorithm>

@@ -76,7 +76,7 @@ public:
     long smallest_exponent = (std::numeric_limits<long>::max)();
     std::vector<double> row;
     for(int rounds_left = 3; rounds_left > 0; --rounds_left) {
-      const long exponent = to_scaled_row(difference, m_scale, m_scale.size(), row);
+      const long exponent = to_scaled_row(difference, m_scale, row);
       for(std::size_t i = 0; i < row.size(); ++i)
         row[i] += scaled_by_power(target[i].offset, -exponent) * m_scale[i];
       if(exponent < smallest_exponent) {
@@ -140,7 +140,7 @@ private:
       const Scaled_double factor = nearest_integer(coefficients[j] / r[j], shift);
       if(factor.mantissa == 0 || !std::isfinite(factor.mantissa))
         continue;
-      const Exact_integer z = scaled_integer<Exact_integer>(factor.mantissa, factor.exponent);
+      const Exact_integer z = to_exact_integer(factor);
       add_multiple(point, z, m_basis[j]);
       add_multiple(difference, Exact_integer(-z), m_basis[j]);
       subtract_multiple(coefficients.data(),
@@ -151,7 +151,7 @@ private:
   }
 
   std::vector<double> m_scale; // square roots of the weights
-  Orthogonal_frame<double> m_frame;
+  Orthogonal_frame m_frame;
   std::vector<Vector> m_basis;
 };
 

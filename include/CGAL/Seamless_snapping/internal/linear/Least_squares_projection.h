@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Seamless_snapping/internal/linear/Scaled_double.h>
 
-#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -115,10 +114,12 @@ inline double row_violation(const Integer_system& system, const std::size_t row,
 }
 
 // The linear algebra of the projection, for one set of independent rows.
-// Invariant: the normal matrix of the rows is factorized, unless it is too dense.
+// Invariant: the normal matrix M^T M of the rows is factorized, where M holds them as columns, or, where
+// unknowns that many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
 class Least_squares_projection
 {
   using Matrix = Eigen::SparseMatrix<double>;
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Vector = Eigen::VectorXd;
 
 public:
@@ -133,10 +134,9 @@ public:
     if(m_row_indices.empty())
       return;
     set_rows(system);
-    const Matrix normal = normal_matrix();
-    if(normal.rows() == m_rows.cols())
-      m_cholesky.compute(normal);
-    m_is_factorized = normal.rows() == m_rows.cols() && m_cholesky.info() == Eigen::Success;
+    const Rows by_unknown(m_rows);
+    m_is_augmented = number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
+    m_factors.compute(m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown));
   }
 
   std::size_t number_of_rows() const { return m_row_indices.size(); }
@@ -165,9 +165,7 @@ public:
       return difference;
     const Vector scaled = difference.cwiseQuotient(m_scales);
     const Vector r = m_rows.transpose() * scaled;
-    const Vector correction = m_is_factorized ? Vector(m_rows * m_cholesky.solve(r))
-                                              : shortest_solution(r);
-    return m_scales.cwiseProduct(scaled - correction);
+    return m_scales.cwiseProduct(scaled - (m_is_augmented ? shortest_solution(r) : solve(r)));
   }
 
 private:
@@ -196,22 +194,41 @@ private:
     m_rows.finalize();
   }
 
-  // The lower triangle of M^T M, where M are the rows as columns, or an empty matrix where unknowns
-  // shared by many rows make it too dense.
-  Matrix normal_matrix() const
+  static std::size_t number_of_products(const Rows& by_unknown)
   {
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> by_unknown(m_rows);
-    const int* const begin = by_unknown.outerIndexPtr();
-    std::size_t size = 0;
+    std::size_t result = 0;
     for(Eigen::Index j = 0; j < by_unknown.outerSize(); ++j) {
-      const std::size_t count = std::size_t(begin[j + 1] - begin[j]);
-      size += count * (count + 1) / 2;
+      const int* const begin = by_unknown.outerIndexPtr() + j;
+      const std::size_t count = std::size_t(begin[1] - begin[0]);
+      result += count * (count + 1) / 2;
     }
-    if(size > 100 * std::size_t(m_rows.nonZeros()) + 1000000)
-      return Matrix();
+    return result;
+  }
 
+  // The lower triangle of (I M; M^T -d).
+  Matrix augmented_matrix(const Rows& by_unknown) const
+  {
+    constexpr double d = 1e-8; // refinement makes up for it
+    const int n = int(m_rows.rows()), size = n + int(m_rows.cols());
+    Matrix result(size, size);
+    result.reserve(m_rows.nonZeros() + size);
+    for(int j = 0; j < size; ++j) {
+      result.startVec(j);
+      result.insertBackByOuterInner(j, j) = j < n ? 1 : -d;
+      if(j < n)
+        for(Rows::InnerIterator e(by_unknown, j); e; ++e)
+          result.insertBackByOuterInner(j, n + int(e.col())) = e.value();
+    }
+    result.finalize();
+    return result;
+  }
+
+  // The lower triangle of M^T M.
+  Matrix normal_matrix(const Rows& by_unknown) const
+  {
+    const int* const begin = by_unknown.outerIndexPtr();
     Matrix result(m_rows.cols(), m_rows.cols());
-    result.reserve(Eigen::Index(size));
+    result.reserve(4 * m_rows.nonZeros());
     std::vector<double> sums(std::size_t(m_rows.cols()), 0.);
     std::vector<int> last_use(std::size_t(m_rows.cols()), -1), used;
     for(int i = 0; i < int(m_rows.cols()); ++i) {
@@ -237,19 +254,23 @@ private:
     return result;
   }
 
-  // The shortest y with M^T y = r.
+  // The shortest y with M^T y = r, up to rounding and what d does.
+  Vector solve(const Vector& r) const
+  {
+    if(!m_is_augmented)
+      return m_rows * m_factors.solve(r);
+    Vector right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
+    right_hand_side.tail(r.size()) = -r;
+    return m_rows * m_factors.solve(right_hand_side).tail(r.size());
+  }
+
+  // The same, refined.
   Vector shortest_solution(const Vector& r) const
   {
-    if(m_is_factorized) {
-      Vector y = m_rows * m_cholesky.solve(r);
-      y += m_rows * m_cholesky.solve(Vector(r - m_rows.transpose() * y)); // one refinement
-      if(y.allFinite())
-        return y;
-    }
-    const Matrix rows = m_rows.transpose();
-    Eigen::LeastSquaresConjugateGradient<Matrix> iterative(rows);
-    iterative.setTolerance(1e-12);
-    const Vector y = iterative.solve(r);
+    constexpr int rounds_of_augmented = 10;
+    Vector y = solve(r);
+    for(int round = m_is_augmented ? rounds_of_augmented : 1; round > 0; --round)
+      y += solve(Vector(r - m_rows.transpose() * y));
     return y.allFinite() ? y : Vector::Zero(m_rows.rows());
   }
 
@@ -257,8 +278,8 @@ private:
   Vector m_scales; // 1/sqrt(w)
   Vector m_row_scales;
   Matrix m_rows; // as columns
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> m_cholesky;
-  bool m_is_factorized = false;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> m_factors;
+  bool m_is_augmented = false;
 };
 
 } // namespace internal
