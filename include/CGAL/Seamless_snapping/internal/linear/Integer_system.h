@@ -92,6 +92,13 @@ public:
     : m_number_of_columns(number_of_columns), m_row_begin(1, 0)
   { }
 
+  void reserve(const std::size_t number_of_rows, const std::size_t number_of_entries)
+  {
+    m_entries.reserve(number_of_entries);
+    m_row_begin.reserve(number_of_rows + 1);
+    m_right_hand_side.reserve(number_of_rows);
+  }
+
   // \pre the entries are sorted by column, and all numbers fit
   void add_row(const Entry<std::int64_t>* first, const Entry<std::int64_t>* last,
                const std::int64_t b)

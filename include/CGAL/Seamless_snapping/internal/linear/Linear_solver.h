@@ -72,6 +72,7 @@ public:
     m_figures.number_of_constraints = system.system.number_of_rows();
     m_figures.number_of_eliminations = 1;
     find_components(system.system);
+    m_solvers.reserve(m_columns.size());
     for(std::size_t c = 0; c < m_columns.size(); ++c) {
       std::vector<double> component_weights;
       std::vector<bool> is_representable;
@@ -227,6 +228,10 @@ private:
     Integer_system result(m_columns[c].size());
     const int halvings = common_number_of_halvings(system, m_rows[c]);
     result.set_right_hand_scale(system.right_hand_scale() - halvings);
+    std::size_t number_of_entries = 0;
+    for(const std::size_t i : m_rows[c])
+      number_of_entries += std::size_t(system.end(i) - system.begin(i));
+    result.reserve(m_rows[c].size(), number_of_entries);
     Entries<std::int64_t> row;
     for(const std::size_t i : m_rows[c])
       if(system.is_small(i)) {

@@ -76,6 +76,12 @@ public:
     const std::size_t size = number_of_columns();
     form.pivot_rows = Integer_system(size);
     form.core_rows = Integer_system(size);
+    std::size_t number_of_entries = 0;
+    for(const Pivot& pivot : m_pivots)
+      number_of_entries += row(pivot.row).size();
+    form.pivot_rows.reserve(m_pivots.size(), number_of_entries);
+    form.pivot_columns.reserve(m_pivots.size());
+    form.rows_with_pivot.reserve(m_pivots.size());
     for(const Pivot& pivot : m_pivots) {
       add_row(pivot.row, form.pivot_rows);
       form.pivot_columns.push_back(pivot.column);
