@@ -667,6 +667,16 @@ void test_file(const std::string& path)
             << report.linear_solver.coefficient_bits << " bits" << std::endl;
 }
 
+// Lattices of a hundred dimensions, made of numbers that exceed 64 bits, take minutes without fplll.
+bool needs_fplll(const std::string& path)
+{
+#ifdef CGAL_USE_FPLLL
+  return path.empty();
+#else
+  return path.find("random_560x700_8") != std::string::npos;
+#endif
+}
+
 void test_files()
 {
 #ifdef SEAMLESS_SNAPPING_DATA_DIR
@@ -678,8 +688,14 @@ void test_files()
       if(entry.path().extension() == ".mtx")
         paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
+  std::size_t number_of_skipped_files = 0;
   for(const std::string& path : paths)
-    test_file(path);
+    if(needs_fplll(path))
+      ++number_of_skipped_files;
+    else
+      test_file(path);
+  if(number_of_skipped_files > 0)
+    std::cout << number_of_skipped_files << " system(s) skipped: without fplll" << std::endl;
   if(!paths.empty())
     return;
 #endif
