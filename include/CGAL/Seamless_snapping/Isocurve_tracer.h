@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
 #include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
@@ -76,13 +77,13 @@ public:
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Isocurve_tracer(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                   const NamedParameters& np = CGAL::parameters::default_values())
-    : m_builder(tmesh)
+    : m_numbering(tmesh)
   {
     const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
     const auto seams = seam_transitions(tmesh, uv_map, np);
     m_is_valid = bool(seams);
     if(m_is_valid)
-      m_mesh = m_builder.build(uv_map, seams);
+      m_mesh = internal::build_chart_mesh(tmesh, m_numbering, uv_map, seams);
   }
 
   /// returns `true` if the mesh is triangular and its parametrization seamless up to the tolerance.
@@ -101,7 +102,8 @@ public:
   bool is_singular(const vertex_descriptor v) const
   {
     check_validity();
-    return m_mesh.is_singular[m_builder.vertex(v)] != 0;
+    const internal::Flat_vertex_index i = m_numbering.vertex(v);
+    return i != internal::no_index && m_mesh.is_singular[std::size_t(i)] != 0;
   }
 
   /*!
@@ -115,7 +117,10 @@ public:
   {
     check_validity();
     std::vector<std::pair<Start, Isocurve_direction> > result;
-    for(const internal::Vertex_ray& ray : internal::rays_from_vertex(m_mesh, m_builder.vertex(v)))
+    const internal::Flat_vertex_index i = m_numbering.vertex(v);
+    if(i == internal::no_index)
+      return result;
+    for(const internal::Vertex_ray& ray : internal::rays_from_vertex(m_mesh, std::size_t(i)))
       result.emplace_back(Start::at_vertex(halfedge(ray.corner)),
                           Isocurve_direction(ray.direction));
     return result;
@@ -150,7 +155,7 @@ public:
   {
     check_validity();
     std::vector<Curve> curves;
-    for(const vertex_descriptor v : m_builder.vertices_in_order())
+    for(const vertex_descriptor v : m_numbering.vertices_in_order())
       if(is_singular(v))
         for(const auto& [start, direction] : outgoing(v)) {
           curves.emplace_back();
@@ -167,7 +172,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const internal::Chart_mesh& chart_mesh() const { return m_mesh; }
-  const internal::Chart_mesh_builder<TriangleMesh>& correspondence() const { return m_builder; }
+  const internal::Flat_numbering<TriangleMesh>& correspondence() const { return m_numbering; }
   /// \endcond
 
 private:
@@ -198,11 +203,11 @@ private:
     result.near = near_distance(np);
     const auto target = get_parameter(np, np_tags::target_vertex);
     if constexpr(!std::is_same_v<std::decay_t<decltype(target)>, np_tags::Param_not_found>)
-      result.limits.target = m_builder.vertex(target);
+      result.limits.target = std::size_t(m_numbering.vertex(target));
     const auto is_stop = get_parameter(np, np_tags::vertex_is_constrained);
     if constexpr(!std::is_same_v<std::decay_t<decltype(is_stop)>, np_tags::Param_not_found>)
       result.limits.is_stop = [this, is_stop](const std::size_t v) -> bool
-      { return get(is_stop, m_builder.vertices_in_order()[v]); };
+      { return get(is_stop, m_numbering.vertices_in_order()[v]); };
     return result;
   }
 
@@ -229,7 +234,7 @@ private:
     }
     const bool at_vertex = start.place == Isocurve_place::VERTEX;
     internal::Floating_point_decisions decisions(
-      m_mesh, options.limits, at_vertex ? m_builder.corner(start.halfedge) : internal::no_index,
+      m_mesh, options.limits, at_vertex ? m_numbering.corner(start.halfedge) : internal::no_index,
       int(direction), options.near);
     return trace_with(decisions, start, direction, options);
   }
@@ -276,7 +281,7 @@ private:
     using Level = typename Decisions::Level;
     const std::size_t c = internal::constant_component(direction);
     typename Decisions::State state;
-    state.halfedge = m_builder.corner(start.halfedge);
+    state.halfedge = m_numbering.corner(start.halfedge);
     CGAL_precondition_msg(state.halfedge != internal::no_index,
                           "the halfedge that an isocurve starts at must have a face");
     state.direction = direction;
@@ -330,9 +335,9 @@ private:
   }
 
   halfedge_descriptor halfedge(const internal::Corner_index h) const
-  { return m_builder.halfedges_of_corners()[std::size_t(h)]; }
+  { return m_numbering.halfedges_of_corners()[std::size_t(h)]; }
 
-  internal::Chart_mesh_builder<TriangleMesh> m_builder;
+  internal::Flat_numbering<TriangleMesh> m_numbering;
   internal::Chart_mesh m_mesh;
   bool m_is_valid = false;
 };

@@ -14,12 +14,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A parametrized mesh in plain arrays: what the tracer walks on. It doesn't depend on the mesh data
-// structure, and any number of threads can read it.
+// A parametrized mesh in plain arrays: what isocurves are traced on.
 
-#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <array>
 #include <cstddef>
@@ -30,17 +30,10 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Halfedges with a face: 3 f, 3 f + 1, 3 f + 2 are those of face f, in turn.
-using Corner_index = std::int32_t;
-using Chart_vertex_index = std::int32_t;
-constexpr std::int32_t no_index = -1;
-
-struct Chart_corner
+struct Chart_corner : Flat_corner
 {
-  Uv uv;                                // of the target of the halfedge
-  Corner_index opposite = no_index;     // no_index: the other side is the border
-  std::int32_t transition = no_index;   // no_index: the same coordinates on both sides
-  Chart_vertex_index vertex = no_index; // the target
+  Uv uv;                              // of the target of the halfedge
+  std::int32_t transition = no_index; // no_index: the same coordinates on both sides
 };
 
 // u' = R u + t, from the face of a halfedge to the opposite one. The translation is that of the
@@ -51,45 +44,23 @@ struct Chart_transition
   std::array<Exact_difference, 2> translation;
 };
 
-struct Chart_mesh
+// Invariant: an interior halfedge has a transition if and only if its two sides have different
+// coordinates or charts.
+struct Chart_mesh : Flat_mesh<Chart_corner>
 {
-  std::vector<Chart_corner> corners;
   std::vector<Chart_transition> transitions;
-  std::vector<Corner_index> corner_at_vertex; // one that points to it; no_index if it is isolated
-  std::vector<char> is_border;                // per vertex
-  std::vector<char> is_singular;              // per vertex
-  double extent = 0;
-  double violation = 0;
-  bool is_exact = true;
+  std::vector<char> is_singular; // per vertex
+  double extent = 0;             // the larger side of the bounding box of the coordinates
+  double violation = 0;          // the largest one of a transition
+  bool is_exact = true;          // all transitions hold exactly
 
-  static Corner_index next(const Corner_index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Corner_index prev(const Corner_index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
-  const Chart_corner& corner(const Corner_index h) const { return corners[std::size_t(h)]; }
   const Uv& uv(const Corner_index h) const { return corner(h).uv; }
-  Corner_index opposite(const Corner_index h) const { return corner(h).opposite; }
-  std::size_t vertex(const Corner_index h) const { return std::size_t(corner(h).vertex); }
 
   int rotation(const Corner_index h) const
   {
     const std::int32_t t = corner(h).transition;
     return t == no_index ? 0 : transitions[std::size_t(t)].rotation;
   }
-
-  // One number for both halfedges of an edge.
-  Corner_index edge_key(const Corner_index h) const
-  {
-    const Corner_index g = opposite(h);
-    return (g == no_index || h < g) ? h : g;
-  }
-
-  // The next corners around the same vertex, or no_index at the border.
-  Corner_index counterclockwise(const Corner_index h) const
-  {
-    const Corner_index g = opposite(h);
-    return g == no_index ? no_index : prev(g);
-  }
-  Corner_index clockwise(const Corner_index h) const { return opposite(next(h)); }
 };
 
 } // namespace internal

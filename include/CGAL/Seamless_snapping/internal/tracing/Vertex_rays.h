@@ -102,10 +102,7 @@ inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corn
 inline std::vector<Vertex_ray> rays_from_vertex(const Chart_mesh& mesh, const std::size_t vertex)
 {
   std::vector<Vertex_ray> rays;
-  if(mesh.corner_at_vertex[vertex] == no_index)
-    return rays;
-  int unused = 0;
-  const Corner_index start = first_corner(mesh, mesh.corner_at_vertex[vertex], unused);
+  const Corner_index start = mesh.corner_at_vertex[vertex];
   Corner_index corner = start;
   do {
     const std::size_t begin = rays.size();
