@@ -146,18 +146,6 @@ std::ostream& operator<<(std::ostream& os, const Parameterization_report<VertexD
   return os;
 }
 
-namespace internal {
-namespace parameterization {
-
-// Thrown by the steps of the construction and caught by the public function.
-struct Failure
-{
-  Parameterization_status status;
-  std::string message;
-};
-
-} // namespace parameterization
-} // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 

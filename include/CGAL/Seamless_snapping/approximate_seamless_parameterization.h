@@ -19,8 +19,8 @@
 
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Default_solver.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Seamless_parameterizer.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Supernodal_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/read_surface.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -40,18 +40,18 @@ namespace parameterization {
 
 // The indices that the caller prescribes; border vertices have none.
 template <typename TriangleMesh, typename ConeIndexMap>
-std::vector<int> read_cones(const Mesh_indexing<TriangleMesh>& indexing,
+std::vector<int> read_cones(const Flat_numbering<TriangleMesh>& numbering,
                             const Triangle_surface& surface, const ConeIndexMap cone_index)
 {
   std::vector<int> index(surface.number_of_vertices, 0);
   for(std::size_t v = 0; v < index.size(); ++v)
     if(!surface.is_border[v])
-      index[v] = static_cast<int>(get(cone_index, indexing.vertices[v]));
+      index[v] = static_cast<int>(get(cone_index, numbering.vertices_in_order()[v]));
   return index;
 }
 
 template <typename TriangleMesh, typename NamedParameters>
-Parameterization_options read_options(const Mesh_indexing<TriangleMesh>& indexing,
+Parameterization_options read_options(const Flat_numbering<TriangleMesh>& numbering,
                                       const Triangle_surface& surface, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
@@ -67,20 +67,20 @@ Parameterization_options read_options(const Mesh_indexing<TriangleMesh>& indexin
   options.random_seed = static_cast<unsigned int>(
     choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_index_t>::value)
-    options.cone_index = read_cones(indexing, surface, get_parameter(np, internal_np::cone_index));
+    options.cone_index = read_cones(numbering, surface, get_parameter(np, internal_np::cone_index));
   check_options(options, surface);
   return options;
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap>
-void write_coordinates(const Mesh_indexing<TriangleMesh>& indexing,
+void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
                        const Parameterization_result& result, HalfedgeUVMap uv_map)
 {
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
-  for(std::size_t h = 0; h < indexing.halfedges.size(); ++h) {
+  for(std::size_t h = 0; h < numbering.halfedges_of_corners().size(); ++h) {
     const std::array<double, 2>& uv = result.uv[result.sector[h]];
-    put(uv_map, indexing.halfedges[h], Point_2(FT(uv[0]), FT(uv[1])));
+    put(uv_map, numbering.halfedges_of_corners()[h], Point_2(FT(uv[0]), FT(uv[1])));
   }
 }
 
@@ -94,27 +94,26 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
   using Solver = typename internal_np::Lookup_named_param_def<
-    internal_np::sparse_linear_solver_t, NamedParameters, Supernodal_solver_traits>::type;
+    internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
 
-  Mesh_indexing<TriangleMesh> indexing;
-  Triangle_surface surface = read_connectivity(tmesh, indexing);
-  find_fans(surface);
+  const Flat_numbering<TriangleMesh> numbering(tmesh);
+  Triangle_surface surface = read_connectivity(tmesh, numbering);
   find_components(surface);
-  read_geometry(indexing,
+  read_geometry(numbering,
                 choose_parameter(get_parameter(np, internal_np::vertex_point),
                                  get_const_property_map(CGAL::vertex_point, tmesh)),
                 surface);
-  read_alignment(tmesh, indexing,
+  read_alignment(tmesh, numbering,
                  choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                   CGAL::Static_boolean_property_map<Edge, false>()),
                  choose_parameter(get_parameter(np, internal_np::align_border), false),
                  surface);
-  const Parameterization_options options = read_options(indexing, surface, np);
+  const Parameterization_options options = read_options(numbering, surface, np);
   const Parameterization_result result = parameterize<Solver, FT>(surface, options, report);
-  write_coordinates(indexing, result, uv_map);
+  write_coordinates(numbering, result, uv_map);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)
-      report.cones.emplace_back(indexing.vertices[v], result.cone_index[v]);
+      report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
 }
 
 } // namespace parameterization
@@ -220,13 +219,13 @@ report.
     \cgalParamDescription{an object whose type is used, default constructed, for all sparse systems;
                           they are symmetric and positive definite}
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
-    \cgalParamDefault{a multifrontal Cholesky factorization that comes with the package and needs
-                      \ref thirdpartyEigen "Eigen"}
-    \cgalParamExtra{Any direct solver for such systems that \ref thirdpartyEigen "Eigen" offers can
-                    be used through `CGAL::Eigen_solver_traits`, for example
-                    `Eigen::CholmodSupernodalLLT` where SuiteSparse is installed (see \ref
-                    Seamless_snapping/parameterize_with_suitesparse.cpp). With the reference BLAS,
-                    this took 2.8 times as long as the default.}
+    \cgalParamDefault{Where the macro `CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE` is defined,
+                      `CGAL::Eigen_solver_traits` of `Eigen::CholmodDecomposition`, which needs
+                      \ref thirdpartyEigen "Eigen" and SuiteSparse; elsewhere that of
+                      `Eigen::SimplicialLDLT`, which needs \ref thirdpartyEigen "Eigen" alone.}
+    \cgalParamExtra{The CMake target `Seamless_snapping::SuiteSparse_support` defines the macro and
+                    links SuiteSparse. With it and OpenBLAS, meshes of 100,000 faces take a third of
+                    the time; with the reference BLAS, nothing is gained.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -54,8 +54,7 @@ struct Flat_mesh
 
   Corner_index number_of_halfedges() const { return Corner_index(corners.size()); }
   Flat_face_index number_of_faces() const { return number_of_halfedges() / 3; }
-  Flat_vertex_index number_of_vertices() const
-  { return Flat_vertex_index(corner_at_vertex.size()); }
+  std::size_t number_of_vertices() const { return corner_at_vertex.size(); }
 
   const Corner& corner(const Corner_index h) const { return corners[std::size_t(h)]; }
   Corner_index opposite(const Corner_index h) const { return corner(h).opposite; }

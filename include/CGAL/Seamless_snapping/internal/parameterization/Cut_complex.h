@@ -60,20 +60,20 @@ public:
     : m_surface(surface)
     , m_is_cut(is_cut)
     , m_rotation(rotation)
-    , m_sector(surface.number_of_halfedges(), no_index)
-    , m_branch(surface.number_of_halfedges(), no_index)
+    , m_sector(surface.number_of_halfedges(), none)
+    , m_branch(surface.number_of_halfedges(), none)
     , m_is_forward(surface.number_of_halfedges(), false)
-    , m_is_node(surface.number_of_vertices, false)
+    , m_is_node(surface.number_of_vertices(), false)
   {
     find_nodes();
     find_branches();
-    for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
       add_sectors(v);
   }
 
   std::size_t number_of_vectors() const
   {
-    return m_surface.number_of_vertices + m_number_of_branches;
+    return m_surface.number_of_vertices() + m_number_of_branches;
   }
 
   std::size_t number_of_branches() const { return m_number_of_branches; }
@@ -87,10 +87,10 @@ private:
   // Branches end on the border, at cones, and wherever not exactly two cut edges meet.
   void find_nodes()
   {
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v) {
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v) {
       std::size_t degree = 0;
       int turns = 0;
-      for_each_corner(m_surface, v, [&](const std::size_t h) {
+      for_each_corner(m_surface, v, [&](const Corner_index h) {
         degree += m_is_cut[h] ? 1 : 0;
         turns += m_rotation[h];
       });
@@ -101,48 +101,48 @@ private:
   void find_branches()
   {
     for(const bool only_from_nodes : {true, false})
-      for(std::size_t h = 0; h < m_surface.number_of_halfedges(); ++h)
-        if(m_is_cut[h] && m_branch[h] == no_index
+      for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
+        if(m_is_cut[h] && m_branch[h] == none
            && (!only_from_nodes || m_is_node[m_surface.source(h)]))
           follow_branch(h);
   }
 
   // Both ends of an edge see the same transition, and so do the two edges at a vertex that is no
   // node: one translation is enough for the branch.
-  void follow_branch(std::size_t h)
+  void follow_branch(Corner_index h)
   {
-    while(m_branch[h] == no_index) {
-      const std::size_t o = m_surface.opposite[h];
+    while(m_branch[h] == none) {
+      const Corner_index o = m_surface.opposite(h);
       m_branch[h] = m_branch[o] = m_number_of_branches;
       m_is_forward[h] = true;
-      if(m_is_node[m_surface.target[h]])
+      if(m_is_node[m_surface.vertex(h)])
         break;
       h = m_surface.next(h);
       while(!m_is_cut[h])
-        h = m_surface.next(m_surface.opposite[h]);
+        h = m_surface.next(m_surface.opposite(h));
     }
     ++m_number_of_branches;
   }
 
   // Across `h` from the chart of its face, whose coordinates are `x`: R^k x + t; backwards on the
   // branch the translation is -R^k t.
-  Rotated_sum across(const std::size_t h, const Rotated_sum& x) const
+  Rotated_sum across(const Corner_index h, const Rotated_sum& x) const
   {
     Rotated_sum result = rotated(x, m_rotation[h]);
-    result.emplace_back(m_surface.number_of_vertices + m_branch[h],
+    result.emplace_back(m_surface.number_of_vertices() + m_branch[h],
                         m_is_forward[h] ? 0 : (m_rotation[h] + 2) % 4);
     return result;
   }
 
   void add_sectors(const std::size_t v)
   {
-    const std::size_t start = first_corner_of_sector(v);
-    std::size_t h = start;
+    const Corner_index start = first_corner_of_sector(v);
+    Corner_index h = start;
     Rotated_sum x{{v, 0}};
     m_position.push_back(x);
     while(true) {
       m_sector[h] = m_position.size() - 1;
-      const std::size_t following = m_surface.next_corner(h);
+      const Corner_index following = m_surface.counterclockwise(h);
       const bool is_last = (following == no_index || following == start);
       if(following != no_index && m_is_cut[h]) {
         x = across(h, x);
@@ -157,14 +157,14 @@ private:
     }
   }
 
-  std::size_t first_corner_of_sector(const std::size_t v) const
+  Corner_index first_corner_of_sector(const std::size_t v) const
   {
-    std::size_t start = m_surface.first_corner[v];
+    Corner_index start = m_surface.corner_at_vertex[v];
     if(m_surface.is_border[v])
       return start;
-    for_each_corner(m_surface, v, [&](const std::size_t h) {
+    for_each_corner(m_surface, v, [&](const Corner_index h) {
       if(m_is_cut[h])
-        start = m_surface.next_corner(h);
+        start = m_surface.counterclockwise(h);
     });
     return start;
   }

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -36,8 +37,8 @@ class Shortest_paths
 public:
   explicit Shortest_paths(const Triangle_surface& surface)
     : m_surface(surface)
-    , m_distance(surface.number_of_vertices, (std::numeric_limits<double>::max)())
-    , m_entered_by(surface.number_of_vertices, no_index)
+    , m_distance(surface.number_of_vertices(), (std::numeric_limits<double>::max)())
+    , m_entered_by(surface.number_of_vertices(), no_index)
   { }
 
   void add_source(const std::size_t v)
@@ -47,7 +48,7 @@ public:
     m_queue.emplace(0., v);
   }
 
-  // Settles vertices until `stop(v)`, and returns that one; `no_index` when all are settled.
+  // Settles vertices until `stop(v)`, and returns that one; `none` when all are settled.
   template <typename Stop>
   std::size_t run(const Stop& stop)
   {
@@ -60,32 +61,32 @@ public:
       if(stop(v))
         return v;
     }
-    return no_index;
+    return none;
   }
 
   double distance(const std::size_t v) const { return m_distance[v]; }
 
   // A halfedge of the last edge on the path to `v`; its other end is the vertex before.
-  std::size_t entered_by(const std::size_t v) const { return m_entered_by[v]; }
+  Corner_index entered_by(const std::size_t v) const { return m_entered_by[v]; }
 
   std::size_t predecessor(const std::size_t v) const
   {
-    const std::size_t h = m_entered_by[v];
-    return m_surface.target[h] == v ? m_surface.source(h) : m_surface.target[h];
+    const Corner_index h = m_entered_by[v];
+    return m_surface.vertex(h) == v ? m_surface.source(h) : m_surface.vertex(h);
   }
 
 private:
   void relax_neighbors(const std::size_t v)
   {
-    for_each_corner(m_surface, v, [&](const std::size_t h) {
+    for_each_corner(m_surface, v, [&](const Corner_index h) {
       relax(v, m_surface.source(h), h);
-      const std::size_t out = m_surface.next(h); // has no corner at `v` along the border
+      const Corner_index out = m_surface.next(h); // has no corner at `v` along the border
       if(m_surface.is_border_edge(out))
-        relax(v, m_surface.target[out], out);
+        relax(v, m_surface.vertex(out), out);
     });
   }
 
-  void relax(const std::size_t from, const std::size_t to, const std::size_t h)
+  void relax(const std::size_t from, const std::size_t to, const Corner_index h)
   {
     const double d = m_distance[from] + m_surface.length[h];
     if(d < m_distance[to]) {
@@ -98,7 +99,7 @@ private:
   using Entry = std::pair<double, std::size_t>;
   const Triangle_surface& m_surface;
   std::vector<double> m_distance;
-  std::vector<std::size_t> m_entered_by;
+  std::vector<Corner_index> m_entered_by;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > m_queue;
 };
 
@@ -120,18 +121,14 @@ public:
   {
     Shortest_paths paths(m_surface);
     std::vector<char> has_source(m_surface.number_of_components, false);
-    const auto component = [&](const std::size_t v)
-    {
-      return m_surface.component[m_surface.face(m_surface.first_corner[v])];
-    };
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
       if(m_is_reached[v]) {
-        has_source[component(v)] = true;
+        has_source[m_surface.component_of_vertex(v)] = true;
         paths.add_source(v);
       }
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v)
-      if(is_cone[v] && !has_source[component(v)]) {
-        has_source[component(v)] = true;
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
+      if(is_cone[v] && !has_source[m_surface.component_of_vertex(v)]) {
+        has_source[m_surface.component_of_vertex(v)] = true;
         m_is_reached[v] = true;
         paths.add_source(v);
       }
@@ -140,7 +137,7 @@ public:
     {
       return is_cone[v] && !m_is_reached[v];
     };
-    for(std::size_t v = paths.run(is_unreached_cone); v != no_index;
+    for(std::size_t v = paths.run(is_unreached_cone); v != none;
         v = paths.run(is_unreached_cone)) {
       while(!m_is_reached[v]) {
         m_is_reached[v] = true;
@@ -155,11 +152,11 @@ public:
   const std::vector<char>& is_cut() const { return m_is_cut; }
 
 private:
-  void cut(const std::size_t h)
+  void cut(const Corner_index h)
   {
     m_is_cut[h] = true;
     if(!m_surface.is_border_edge(h))
-      m_is_cut[m_surface.opposite[h]] = true;
+      m_is_cut[m_surface.opposite(h)] = true;
   }
 
   // A system of short loops, and paths between border loops: with T the shortest paths from the
@@ -169,69 +166,68 @@ private:
   {
     Shortest_paths paths(m_surface);
     std::vector<char> has_source(m_surface.number_of_components, false);
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
       if(m_surface.is_border[v])
         add_root(v, paths, has_source);
-    for(std::size_t f = 0; f < m_surface.number_of_faces; ++f)
+    for(Flat_face_index f = 0; f < m_surface.number_of_faces(); ++f)
       if(!has_source[m_surface.component[f]])
-        add_root(m_surface.target[3 * f], paths, has_source);
+        add_root(m_surface.vertex(3 * f), paths, has_source);
     paths.run([](std::size_t) { return false; });
 
     std::vector<char> is_reached = m_surface.is_border;
-    for(const std::size_t h : edges_outside_of_trees(paths)) {
+    for(const Corner_index h : edges_outside_of_trees(paths)) {
       cut(h);
-      for(std::size_t v : {m_surface.source(h), m_surface.target[h]})
+      for(std::size_t v : {m_surface.source(h), m_surface.vertex(h)})
         for(; !is_reached[v] && paths.entered_by(v) != no_index; v = paths.predecessor(v)) {
           is_reached[v] = true;
           cut(paths.entered_by(v));
         }
     }
     prune();
-    for(std::size_t h = 0; h < m_surface.number_of_halfedges(); ++h)
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
       if(m_is_cut[h])
-        m_is_reached[m_surface.target[h]] = true;
+        m_is_reached[m_surface.vertex(h)] = true;
   }
 
   void add_root(const std::size_t v, Shortest_paths& paths, std::vector<char>& has_source) const
   {
-    has_source[m_surface.component[m_surface.face(m_surface.first_corner[v])]] = true;
+    has_source[m_surface.component_of_vertex(v)] = true;
     paths.add_source(v);
   }
 
-  std::vector<std::size_t> edges_outside_of_trees(const Shortest_paths& paths) const
+  std::vector<Corner_index> edges_outside_of_trees(const Shortest_paths& paths) const
   {
     std::vector<char> in_tree(m_surface.number_of_halfedges(), false);
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v) {
-      const std::size_t h = paths.entered_by(v);
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v) {
+      const Corner_index h = paths.entered_by(v);
       if(h == no_index)
         continue;
       in_tree[h] = true;
       if(!m_surface.is_border_edge(h))
-        in_tree[m_surface.opposite[h]] = true;
+        in_tree[m_surface.opposite(h)] = true;
     }
 
-    std::vector<std::pair<double, std::size_t> > candidates;
-    for(std::size_t h = 0; h < m_surface.number_of_halfedges(); ++h)
+    std::vector<std::pair<double, Corner_index> > candidates;
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
       if(m_surface.represents_edge(h) && !m_surface.is_border_edge(h) && !in_tree[h])
         candidates.emplace_back(-(paths.distance(m_surface.source(h))
-                                  + paths.distance(m_surface.target[h]) + m_surface.length[h]), h);
+                                  + paths.distance(m_surface.vertex(h)) + m_surface.length[h]), h);
     std::sort(candidates.begin(), candidates.end());
 
-    std::vector<std::size_t> parent(m_surface.number_of_faces);
-    for(std::size_t f = 0; f < parent.size(); ++f)
-      parent[f] = f;
-    const auto root = [&parent](std::size_t f)
+    std::vector<Flat_face_index> parent(m_surface.number_of_faces());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](Flat_face_index f)
     {
       while(parent[f] != f)
         f = parent[f] = parent[parent[f]];
       return f;
     };
 
-    std::vector<std::size_t> remaining;
+    std::vector<Corner_index> remaining;
     for(const auto& candidate : candidates) {
-      const std::size_t h = candidate.second;
-      const std::size_t f = root(m_surface.face(h));
-      const std::size_t g = root(m_surface.face(m_surface.opposite[h]));
+      const Corner_index h = candidate.second;
+      const Flat_face_index f = root(m_surface.face(h));
+      const Flat_face_index g = root(m_surface.face(m_surface.opposite(h)));
       if(f == g)
         remaining.push_back(h);
       parent[f] = g;
@@ -242,15 +238,15 @@ private:
   // Removes dead ends in the interior: the common part of the two paths of a loop.
   void prune()
   {
-    std::vector<std::size_t> degree(m_surface.number_of_vertices, 0), stack;
-    for(std::size_t h = 0; h < m_surface.number_of_halfedges(); ++h)
+    std::vector<std::size_t> degree(m_surface.number_of_vertices(), 0), stack;
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
       if(m_is_cut[h])
-        ++degree[m_surface.target[h]];
+        ++degree[m_surface.vertex(h)];
     const auto is_dead_end = [&](const std::size_t v)
     {
       return degree[v] == 1 && !m_surface.is_border[v];
     };
-    for(std::size_t v = 0; v < m_surface.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
       if(is_dead_end(v))
         stack.push_back(v);
     while(!stack.empty()) {
@@ -258,10 +254,10 @@ private:
       stack.pop_back();
       if(!is_dead_end(v))
         continue;
-      for_each_corner(m_surface, v, [&](const std::size_t h) {
+      for_each_corner(m_surface, v, [&](const Corner_index h) {
         if(!m_is_cut[h])
           return;
-        m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = false;
+        m_is_cut[h] = m_is_cut[m_surface.opposite(h)] = false;
         const std::size_t w = m_surface.source(h);
         --degree[v];
         --degree[w];

@@ -71,7 +71,7 @@ inline void add_closing_rows(const Cut_complex::Closing& closing, std::vector<Sp
 // The kind of isocurve that an edge lies on: 0 for constant u, 1 for constant v; whichever is
 // closer to its direction in the field.
 inline std::size_t constant_coordinate(const Triangle_surface& surface,
-                                       const std::vector<double>& angles, const std::size_t h)
+                                       const std::vector<double>& angles, const Corner_index h)
 {
   const double turns = (surface.direction[h] - angles[surface.face(h)]) / quarter_turn;
   return std::lround(turns) % 2 == 0 ? 1 : 0;
@@ -82,7 +82,7 @@ inline std::vector<Sparse_row> alignment_rows(const Triangle_surface& surface,
                                               const Cut_complex& complex)
 {
   std::vector<Sparse_row> rows;
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(!surface.is_aligned[h] || !surface.represents_edge(h))
       continue;
     const std::size_t c = constant_coordinate(surface, angles, h);
@@ -99,12 +99,12 @@ inline std::vector<Sparse_row> anchor_rows(const Triangle_surface& surface)
 {
   std::vector<Sparse_row> rows;
   std::vector<char> has_anchor(surface.number_of_components, false);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     if(has_anchor[surface.component[f]])
       continue;
     has_anchor[surface.component[f]] = true;
     for(std::size_t c = 0; c < 2; ++c)
-      rows.push_back(coordinate_row({{surface.target[3 * f], 0}}, c));
+      rows.push_back(coordinate_row({{surface.vertex(3 * f), 0}}, c));
   }
   return rows;
 }
@@ -118,7 +118,7 @@ public:
                    const Cut_complex& complex)
     : m_complex(complex)
     , m_elimination(2 * complex.number_of_vectors())
-    , m_index(2 * complex.number_of_vectors(), no_index)
+    , m_index(2 * complex.number_of_vectors(), none)
   {
     std::vector<Sparse_row> rows;
     for(const Cut_complex::Closing& closing : complex.closings())

@@ -17,7 +17,7 @@
 // Matching of the crosses of adjacent faces, the indices of vertices that follow from it, and the
 // index theorem.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 
 #include <cmath>
@@ -43,17 +43,17 @@ struct Matching
 // The left hand side of the invariant; transports there and back add up to a full turn, which one
 // of the halfedges has to leave out.
 inline double turn_across(const Triangle_surface& surface, const std::vector<double>& angles,
-                          const std::size_t h)
+                          const Corner_index h)
 {
   const double transport = surface.represents_edge(h) ? surface.transport(h)
-                                                      : -surface.transport(surface.opposite[h]);
-  return angles[surface.face(h)] + transport - angles[surface.face(surface.opposite[h])];
+                                                      : -surface.transport(surface.opposite(h));
+  return angles[surface.face(h)] + transport - angles[surface.face(surface.opposite(h))];
 }
 
 inline void set_rotation(const Triangle_surface& surface, const std::vector<double>& angles,
-                         const std::size_t h, const int rotation, Matching& matching)
+                         const Corner_index h, const int rotation, Matching& matching)
 {
-  const std::size_t o = surface.opposite[h];
+  const Corner_index o = surface.opposite(h);
   matching.rotation[h] = rotation;
   matching.deviation[h] = turn_across(surface, angles, h) - rotation * quarter_turn;
   matching.rotation[o] = -matching.rotation[h];
@@ -70,9 +70,9 @@ inline int nearest_rotation(const double angle)
 // Matches each direction with the closest one.
 inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles)
 {
-  const std::size_t n = surface.number_of_halfedges();
+  const Corner_index n = surface.number_of_halfedges();
   Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
-  for(std::size_t h = 0; h < n; ++h)
+  for(Corner_index h = 0; h < n; ++h)
     if(surface.represents_edge(h) && !surface.is_border_edge(h))
       set_rotation(surface, angles, h, nearest_rotation(turn_across(surface, angles, h)), matching);
   return matching;
@@ -83,7 +83,7 @@ struct Topology
 {
   std::vector<std::ptrdiff_t> euler_characteristic; // per component
   std::vector<std::size_t> border_loops;            // per component
-  std::vector<std::size_t> loop_of_vertex;          // border vertices only, else no_index
+  std::vector<std::size_t> loop_of_vertex;          // border vertices only, else none
   std::size_t number_of_loops = 0;
 };
 
@@ -92,20 +92,20 @@ inline Topology topology(const Triangle_surface& surface)
   Topology result;
   result.euler_characteristic.assign(surface.number_of_components, 0);
   result.border_loops.assign(surface.number_of_components, 0);
-  result.loop_of_vertex.assign(surface.number_of_vertices, no_index);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  result.loop_of_vertex.assign(surface.number_of_vertices(), none);
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     ++result.euler_characteristic[surface.component[f]];
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     if(surface.represents_edge(h))
       --result.euler_characteristic[surface.component[surface.face(h)]];
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
-    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+    const std::size_t c = surface.component_of_vertex(v);
     ++result.euler_characteristic[c];
-    if(!surface.is_border[v] || result.loop_of_vertex[v] != no_index)
+    if(!surface.is_border[v] || result.loop_of_vertex[v] != none)
       continue;
     // The outgoing edge of the first corner of a border vertex is a border edge.
-    for(std::size_t w = v; result.loop_of_vertex[w] == no_index;
-        w = surface.target[surface.next(surface.first_corner[w])])
+    for(std::size_t w = v; result.loop_of_vertex[w] == none;
+        w = surface.vertex(surface.next(surface.corner_at_vertex[w])))
       result.loop_of_vertex[w] = result.number_of_loops;
     ++result.number_of_loops;
     ++result.border_loops[c];
@@ -126,13 +126,13 @@ inline Singularities singularities(const Triangle_surface& surface, const Topolo
                                    const Matching& matching)
 {
   std::vector<double> turns = angle_defects(surface);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
-    turns[surface.target[h]] -= matching.deviation[h];
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    turns[surface.vertex(h)] -= matching.deviation[h];
 
   Singularities result;
-  result.index.assign(surface.number_of_vertices, 0);
+  result.index.assign(surface.number_of_vertices(), 0);
   std::vector<double> loop_turns(topo.number_of_loops, 0);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
     if(surface.is_border[v])
       loop_turns[topo.loop_of_vertex[v]] += turns[v] / quarter_turn;
     else
@@ -150,10 +150,10 @@ inline bool spread_large_indices(const Triangle_surface& surface, const std::vec
 {
   bool changed = false;
   std::vector<int>& index = singular.index;
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     while(index[v] >= 4) {
-      std::size_t best = no_index; // the neighbor of the smallest index, but not along a feature
-      for_each_corner(surface, v, [&](const std::size_t h) {
+      Corner_index best = no_index; // the neighbor of the smallest index, but not along a feature
+      for_each_corner(surface, v, [&](const Corner_index h) {
         const std::size_t w = surface.source(h);
         if(!surface.is_aligned[h] && index[w] < 3
            && (best == no_index || index[w] < index[surface.source(best)]))
@@ -176,8 +176,8 @@ inline void check_index_theorem(const Triangle_surface& surface, const Topology&
 {
   std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
   std::vector<char> loop_is_counted(topo.number_of_loops, false);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
-    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+    const std::size_t c = surface.component_of_vertex(v);
     if(surface.is_border[v]) {
       const std::size_t loop = topo.loop_of_vertex[v];
       if(!loop_is_counted[loop])
@@ -186,7 +186,7 @@ inline void check_index_theorem(const Triangle_surface& surface, const Topology&
       continue;
     }
     int rotation = 0;
-    for_each_corner(surface, v, [&](const std::size_t h) { rotation += matching.rotation[h]; });
+    for_each_corner(surface, v, [&](const Corner_index h) { rotation += matching.rotation[h]; });
     if((rotation - singular.index[v]) % 4 != 0)
       throw Failure{Parameterization_status::INTERNAL_ERROR,
                     "the index of a vertex does not match the rotations around it"};

@@ -16,11 +16,11 @@
 
 // The whole construction on flat arrays, one line a step.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_graph.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
@@ -85,7 +85,7 @@ inline void check_options(const Parameterization_options& options, const Triangl
 template <typename Report>
 void report_topology(const Triangle_surface& surface, const Topology& topo, Report& report)
 {
-  report.number_of_faces = surface.number_of_faces;
+  report.number_of_faces = surface.number_of_faces();
   report.number_of_components = surface.number_of_components;
   report.number_of_border_loops = topo.number_of_loops;
   for(std::size_t c = 0; c < surface.number_of_components; ++c) {
@@ -107,18 +107,18 @@ void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
     report.extent = (std::max)(report.extent, (*highest)[c] - (*lowest)[c]);
   }
 
-  const auto difference = [&](const std::size_t h)
+  const auto difference = [&](const Corner_index h)
   {
     const auto& p = uv[complex.sector(h)];
     const auto& q = uv[complex.sector(surface.prev(h))];
     return std::array<double, 2>{p[0] - q[0], p[1] - q[1]};
   };
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(!is_cut[h] || !surface.represents_edge(h))
       continue;
     ++report.number_of_cut_edges;
     const auto d = rotation_matrix(rotation[h])(difference(h));
-    const auto e = difference(surface.opposite[h]);
+    const auto e = difference(surface.opposite(h));
     for(std::size_t c = 0; c < 2; ++c)
       report.violation = (std::max)(report.violation, std::abs(d[c] + e[c]));
   }
@@ -162,7 +162,7 @@ Coordinates solve_with_stiffening(const Triangle_surface& surface,
 {
   const Free_coordinates coordinates(surface, angles, complex);
   const Coordinate_table table(coordinates, complex.number_of_sectors());
-  std::vector<double> weights(surface.number_of_faces, 1);
+  std::vector<double> weights(surface.number_of_faces(), 1);
   Coordinates best;
   for(long round = 0; ; ++round) {
     Coordinates uv;
@@ -235,7 +235,7 @@ Parameterization_result parameterize(const Triangle_surface& surface,
                                             options.number_of_stiffening_rounds, report);
   int exponent = 0;
   round_coordinates<FT>(std::frexp(options.target_edge_length, &exponent), result.uv);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     result.sector.push_back(complex.sector(h));
     report.number_of_aligned_edges += (surface.is_aligned[h] && surface.represents_edge(h)) ? 1 : 0;
   }

@@ -16,7 +16,7 @@
 
 // A sparse symmetric positive definite linear system, behind the solver interface of CGAL.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 
 #include <CGAL/Real_timer.h>
 

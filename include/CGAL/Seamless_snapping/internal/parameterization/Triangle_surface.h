@@ -14,9 +14,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A triangle mesh as flat arrays: connectivity, and the intrinsic geometry (lengths, angles, one
-// plane layout per face) that all steps of the parametrization work on. The steps know nothing of
-// the mesh type of the caller.
+// A triangle mesh in plain arrays with its intrinsic geometry: lengths, angles, and a plane layout of
+// each face, on which all steps of the parametrization work.
+
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,91 +30,53 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-constexpr std::size_t no_index = static_cast<std::size_t>(-1);
+constexpr std::size_t none = static_cast<std::size_t>(-1); // of vertices, components, unknowns
 constexpr double pi = 3.14159265358979323846;
 constexpr double quarter_turn = pi / 2;
 
-// Invariant: halfedge `3 f + i` is the i-th of face `f`, counterclockwise. As elsewhere in the
-// package it stands for the corner of `f` at its target.
-struct Triangle_surface
+// Invariant: the triangles are not degenerate, and the angles, areas and directions are those of
+// triangles with the given lengths.
+struct Triangle_surface : Flat_mesh<Flat_corner>
 {
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_faces = 0;
   std::size_t number_of_components = 0;
   int exponent = 0; // lengths are those of the mesh times 2^-exponent, far from over- and underflow
 
   // per halfedge
-  std::vector<std::size_t> target;
-  std::vector<std::size_t> opposite; // `no_index` along the border
   std::vector<double> length;
-  std::vector<double> angle;         // of the corner
-  std::vector<double> direction;     // of the halfedge, in the plane layout of its face
-  std::vector<double> bending;       // signed dihedral angle, positive if convex; 0 on the border
-  std::vector<char> is_aligned;      // the edge is to lie on an isocurve (equal for both halfedges)
+  std::vector<double> angle;     // of the corner
+  std::vector<double> direction; // of the halfedge, in the plane layout of its face
+  std::vector<double> bending;   // signed dihedral angle, positive if convex; 0 on the border
+  std::vector<char> is_aligned;  // the edge is to lie on an isocurve (equal for both halfedges)
 
   // per face
   std::vector<double> area;
   std::vector<std::size_t> component;
 
-  // per vertex: an incoming halfedge; along the border, that of the first face in
-  // counterclockwise order
-  std::vector<std::size_t> first_corner;
-  std::vector<char> is_border;
-
-  static std::size_t face(const std::size_t h) { return h / 3; }
-  static std::size_t next(const std::size_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::size_t prev(const std::size_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
-  std::size_t number_of_halfedges() const { return target.size(); }
-  std::size_t source(const std::size_t h) const { return target[prev(h)]; }
-  bool is_border_edge(const std::size_t h) const { return opposite[h] == no_index; }
+  std::size_t component_of_vertex(const std::size_t v) const
+  { return component[face(corner_at_vertex[v])]; }
 
   // A place in the mesh for messages: faces are counted in the order of `faces(tmesh)`.
   std::string describe_vertex(const std::size_t v) const
   {
-    return "a vertex of face " + std::to_string(face(first_corner[v]));
+    return "a vertex of face " + std::to_string(face(corner_at_vertex[v]));
   }
-
-  // One halfedge stands for each edge.
-  bool represents_edge(const std::size_t h) const { return is_border_edge(h) || h < opposite[h]; }
-
-  // The corner that follows counterclockwise at the same vertex, across `h`.
-  std::size_t next_corner(const std::size_t h) const
-  {
-    return is_border_edge(h) ? no_index : prev(opposite[h]);
-  }
-
-  // The corner that precedes it, across the outgoing edge of the face.
-  std::size_t previous_corner(const std::size_t h) const { return opposite[next(h)]; }
 
   // A direction at angle `a` in the layout of face(h) has the angle `a + transport(h)` in that of
   // the face across `h`: unfold the two faces along the edge.
-  double transport(const std::size_t h) const
+  double transport(const Corner_index h) const
   {
-    return direction[opposite[h]] + pi - direction[h];
+    return direction[opposite(h)] + pi - direction[h];
   }
 };
-
-// Calls `function(corner)` for the corners of vertex `v` in counterclockwise order.
-template <typename Function>
-void for_each_corner(const Triangle_surface& surface, const std::size_t v, const Function& function)
-{
-  const std::size_t first = surface.first_corner[v];
-  std::size_t h = first;
-  do {
-    function(h);
-    h = surface.next_corner(h);
-  } while(h != no_index && h != first);
-}
 
 // The curvature concentrated at each vertex: what the angles lack of 2 pi, or of pi on the border.
 inline std::vector<double> angle_defects(const Triangle_surface& surface)
 {
-  std::vector<double> defect(surface.number_of_vertices);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  std::vector<double> defect(surface.number_of_vertices());
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     defect[v] = surface.is_border[v] ? pi : 2 * pi;
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
-    defect[surface.target[h]] -= surface.angle[h];
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    defect[surface.vertex(h)] -= surface.angle[h];
   return defect;
 }
 
@@ -124,7 +87,7 @@ inline std::vector<double> component_means(const Triangle_surface& surface,
 {
   std::vector<double> mean(surface.number_of_components, 0), count(mean);
   for(std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t c = surface.component[i * surface.number_of_faces / values.size()];
+    const std::size_t c = surface.component[i * surface.number_of_faces() / values.size()];
     mean[c] += values[i];
     ++count[c];
   }
@@ -140,8 +103,8 @@ inline void lay_out_faces(Triangle_surface& surface)
   using S = Triangle_surface;
   surface.angle.resize(surface.number_of_halfedges());
   surface.direction.resize(surface.number_of_halfedges());
-  surface.area.resize(surface.number_of_faces);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  surface.area.resize(surface.number_of_faces());
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double a = surface.length[h], b = surface.length[S::next(h)];
     const double c = surface.length[S::prev(h)];
     // Kahan's formula for half of the angle: stable for needles.
@@ -150,8 +113,8 @@ inline void lay_out_faces(Triangle_surface& surface)
     surface.angle[h] = 2 * std::atan2(std::sqrt((std::max)(numerator, 0.)),
                                       std::sqrt((std::max)(denominator, 0.)));
   }
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
-    const std::size_t h = 3 * f;
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
+    const Corner_index h = 3 * f;
     surface.direction[h] = 0;
     surface.direction[h + 1] = pi - surface.angle[h];
     surface.direction[h + 2] = surface.direction[h + 1] + pi - surface.angle[h + 1];
@@ -170,13 +133,13 @@ inline void mollify_lengths(Triangle_surface& surface)
   for(double& m : mean)
     m = (m > 0) ? m : largest_mean; // all points of the component coincide
   std::vector<double> increase(surface.number_of_components, 0);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double slack = surface.length[h] + surface.length[S::next(h)]
                          - surface.length[S::prev(h)];
     const std::size_t c = surface.component[S::face(h)];
     increase[c] = (std::max)(increase[c], 1e-6 * mean[c] - slack);
   }
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     surface.length[h] += increase[surface.component[S::face(h)]];
 }
 
@@ -186,18 +149,18 @@ template <typename MayCross, typename Visit>
 void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross& may_cross,
                                  const Visit& visit)
 {
-  std::vector<char> is_visited(surface.number_of_faces, false);
-  std::vector<std::size_t> queue;
-  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
+  std::vector<char> is_visited(surface.number_of_faces(), false);
+  std::vector<Flat_face_index> queue;
+  for(Flat_face_index seed = 0; seed < surface.number_of_faces(); ++seed) {
     if(is_visited[seed])
       continue;
     is_visited[seed] = true;
     queue.assign(1, seed);
     for(std::size_t i = 0; i < queue.size(); ++i)
-      for(std::size_t h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+      for(Corner_index h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
         if(surface.is_border_edge(h) || !may_cross(h))
           continue;
-        const std::size_t g = surface.face(surface.opposite[h]);
+        const Flat_face_index g = surface.face(surface.opposite(h));
         if(is_visited[g])
           continue;
         is_visited[g] = true;

@@ -16,7 +16,7 @@
 
 // Combing: turns the crosses by quarter turns until they agree across all edges but the cuts.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 
@@ -33,21 +33,21 @@ namespace parameterization {
 inline void comb(const Triangle_surface& surface, const std::vector<char>& is_cut,
                  std::vector<double>& angles, Matching& matching)
 {
-  std::vector<int> turns(surface.number_of_faces, 0);
+  std::vector<int> turns(surface.number_of_faces(), 0);
   for_each_edge_of_face_trees(
-    surface, [&](const std::size_t h) { return !is_cut[h]; },
-    [&](const std::size_t h) {
-      turns[surface.face(surface.opposite[h])] =
+    surface, [&](const Corner_index h) { return !is_cut[h]; },
+    [&](const Corner_index h) {
+      turns[surface.face(surface.opposite(h))] =
         (turns[surface.face(h)] + matching.rotation[h]) % 4;
     });
 
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     angles[f] += turns[f] * quarter_turn;
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(surface.is_border_edge(h))
       continue;
     int& rotation = matching.rotation[h];
-    rotation += turns[surface.face(h)] - turns[surface.face(surface.opposite[h])];
+    rotation += turns[surface.face(h)] - turns[surface.face(surface.opposite(h))];
     rotation = ((rotation % 4) + 4) % 4;
     if(rotation != 0 && !is_cut[h])
       throw Failure{Parameterization_status::INTERNAL_ERROR,

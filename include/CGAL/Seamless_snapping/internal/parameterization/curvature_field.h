@@ -36,20 +36,20 @@ namespace parameterization {
 inline Prescribed_field principal_crosses(const Triangle_surface& surface)
 {
   const std::vector<double> mean_length = component_means(surface, surface.length);
-  std::vector<Complex> bending(surface.number_of_faces, 0);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+  std::vector<Complex> bending(surface.number_of_faces(), 0);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     bending[surface.face(h)] += surface.bending[h] * surface.length[h]
                                 * std::polar(1., 2 * surface.direction[h]);
 
-  Prescribed_field crosses(surface.number_of_faces);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+  Prescribed_field crosses(surface.number_of_faces());
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     // A single face is a noisy estimate: its neighbors are taken into account.
     Complex sum = bending[f];
     double area = surface.area[f];
-    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+    for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
       if(surface.is_border_edge(h))
         continue;
-      const std::size_t o = surface.opposite[h], g = surface.face(o);
+      const Corner_index o = surface.opposite(h), g = surface.face(o);
       sum += bending[g] * std::polar(1., 2 * surface.transport(o));
       area += surface.area[g];
     }

@@ -17,7 +17,7 @@
 // A field with cones where the caller wants them: the trivial connection of [Crane, Desbrun,
 // Schroeder 2010] with handles rounded to quarter turns.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
@@ -40,12 +40,12 @@ inline void check_prescribed_indices(const Triangle_surface& surface, const Topo
                                      const std::vector<int>& index)
 {
   std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
     if(index[v] >= 4)
       throw Failure{Parameterization_status::INVALID_CONES,
                     surface.describe_vertex(v) + " is to have the index "
                     + std::to_string(index[v]) + ": from 4 on, no angle is left for its faces"};
-    sum[surface.component[surface.face(surface.first_corner[v])]] += index[v];
+    sum[surface.component_of_vertex(v)] += index[v];
   }
   for(std::size_t c = 0; c < surface.number_of_components; ++c) {
     const std::ptrdiff_t expected = 4 * topo.euler_characteristic[c];
@@ -63,44 +63,44 @@ template <typename Solver>
 std::vector<double> deviation_of_cones(const Triangle_surface& surface,
                                        const std::vector<int>& index, double& seconds)
 {
-  std::vector<std::size_t> unknown(surface.number_of_vertices, no_index);
+  std::vector<std::size_t> unknown(surface.number_of_vertices(), none);
   std::vector<char> has_border(surface.number_of_components, false);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     if(surface.is_border[v])
-      has_border[surface.component[surface.face(surface.first_corner[v])]] = true;
+      has_border[surface.component_of_vertex(v)] = true;
   std::size_t count = 0;
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
-    const std::size_t c = surface.component[surface.face(surface.first_corner[v])];
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+    const std::size_t c = surface.component_of_vertex(v);
     if(!has_border[c])
       has_border[c] = true; // one value of a closed component is arbitrary: also 0
     else if(!surface.is_border[v])
       unknown[v] = count++;
   }
 
-  const auto weight = [&](const std::size_t h) { return 1 / dual_weight(surface, h); };
+  const auto weight = [&](const Corner_index h) { return 1 / dual_weight(surface, h); };
   Sparse_system<Solver> system(count, seconds);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
-    const std::size_t i = unknown[surface.target[h]], j = unknown[surface.source(h)];
-    if(surface.is_border_edge(h) || i == no_index)
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const std::size_t i = unknown[surface.vertex(h)], j = unknown[surface.source(h)];
+    if(surface.is_border_edge(h) || i == none)
       continue;
     system.add(i, i, weight(h));
-    if(j != no_index)
+    if(j != none)
       system.add(i, j, -weight(h));
   }
   system.factor();
 
   const std::vector<double> defect = angle_defects(surface);
   std::vector<double> b(count, 0);
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
-    if(unknown[v] != no_index)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    if(unknown[v] != none)
       b[unknown[v]] = defect[v] - index[v] * quarter_turn;
   const std::vector<double> x = system.solve(b);
 
   std::vector<double> deviation(surface.number_of_halfedges(), 0);
-  const auto potential = [&](std::size_t v) { return unknown[v] == no_index ? 0 : x[unknown[v]]; };
-  for(std::size_t h = 0; h < deviation.size(); ++h)
+  const auto potential = [&](std::size_t v) { return unknown[v] == none ? 0 : x[unknown[v]]; };
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     if(!surface.is_border_edge(h))
-      deviation[h] = weight(h) * (potential(surface.target[h]) - potential(surface.source(h)));
+      deviation[h] = weight(h) * (potential(surface.vertex(h)) - potential(surface.source(h)));
   return deviation;
 }
 
@@ -110,11 +110,11 @@ template <typename Solver>
 void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>& angles,
                             Matching& matching, double& seconds)
 {
-  Sparse_system<Solver> system(surface.number_of_faces, seconds);
-  std::vector<double> b(surface.number_of_faces, 0);
+  Sparse_system<Solver> system(surface.number_of_faces(), seconds);
+  std::vector<double> b(surface.number_of_faces(), 0);
   std::vector<char> has_anchor(surface.number_of_components, false);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
-    const std::size_t f = surface.face(h);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Flat_face_index f = surface.face(h);
     if(!has_anchor[surface.component[f]])
       system.add(f, f, 1);
     has_anchor[surface.component[f]] = true;
@@ -122,16 +122,16 @@ void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>
       continue;
     const double weight = dual_weight(surface, h);
     system.add(f, f, weight);
-    system.add(f, surface.face(surface.opposite[h]), -weight);
+    system.add(f, surface.face(surface.opposite(h)), -weight);
     b[f] -= weight * matching.deviation[h];
   }
   system.factor();
   const std::vector<double> turn = system.solve(b);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     angles[f] += turn[f];
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     if(!surface.is_border_edge(h))
-      matching.deviation[h] += turn[surface.face(h)] - turn[surface.face(surface.opposite[h])];
+      matching.deviation[h] += turn[surface.face(h)] - turn[surface.face(surface.opposite(h))];
 }
 
 template <typename Solver>

@@ -37,7 +37,7 @@ using Coordinates = std::vector<std::array<double, 2> >; // per sector
 // What the field wants the uv difference along halfedge `h` to be.
 inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
                                                const std::vector<double>& angles,
-                                               const std::size_t h)
+                                               const Corner_index h)
 {
   const double angle = surface.direction[h] - angles[surface.face(h)];
   return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
@@ -88,7 +88,7 @@ Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<dou
   Sparse_system<Solver> system(coordinates.number_of_unknowns(), seconds);
   std::vector<double> right_hand_side(coordinates.number_of_unknowns(), 0);
   Sparse_row row;
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double opposite_angle = surface.angle[surface.next(h)];
     const double weight = weights[surface.face(h)] / std::tan(opposite_angle);
     const std::array<double, 2> wanted = wanted_difference(surface, angles, h);
@@ -107,7 +107,7 @@ Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<dou
 
 // Twice the area of face `f` in the plane.
 inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv,
-                              const std::size_t f)
+                              const Flat_face_index f)
 {
   const auto& p = uv[complex.sector(3 * f)];
   const auto& q = uv[complex.sector(3 * f + 1)];
@@ -119,7 +119,7 @@ inline std::size_t number_of_flips(const Triangle_surface& surface, const Cut_co
                                    const Coordinates& uv)
 {
   std::size_t count = 0;
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     count += doubled_uv_area(complex, uv, f) > 0 ? 0 : 1;
   return count;
 }
@@ -129,9 +129,9 @@ inline std::size_t number_of_flips(const Triangle_surface& surface, const Cut_co
 inline std::vector<double> distortion(const Triangle_surface& surface, const Cut_complex& complex,
                                       const Coordinates& uv)
 {
-  std::vector<double> result(surface.number_of_faces);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
-    const std::size_t h = 3 * f;
+  std::vector<double> result(surface.number_of_faces());
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
+    const Corner_index h = 3 * f;
     const auto& p = uv[complex.sector(h)];
     const auto& q = uv[complex.sector(h + 1)];
     const auto& s = uv[complex.sector(h + 2)];
@@ -154,21 +154,21 @@ inline void stiffen(const Triangle_surface& surface, const Cut_complex& complex,
 {
   constexpr double largest_increase = 5, factor_of_flips = 2;
   const std::vector<double> lambda = distortion(surface, complex, uv);
-  std::vector<char> is_near_flip(surface.number_of_faces, false);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+  std::vector<char> is_near_flip(surface.number_of_faces(), false);
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     const bool is_flipped = !(doubled_uv_area(complex, uv, f) > 0);
     is_near_flip[f] = is_near_flip[f] || is_flipped;
     double laplacian = 0;
-    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+    for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
       if(surface.is_border_edge(h))
         continue;
-      const std::size_t g = surface.face(surface.opposite[h]);
+      const Flat_face_index g = surface.face(surface.opposite(h));
       laplacian += lambda[g] - lambda[f];
       is_near_flip[g] = is_near_flip[g] || is_flipped;
     }
     weights[f] += (std::min)(std::abs(laplacian), largest_increase);
   }
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     if(is_near_flip[f])
       weights[f] *= factor_of_flips;
 }

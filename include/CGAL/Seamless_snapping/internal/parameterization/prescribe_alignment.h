@@ -16,7 +16,7 @@
 
 // The directions that alignment prescribes to the field, face by face.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 
 #include <cmath>
@@ -45,18 +45,18 @@ constexpr double narrow_sector = 50 * pi / 180;
 // Turns the crosses of the faces in a sector to 45 degrees of its bisector, so that the edges at
 // its two sides are taken for one isocurve of each kind.
 inline void open_sector(const Triangle_surface& surface,
-                        const std::size_t first_corner, // outgoing edge: the first side
+                        const Corner_index first_corner, // outgoing edge: the first side
                         const std::size_t number_of_corners,
                         const double sector_angle,
                         Prescribed_field& field)
 {
-  std::size_t h = first_corner;
+  Corner_index h = first_corner;
   double direction = surface.direction[surface.next(h)] + sector_angle / 2 - quarter_turn / 2;
   for(std::size_t i = 0; i < number_of_corners; ++i) {
     field[surface.face(h)] = cross_of_angle(direction);
     if(i + 1 < number_of_corners) {
       direction += surface.transport(h);
-      h = surface.next_corner(h);
+      h = surface.counterclockwise(h);
     }
   }
 }
@@ -66,20 +66,21 @@ inline void open_sector(const Triangle_surface& surface,
 inline void open_sectors(const Triangle_surface& surface, const std::size_t v,
                          Prescribed_field& field)
 {
-  std::size_t first = no_index; // a corner whose outgoing edge is aligned
-  for_each_corner(surface, v, [&](const std::size_t h) {
+  Corner_index first = no_index; // a corner whose outgoing edge is aligned
+  for_each_corner(surface, v, [&](const Corner_index h) {
     if(first == no_index && surface.is_aligned[surface.next(h)])
       first = h;
   });
   if(first == no_index)
     return;
 
-  std::size_t start = first, count = 0, h = first;
+  Corner_index start = first, h = first;
+  std::size_t count = 0;
   double sector_angle = 0;
   do {
     ++count;
     sector_angle += surface.angle[h];
-    const std::size_t following = surface.next_corner(h);
+    const Corner_index following = surface.counterclockwise(h);
     if(surface.is_aligned[h]) {
       const bool is_whole_turn = (following == start); // a single aligned edge ends here
       if(!is_whole_turn && (count == 1 || sector_angle < narrow_sector))
@@ -94,10 +95,10 @@ inline void open_sectors(const Triangle_surface& surface, const std::size_t v,
 
 inline Prescribed_field prescribe_alignment(const Triangle_surface& surface)
 {
-  Prescribed_field field(surface.number_of_faces, 0);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+  Prescribed_field field(surface.number_of_faces(), 0);
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     std::size_t count = 0;
-    for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+    for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
       if(surface.is_aligned[h]) {
         ++count;
         field[f] = cross_of_angle(surface.direction[h]);
@@ -108,7 +109,7 @@ inline Prescribed_field prescribe_alignment(const Triangle_surface& surface)
                     "all three edges of face " + std::to_string(f) + " are to be aligned, which "
                     "would collapse it: split the face or release an edge"};
   }
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     open_sectors(surface, v, field);
   return field;
 }

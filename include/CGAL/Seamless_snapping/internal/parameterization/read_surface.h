@@ -14,13 +14,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Reads a mesh of any type into a Triangle_surface, and refuses what is no triangulated 2-manifold.
+// Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated manifold.
 
-#include <CGAL/Seamless_snapping/Parameterization_report.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -35,100 +34,39 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-// Which halfedge and which vertex of the mesh an index of the Triangle_surface stands for.
+// The connectivity of a mesh, whose indices are those of `numbering`.
 template <typename TriangleMesh>
-struct Mesh_indexing
+Triangle_surface read_connectivity(const TriangleMesh& tmesh,
+                                   const Flat_numbering<TriangleMesh>& numbering)
 {
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-};
-
-// Vertices without a face get no index: they have no corner, and so no part in a parametrization.
-template <typename TriangleMesh>
-Triangle_surface read_connectivity(const TriangleMesh& tmesh, Mesh_indexing<TriangleMesh>& indexing)
-{
-  using Halfedge_index = CGAL::dynamic_halfedge_property_t<std::size_t>;
-  using Vertex_index = CGAL::dynamic_vertex_property_t<std::size_t>;
-  const auto halfedge_index = get(Halfedge_index(), tmesh);
-  const auto vertex_index = get(Vertex_index(), tmesh);
-  for(const auto v : vertices(tmesh))
-    put(vertex_index, v, no_index);
-
-  for(const auto f : faces(tmesh)) {
-    std::size_t degree = 0;
-    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      put(halfedge_index, h, indexing.halfedges.size());
-      indexing.halfedges.push_back(h);
-      ++degree;
-    }
-    if(degree != 3)
-      throw Failure{Parameterization_status::NOT_TRIANGULAR,
-                    "face " + std::to_string((indexing.halfedges.size() - degree) / 3) + " has "
-                    + std::to_string(degree) + " edges: triangulate the faces of the mesh first"};
-  }
-
-  if(indexing.halfedges.empty())
-    throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};
-
   Triangle_surface surface;
-  for(const auto h : indexing.halfedges) {
-    const auto v = target(h, tmesh);
-    if(get(vertex_index, v) == no_index) {
-      put(vertex_index, v, indexing.vertices.size());
-      indexing.vertices.push_back(v);
-    }
-    const auto o = opposite(h, tmesh);
-    surface.target.push_back(get(vertex_index, v));
-    surface.opposite.push_back(CGAL::is_border(o, tmesh) ? no_index : get(halfedge_index, o));
-  }
-  surface.number_of_faces = indexing.halfedges.size() / 3;
-  surface.number_of_vertices = indexing.vertices.size();
+  if(const auto defect = read_flat_mesh(tmesh, numbering, surface))
+    throw Failure{defect->kind == Mesh_defect::NOT_TRIANGULAR
+                    ? Parameterization_status::NOT_TRIANGULAR
+                    : Parameterization_status::NOT_MANIFOLD,
+                  defect->message};
+  if(surface.corners.empty())
+    throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};
   return surface;
-}
-
-// Finds the first corner of each vertex, and checks that all others follow from it.
-inline void find_fans(Triangle_surface& surface)
-{
-  surface.first_corner.assign(surface.number_of_vertices, no_index);
-  surface.is_border.assign(surface.number_of_vertices, false);
-  std::vector<std::size_t> degree(surface.number_of_vertices, 0);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
-    const std::size_t v = surface.target[h];
-    ++degree[v];
-    const bool starts_fan = surface.previous_corner(h) == no_index;
-    if(surface.first_corner[v] == no_index || starts_fan)
-      surface.first_corner[v] = h;
-    if(starts_fan)
-      surface.is_border[v] = true;
-  }
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v) {
-    std::size_t count = 0;
-    for_each_corner(surface, v, [&](std::size_t) { ++count; });
-    if(count != degree[v])
-      throw Failure{Parameterization_status::NOT_MANIFOLD,
-                    "the faces around " + surface.describe_vertex(v)
-                    + " form more than one fan: see "
-                    "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()"};
-  }
 }
 
 inline void find_components(Triangle_surface& surface)
 {
-  surface.component.assign(surface.number_of_faces, no_index);
-  std::vector<std::size_t> stack;
-  for(std::size_t seed = 0; seed < surface.number_of_faces; ++seed) {
-    if(surface.component[seed] != no_index)
+  surface.component.assign(surface.number_of_faces(), none);
+  std::vector<Flat_face_index> stack;
+  for(Flat_face_index seed = 0; seed < surface.number_of_faces(); ++seed) {
+    if(surface.component[seed] != none)
       continue;
     surface.component[seed] = surface.number_of_components;
     stack.push_back(seed);
     while(!stack.empty()) {
-      const std::size_t f = stack.back();
+      const Flat_face_index f = stack.back();
       stack.pop_back();
-      for(std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+      for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
         if(surface.is_border_edge(h))
           continue;
-        const std::size_t g = surface.face(surface.opposite[h]);
-        if(surface.component[g] == no_index) {
+        const Flat_face_index g = surface.face(surface.opposite(h));
+        if(surface.component[g] == none) {
           surface.component[g] = surface.number_of_components;
           stack.push_back(g);
         }
@@ -159,17 +97,17 @@ inline Point cross(const Point& p, const Point& q)
 inline void measure_bending(Triangle_surface& surface, const std::vector<Point>& points)
 {
   using S = Triangle_surface;
-  const auto normal = [&](const std::size_t h)
+  const auto normal = [&](const Corner_index h)
   {
     const Point& p = points[surface.source(h)];
-    return cross(points[surface.target[h]] - p, points[surface.target[S::next(h)]] - p);
+    return cross(points[surface.vertex(h)] - p, points[surface.vertex(S::next(h))] - p);
   };
   surface.bending.assign(surface.number_of_halfedges(), 0);
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(surface.is_border_edge(h))
       continue;
-    const Point n = normal(h), m = normal(surface.opposite[h]);
-    const Point e = points[surface.target[h]] - points[surface.source(h)];
+    const Point n = normal(h), m = normal(surface.opposite(h));
+    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
     const double length = std::sqrt(dot(e, e));
     if(length > 0)
       surface.bending[h] = std::atan2(dot(cross(n, m), e) / length, dot(n, m));
@@ -177,14 +115,14 @@ inline void measure_bending(Triangle_surface& surface, const std::vector<Point>&
 }
 
 template <typename TriangleMesh, typename VertexPointMap>
-void read_geometry(const Mesh_indexing<TriangleMesh>& indexing,
+void read_geometry(const Flat_numbering<TriangleMesh>& numbering,
                    const VertexPointMap vertex_points,
                    Triangle_surface& surface)
 {
   std::vector<Point> points;
   double size = 0;
-  for(std::size_t v = 0; v < indexing.vertices.size(); ++v) {
-    const auto& p = get(vertex_points, indexing.vertices[v]);
+  for(std::size_t v = 0; v < numbering.vertices_in_order().size(); ++v) {
+    const auto& p = get(vertex_points, numbering.vertices_in_order()[v]);
     points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     for(const double x : points.back()) {
       if(!std::isfinite(x))
@@ -199,8 +137,8 @@ void read_geometry(const Mesh_indexing<TriangleMesh>& indexing,
       x = std::ldexp(x, -surface.exponent);
 
   surface.length.resize(surface.number_of_halfedges());
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
-    const Point e = points[surface.target[h]] - points[surface.source(h)];
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
     surface.length[h] = std::sqrt(dot(e, e));
   }
   measure_bending(surface, points);
@@ -210,14 +148,14 @@ void read_geometry(const Mesh_indexing<TriangleMesh>& indexing,
 
 template <typename TriangleMesh, typename EdgeIsConstrainedMap>
 void read_alignment(const TriangleMesh& tmesh,
-                    const Mesh_indexing<TriangleMesh>& indexing,
+                    const Flat_numbering<TriangleMesh>& numbering,
                     const EdgeIsConstrainedMap edge_is_constrained,
                     const bool align_border,
                     Triangle_surface& surface)
 {
   surface.is_aligned.resize(surface.number_of_halfedges());
-  for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h)
-    surface.is_aligned[h] = get(edge_is_constrained, edge(indexing.halfedges[h], tmesh))
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    surface.is_aligned[h] = get(edge_is_constrained, edge(numbering.halfedges_of_corners()[h], tmesh))
                             || (align_border && surface.is_border_edge(h));
 }
 

@@ -39,12 +39,12 @@ struct Integrated_field
 inline Integrated_field integrate_connection(const Triangle_surface& surface,
                                              const std::vector<double>& deviation)
 {
-  Integrated_field field{std::vector<double>(surface.number_of_faces, 0),
+  Integrated_field field{std::vector<double>(surface.number_of_faces(), 0),
                          std::vector<char>(surface.number_of_halfedges(), false)};
   for_each_edge_of_face_trees(
-    surface, [](std::size_t) { return true; },
-    [&](const std::size_t h) {
-      const std::size_t g = surface.opposite[h];
+    surface, [](Corner_index) { return true; },
+    [&](const Corner_index h) {
+      const Flat_face_index g = surface.opposite(h);
       field.is_followed[h] = field.is_followed[g] = true;
       field.angles[surface.face(g)] =
         field.angles[surface.face(h)] + surface.transport(h) - deviation[h];
@@ -54,11 +54,12 @@ inline Integrated_field integrate_connection(const Triangle_surface& surface,
 
 // Spanning trees of the vertices along edges that were not followed, from the border, or from one
 // vertex of a closed component: halfedges away from the roots, in the order of growth.
-inline std::vector<std::size_t> trees_of_vertices(const Triangle_surface& surface,
+inline std::vector<Corner_index> trees_of_vertices(const Triangle_surface& surface,
                                                   const std::vector<char>& is_followed)
 {
-  std::vector<std::size_t> tree, queue;
-  std::vector<char> is_visited(surface.number_of_vertices, false);
+  std::vector<Corner_index> tree;
+  std::vector<std::size_t> queue;
+  std::vector<char> is_visited(surface.number_of_vertices(), false);
   const auto visit = [&](const std::size_t v)
   {
     is_visited[v] = true;
@@ -68,19 +69,19 @@ inline std::vector<std::size_t> trees_of_vertices(const Triangle_surface& surfac
   const auto grow = [&]()
   {
     for(; i < queue.size(); ++i)
-      for_each_corner(surface, queue[i], [&](const std::size_t h) {
+      for_each_corner(surface, queue[i], [&](const Corner_index h) {
         if(surface.is_border_edge(h) || is_followed[h] || is_visited[surface.source(h)])
           return;
         visit(surface.source(h));
-        tree.push_back(surface.opposite[h]);
+        tree.push_back(surface.opposite(h));
       });
   };
 
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     if(surface.is_border[v])
       visit(v);
   grow();
-  for(std::size_t v = 0; v < surface.number_of_vertices; ++v)
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     if(!is_visited[v]) {
       visit(v);
       grow();
@@ -96,34 +97,34 @@ inline Matching match_along_connection(const Triangle_surface& surface,
                                        const std::vector<double>& deviation,
                                        const Integrated_field& field)
 {
-  const std::size_t n = surface.number_of_halfedges();
-  std::vector<double> holonomy(n, 0), sum(surface.number_of_vertices, 0);
-  for(std::size_t h = 0; h < n; ++h)
+  const Corner_index n = surface.number_of_halfedges();
+  std::vector<double> holonomy(n, 0), sum(surface.number_of_vertices(), 0);
+  for(Corner_index h = 0; h < n; ++h)
     if(!surface.is_border_edge(h)) {
       holonomy[h] = turn_across(surface, field.angles, h) - deviation[h];
-      sum[surface.target[h]] += holonomy[h] / quarter_turn;
+      sum[surface.vertex(h)] += holonomy[h] / quarter_turn;
     }
 
   Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
   std::vector<int> missing; // per vertex: the sum of the rotations that are still to be set
   for(const double s : sum)
     missing.push_back(static_cast<int>(std::lround(s)));
-  const auto set = [&](const std::size_t h, const int rotation)
+  const auto set = [&](const Corner_index h, const int rotation)
   {
     set_rotation(surface, field.angles, h, rotation, matching);
-    missing[surface.target[h]] -= rotation;
+    missing[surface.vertex(h)] -= rotation;
     missing[surface.source(h)] += rotation;
   };
 
-  const std::vector<std::size_t> tree = trees_of_vertices(surface, field.is_followed);
+  const std::vector<Corner_index> tree = trees_of_vertices(surface, field.is_followed);
   std::vector<char> is_in_tree(n, false);
-  for(const std::size_t h : tree)
-    is_in_tree[h] = is_in_tree[surface.opposite[h]] = true;
-  for(std::size_t h = 0; h < n; ++h)
+  for(const Corner_index h : tree)
+    is_in_tree[h] = is_in_tree[surface.opposite(h)] = true;
+  for(Corner_index h = 0; h < n; ++h)
     if(surface.represents_edge(h) && !surface.is_border_edge(h) && !is_in_tree[h])
       set(h, nearest_rotation(holonomy[h]));
   for(auto it = tree.rbegin(); it != tree.rend(); ++it)
-    set(*it, missing[surface.target[*it]]);
+    set(*it, missing[surface.vertex(*it)]);
   return matching;
 }
 

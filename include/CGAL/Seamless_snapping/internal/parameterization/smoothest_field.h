@@ -31,10 +31,10 @@ namespace internal {
 namespace parameterization {
 
 // Weight of the edge in the energy of a field: its length over that of the dual edge.
-inline double dual_weight(const Triangle_surface& surface, const std::size_t h)
+inline double dual_weight(const Triangle_surface& surface, const Corner_index h)
 {
   const double areas = surface.area[surface.face(h)]
-                       + surface.area[surface.face(surface.opposite[h])];
+                       + surface.area[surface.face(surface.opposite(h))];
   return 1.5 * surface.length[h] * surface.length[h] / areas;
 }
 
@@ -49,21 +49,21 @@ public:
                      const double mass_factor, const double laplace_factor, double& seconds)
     : m_prescribed(prescribed)
     , m_mass(surface.area)
-    , m_unknown(surface.number_of_faces, no_index)
+    , m_unknown(surface.number_of_faces(), none)
     , m_number_of_unknowns(number_unknowns())
     , m_system(2 * m_number_of_unknowns, seconds)
     , m_boundary_terms(2 * m_number_of_unknowns, 0)
   {
     const std::vector<double> mean_area = component_means(surface, surface.area);
-    for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+    for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
       m_mass[f] /= mean_area[surface.component[f]];
       add_block(f, f, mass_factor * m_mass[f]);
     }
-    for(std::size_t h = 0; h < surface.number_of_halfedges(); ++h) {
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
       if(surface.is_border_edge(h))
         continue;
       const double weight = laplace_factor * dual_weight(surface, h);
-      const std::size_t f = surface.face(h), g = surface.face(surface.opposite[h]);
+      const Flat_face_index f = surface.face(h), g = surface.face(surface.opposite(h));
       add_block(f, f, weight);
       add_block(g, f, -weight * cross_of_angle(surface.transport(h)));
     }
@@ -74,7 +74,7 @@ public:
   {
     std::vector<double> b = m_boundary_terms;
     for(std::size_t f = 0; f < m_unknown.size(); ++f) {
-      if(m_unknown[f] == no_index)
+      if(m_unknown[f] == none)
         continue;
       b[2 * m_unknown[f]] += m_mass[f] * right_hand_side[f].real();
       b[2 * m_unknown[f] + 1] += m_mass[f] * right_hand_side[f].imag();
@@ -82,7 +82,7 @@ public:
     const std::vector<double> x = m_system.solve(b);
     Prescribed_field field = m_prescribed;
     for(std::size_t f = 0; f < m_unknown.size(); ++f)
-      if(m_unknown[f] != no_index)
+      if(m_unknown[f] != none)
         field[f] = Complex(x[2 * m_unknown[f]], x[2 * m_unknown[f] + 1]);
     return field;
   }
@@ -101,9 +101,9 @@ private:
   void add_block(const std::size_t row, const std::size_t column, const Complex& value)
   {
     const std::size_t i = m_unknown[row], j = m_unknown[column];
-    if(i == no_index)
+    if(i == none)
       return;
-    if(j == no_index) {
+    if(j == none) {
       const Complex known = value * m_prescribed[column];
       m_boundary_terms[2 * i] -= known.real();
       m_boundary_terms[2 * i + 1] -= known.imag();
@@ -136,9 +136,9 @@ inline void normalize_each(Prescribed_field& field)
 inline void normalize_components(const Triangle_surface& surface, Prescribed_field& field)
 {
   std::vector<double> norm(surface.number_of_components, 0);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     norm[surface.component[f]] += surface.area[f] * std::norm(field[f]);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f) {
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     const double n = std::sqrt(norm[surface.component[f]]);
     field[f] = (n > 0) ? field[f] / n : Complex(1);
   }
@@ -151,26 +151,26 @@ Prescribed_field harmonic_field(const Triangle_surface& surface, const Prescribe
                                 const unsigned int seed, double& seconds)
 {
   constexpr int number_of_iterations = 20;
-  const double shift = 1e-3 / static_cast<double>(surface.number_of_faces);
+  const double shift = 1e-3 / static_cast<double>(surface.number_of_faces());
   std::vector<char> has_prescribed(surface.number_of_components, false);
-  for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     if(prescribed[f] != Complex(0))
       has_prescribed[surface.component[f]] = true;
 
   CGAL::Random random(seed);
-  Prescribed_field field(surface.number_of_faces);
+  Prescribed_field field(surface.number_of_faces());
   for(Complex& z : field)
     z = std::polar(1., random.get_double(-pi, pi));
 
   Cross_field_system<Solver> system(surface, prescribed, shift, 1., seconds);
   for(int i = 0; i < number_of_iterations; ++i) {
-    for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
       if(has_prescribed[surface.component[f]])
         field[f] = 0;
     field = system.solve(field);
     std::vector<Complex> free_part = field;
     normalize_components(surface, free_part);
-    for(std::size_t f = 0; f < surface.number_of_faces; ++f)
+    for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
       if(!has_prescribed[surface.component[f]])
         field[f] = free_part[f];
   }
