@@ -16,6 +16,7 @@
 
 // A sparse symmetric positive definite linear system, behind the solver interface of CGAL.
 
+#include <CGAL/Seamless_snapping/internal/parameterization/Default_solver.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 
 #include <CGAL/Real_timer.h>
@@ -23,12 +24,17 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
+
+// Solvers of the caller get the whole matrix.
+template <typename Solver>
+constexpr bool reads_lower_triangle_only = std::is_same_v<Solver, Default_solver>;
 
 // `Solver` is a model of `SparseLinearAlgebraWithFactorTraits_d`. The time that factorizations and
 // solves take is added to a counter of the caller.
@@ -49,6 +55,8 @@ public:
 
   void add(const std::size_t row, const std::size_t column, const double value)
   {
+    if(reads_lower_triangle_only<Solver> && column > row)
+      return;
     m_matrix->add_coef(row, column, value);
   }
 
