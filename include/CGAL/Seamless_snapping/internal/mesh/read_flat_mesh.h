@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -46,7 +47,7 @@ struct Mesh_defect
 };
 
 // How the indices of a flat mesh correspond to the descriptors of the mesh. Invariant: faces and
-// vertices are numbered in the order of the mesh, vertices without a face and border halfedges have
+// vertices are numbered in the order of the mesh; vertices without a face and border halfedges have
 // no_index.
 template <typename FaceGraph>
 class Flat_numbering
@@ -62,24 +63,8 @@ public:
     : m_corner(get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh)),
       m_vertex(get(CGAL::dynamic_vertex_property_t<Flat_vertex_index>(), tmesh))
   {
-    constexpr Flat_vertex_index has_face = 0;
-    for(const Vertex v : vertices(tmesh))
-      put(m_vertex, v, no_index);
-    for(const auto h : halfedges(tmesh))
-      put(m_corner, h, no_index);
-    for(const auto f : faces(tmesh))
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-        if(m_halfedges.size() == std::size_t((std::numeric_limits<Corner_index>::max)()))
-          throw std::length_error("Seamless_snapping: a mesh may have up to 715,827,882 triangles");
-        put(m_corner, h, Corner_index(m_halfedges.size()));
-        m_halfedges.push_back(h);
-        put(m_vertex, target(h, tmesh), has_face);
-      }
-    for(const Vertex v : vertices(tmesh))
-      if(get(m_vertex, v) == has_face) {
-        put(m_vertex, v, Flat_vertex_index(m_vertices.size()));
-        m_vertices.push_back(v);
-      }
+    number_corners(tmesh);
+    number_vertices(tmesh);
   }
 
   Corner_index corner(const Halfedge h) const { return get(m_corner, h); }
@@ -87,47 +72,91 @@ public:
   const std::vector<Halfedge>& halfedges_of_corners() const { return m_halfedges; }
   const std::vector<Vertex>& vertices_in_order() const { return m_vertices; }
 
+  // The first face that is not a triangle, if there is one.
+  const std::optional<Mesh_defect>& defect() const { return m_defect; }
+
 private:
+  void number_corners(const FaceGraph& tmesh)
+  {
+    for(const Halfedge h : halfedges(tmesh))
+      put(m_corner, h, no_index);
+    std::size_t index = 0;
+    for(const auto f : faces(tmesh)) {
+      std::size_t degree = 0;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+        if(m_halfedges.size() == std::size_t((std::numeric_limits<Corner_index>::max)()))
+          throw std::length_error("Seamless_snapping: a mesh may have up to 715,827,882 triangles");
+        put(m_corner, h, Corner_index(m_halfedges.size()));
+        m_halfedges.push_back(h);
+        ++degree;
+      }
+      if(degree != 3 && !m_defect)
+        m_defect = Mesh_defect{Mesh_defect::NOT_TRIANGULAR,
+                               "face " + std::to_string(index) + " has " + std::to_string(degree) +
+                                 " edges: triangulate the faces of the mesh first"};
+      ++index;
+    }
+  }
+
+  void number_vertices(const FaceGraph& tmesh)
+  {
+    for(const Vertex v : vertices(tmesh)) {
+      put(m_vertex, v, has_face(v, tmesh) ? Flat_vertex_index(m_vertices.size()) : no_index);
+      if(get(m_vertex, v) != no_index)
+        m_vertices.push_back(v);
+    }
+  }
+
+  static bool has_face(const Vertex v, const FaceGraph& tmesh)
+  {
+    if(halfedge(v, tmesh) == Graph_traits::null_halfedge())
+      return false;
+    for(const Halfedge h : CGAL::halfedges_around_target(v, tmesh))
+      if(!is_border(h, tmesh))
+        return true;
+    return false;
+  }
+
   Property_map<CGAL::dynamic_halfedge_property_t<Corner_index> > m_corner;
   Property_map<CGAL::dynamic_vertex_property_t<Flat_vertex_index> > m_vertex;
   std::vector<Halfedge> m_halfedges;
   std::vector<Vertex> m_vertices;
+  std::optional<Mesh_defect> m_defect;
 };
 
-template <typename FaceGraph>
-std::optional<Mesh_defect> find_face_that_is_not_a_triangle(const FaceGraph& tmesh)
+// Fills the connectivity of `mesh`. At a vertex whose faces form several fans, `corner_at_vertex`
+// leads to one of them.
+// \pre `numbering` has no defect
+template <typename FaceGraph, typename Corner>
+void read_flat_mesh(const FaceGraph& tmesh, const Flat_numbering<FaceGraph>& numbering,
+                    Flat_mesh<Corner>& mesh)
 {
-  std::size_t index = 0;
-  for(const auto f : faces(tmesh)) {
-    std::size_t degree = 0;
-    for([[maybe_unused]] const auto h :
-        CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))
-      ++degree;
-    if(degree != 3)
-      return Mesh_defect{Mesh_defect::NOT_TRIANGULAR,
-                         "face " + std::to_string(index) + " has " + std::to_string(degree) +
-                           " edges: triangulate the faces of the mesh first"};
-    ++index;
+  const auto& halfedges = numbering.halfedges_of_corners();
+  mesh.corners.resize(halfedges.size());
+  for(std::size_t i = 0; i < halfedges.size(); ++i) {
+    mesh.corners[i].opposite = numbering.corner(opposite(halfedges[i], tmesh));
+    mesh.corners[i].vertex = numbering.vertex(target(halfedges[i], tmesh));
   }
-  return std::nullopt;
-}
-
-// Sets a corner of each vertex, and checks that all its others follow from it.
-template <typename Corner>
-std::optional<Mesh_defect> find_fans(const std::size_t number_of_vertices, Flat_mesh<Corner>& mesh)
-{
-  mesh.corner_at_vertex.assign(number_of_vertices, no_index);
-  mesh.is_border.assign(number_of_vertices, false);
-  std::vector<int> degree(number_of_vertices, 0);
+  mesh.corner_at_vertex.assign(numbering.vertices_in_order().size(), no_index);
+  mesh.is_border.assign(numbering.vertices_in_order().size(), false);
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h) {
     const std::size_t v = mesh.vertex(h);
-    ++degree[v];
     const bool starts_fan = mesh.clockwise(h) == no_index;
     if(mesh.corner_at_vertex[v] == no_index || (starts_fan && !mesh.is_border[v]))
       mesh.corner_at_vertex[v] = h;
-    mesh.is_border[v] = mesh.is_border[v] || starts_fan;
+    if(starts_fan)
+      mesh.is_border[v] = true;
   }
-  for(std::size_t v = 0; v < number_of_vertices; ++v) {
+}
+
+// The first vertex whose faces form several fans, if there is one.
+template <typename Corner>
+std::optional<Mesh_defect> find_several_fans(const Flat_mesh<Corner>& mesh)
+{
+  std::vector<int> degree(mesh.number_of_vertices(), 0);
+  for(const Corner& c : mesh.corners)
+    ++degree[std::size_t(c.vertex)];
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     for_each_corner(mesh, v, [&](Corner_index) { --degree[v]; });
     if(degree[v] != 0)
       return Mesh_defect{Mesh_defect::SEVERAL_FANS,
@@ -137,24 +166,6 @@ std::optional<Mesh_defect> find_fans(const std::size_t number_of_vertices, Flat_
                            "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()"};
   }
   return std::nullopt;
-}
-
-// Fills the connectivity of `mesh`. If a face is not a triangle, it stays empty; where a vertex has
-// several fans of faces, it is complete, but `corner_at_vertex` leads to one of them only.
-template <typename FaceGraph, typename Corner>
-std::optional<Mesh_defect> read_flat_mesh(const FaceGraph& tmesh,
-                                          const Flat_numbering<FaceGraph>& numbering,
-                                          Flat_mesh<Corner>& mesh)
-{
-  if(const auto defect = find_face_that_is_not_a_triangle(tmesh))
-    return defect;
-  const auto& halfedges = numbering.halfedges_of_corners();
-  mesh.corners.resize(halfedges.size());
-  for(std::size_t i = 0; i < halfedges.size(); ++i) {
-    mesh.corners[i].opposite = numbering.corner(opposite(halfedges[i], tmesh));
-    mesh.corners[i].vertex = numbering.vertex(target(halfedges[i], tmesh));
-  }
-  return find_fans(numbering.vertices_in_order().size(), mesh);
 }
 
 } // namespace internal

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,17 +35,24 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
+inline void refuse(const std::optional<Mesh_defect>& defect)
+{
+  if(defect)
+    throw Failure{defect->kind == Mesh_defect::NOT_TRIANGULAR
+                    ? Parameterization_status::NOT_TRIANGULAR
+                    : Parameterization_status::NOT_MANIFOLD,
+                  defect->message};
+}
+
 // The connectivity of a mesh, whose indices are those of `numbering`.
 template <typename TriangleMesh>
 Triangle_surface read_connectivity(const TriangleMesh& tmesh,
                                    const Flat_numbering<TriangleMesh>& numbering)
 {
+  refuse(numbering.defect());
   Triangle_surface surface;
-  if(const auto defect = read_flat_mesh(tmesh, numbering, surface))
-    throw Failure{defect->kind == Mesh_defect::NOT_TRIANGULAR
-                    ? Parameterization_status::NOT_TRIANGULAR
-                    : Parameterization_status::NOT_MANIFOLD,
-                  defect->message};
+  read_flat_mesh(tmesh, numbering, surface);
+  refuse(find_several_fans(surface));
   if(surface.corners.empty())
     throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};
   return surface;

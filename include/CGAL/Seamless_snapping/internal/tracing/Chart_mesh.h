@@ -18,8 +18,8 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <array>
 #include <cstddef>
@@ -40,7 +40,7 @@ struct Chart_corner : Flat_corner
 // source of the halfedge, exactly; in an exactly seamless map it is also that of the target.
 struct Chart_transition
 {
-  int rotation;
+  Quarter_turns::Element rotation;
   std::array<Exact_difference, 2> translation;
 };
 
@@ -56,10 +56,10 @@ struct Chart_mesh : Flat_mesh<Chart_corner>
 
   const Uv& uv(const Corner_index h) const { return corner(h).uv; }
 
-  int rotation(const Corner_index h) const
+  Quarter_turns::Element rotation(const Corner_index h) const
   {
     const std::int32_t t = corner(h).transition;
-    return t == no_index ? 0 : transitions[std::size_t(t)].rotation;
+    return t == no_index ? Quarter_turns::identity() : transitions[std::size_t(t)].rotation;
   }
 };
 

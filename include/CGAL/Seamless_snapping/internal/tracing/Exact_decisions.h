@@ -43,10 +43,10 @@ public:
   // From the chart of the transition's one face to that of the other.
   static void cross(const Chart_transition& transition, State& state)
   {
-    const Turned_component turn =
-      turned_component(transition.rotation, constant_component(state.direction));
+    const Signed_functional constant =
+      Quarter_turns::act(transition.rotation, int(constant_component(state.direction)));
     state.direction = turned(state.direction, transition.rotation);
-    state.level.transform(turn.sign, transition.translation[turn.component]);
+    state.level.transform(constant.sign, transition.translation[std::size_t(constant.index)]);
   }
 
   static double approximation(const Level& level) { return level.approximation(); }

@@ -39,7 +39,7 @@ public:
   // A curve that comes closer than `near` to a singular vertex or a target is meant to meet it. A
   // loop should return to `start`, in this direction, unless that is no_index.
   Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
-                           const Corner_index start, const int start_direction, const double near)
+                           const Corner_index start, const Direction start_direction, const double near)
     : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
       m_near(near)
   { }
@@ -47,10 +47,11 @@ public:
   // The translation and the sum are rounded.
   static void cross(const Chart_transition& transition, State& state)
   {
-    const Turned_component turn =
-      turned_component(transition.rotation, constant_component(state.direction));
+    const Signed_functional constant =
+      Quarter_turns::act(transition.rotation, int(constant_component(state.direction)));
     state.direction = turned(state.direction, transition.rotation);
-    state.level = turn.sign * state.level + transition.translation[turn.component].rounded;
+    state.level = constant.sign * state.level +
+                  transition.translation[std::size_t(constant.index)].rounded;
   }
 
   static double approximation(const Level level) { return level; }
@@ -109,7 +110,7 @@ public:
 
 private:
   // Whether the edge was meant to run in this direction.
-  bool is_nearly_along(const Corner_index h, const int direction) const
+  bool is_nearly_along(const Corner_index h, const Direction direction) const
   {
     const Uv a = m_mesh.uv(Chart_mesh::prev(h)), b = m_mesh.uv(h);
     const std::size_t c = constant_component(direction), r = running_component(direction);
@@ -121,7 +122,7 @@ private:
   // Whether one of the border edges at the vertex was meant to continue the curve.
   bool border_continues(const State& state) const
   {
-    int direction = state.direction;
+    Direction direction = state.direction;
     Corner_index corner = first_corner(m_mesh, state.halfedge, direction);
     if(is_nearly_along(Chart_mesh::next(corner), direction))
       return true;
@@ -149,7 +150,7 @@ private:
   }
 
   // Whether the curve started from the vertex of this corner, in this direction.
-  bool is_start(Corner_index corner, int direction) const
+  bool is_start(Corner_index corner, Direction direction) const
   {
     if(m_start == no_index || m_mesh.vertex(corner) != m_mesh.vertex(m_start))
       return false;
@@ -163,7 +164,7 @@ private:
   const Chart_mesh& m_mesh;
   const Walk_limits& m_limits;
   Corner_index m_start;
-  int m_start_direction;
+  Direction m_start_direction;
   double m_near;
   Isocurve_status m_failure = Isocurve_status::CONTINUES;
 };

@@ -23,6 +23,7 @@
 // tells its sides, not where it points to: in a flipped triangle, that is the opposite.
 
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
 #include <cstddef>
 #include <utility>
@@ -42,7 +43,7 @@ enum class Ray_kind : char
 struct Vertex_ray
 {
   Corner_index corner;
-  int direction; // in the chart of the corner's face
+  Direction direction; // in the chart of the corner's face
   Ray_kind kind;
 
   friend bool operator==(const Vertex_ray& a, const Vertex_ray& b)
@@ -51,7 +52,7 @@ struct Vertex_ray
 
 // 1 if the corner `other` of the same face lies at the left of the isocurve in this direction from
 // `corner`; -1 at the right; 0 on it.
-inline int side_of_ray(const Chart_mesh& mesh, const Corner_index corner, const int direction,
+inline int side_of_ray(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
                        const Corner_index other)
 {
   const std::size_t c = constant_component(direction);
@@ -59,7 +60,7 @@ inline int side_of_ray(const Chart_mesh& mesh, const Corner_index corner, const 
 }
 
 // The side of the first link vertex of the corner before this one, clockwise; -1 beyond the border.
-inline int side_before(const Chart_mesh& mesh, const Corner_index corner, const int direction)
+inline int side_before(const Chart_mesh& mesh, const Corner_index corner, const Direction direction)
 {
   const Corner_index before = mesh.clockwise(corner);
   if(before == no_index)
@@ -71,7 +72,7 @@ inline int side_before(const Chart_mesh& mesh, const Corner_index corner, const 
 // Calls f(ray) for the ray of this direction that starts along the first edge of the corner, inside
 // it, or along its last edge if that is on the border, if there is one.
 template <typename Function>
-void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const int direction,
+void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
                        const Function& f)
 {
   const int first = side_of_ray(mesh, corner, direction, Chart_mesh::next(corner));
@@ -86,7 +87,7 @@ void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const 
 
 // The first corner of the star counterclockwise, if it starts at the border; else `corner`.
 // `direction` is carried along.
-inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner, int& direction)
+inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner, Direction& direction)
 {
   Corner_index c = corner;
   for(Corner_index before = mesh.clockwise(c); before != no_index; before = mesh.clockwise(c)) {
@@ -106,10 +107,12 @@ inline std::vector<Vertex_ray> rays_from_vertex(const Chart_mesh& mesh, const st
   Corner_index corner = start;
   do {
     const std::size_t begin = rays.size();
-    for(int direction = 0; direction < number_of_rotations; ++direction)
-      for_ray_at_corner(mesh, corner, direction, [&](const Vertex_ray& r) { rays.push_back(r); });
+    for(int turns = 0; turns < Quarter_turns::order; ++turns)
+      for_ray_at_corner(mesh, corner, Quarter_turns::element(turns),
+                        [&](const Vertex_ray& r) { rays.push_back(r); });
     // +u comes after -v
-    if(rays.size() == begin + 2 && turned(rays[begin + 1].direction, 1) == rays[begin].direction)
+    if(rays.size() == begin + 2 &&
+       turned(rays[begin + 1].direction, Quarter_turns::element(1)) == rays[begin].direction)
       std::swap(rays[begin], rays[begin + 1]);
     corner = mesh.counterclockwise(corner);
   } while(corner != no_index && corner != start);
@@ -124,7 +127,7 @@ struct Isocurve_rays
   std::vector<Vertex_ray> rays;
   std::vector<char> is_forward;
 
-  void collect(const Chart_mesh& mesh, const Corner_index corner, int direction)
+  void collect(const Chart_mesh& mesh, const Corner_index corner, Direction direction)
   {
     rays.clear();
     is_forward.clear();

@@ -31,7 +31,7 @@ struct Walk_state
 {
   bool is_at_vertex = false;           // else on an edge
   Corner_index halfedge = no_index;    // points to the vertex; or lies on the edge being crossed
-  int direction = 0;                   // in the chart of the halfedge's face
+  Direction direction = Quarter_turns::identity(); // in the chart of the halfedge's face
   Level level{};                       // of the constant component, in the same chart
   Corner_index arrival_key = no_index; // at a vertex: the edge that the curve came along, if it did
 

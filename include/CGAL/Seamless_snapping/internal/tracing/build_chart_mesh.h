@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -33,14 +34,14 @@ namespace internal {
 
 // The quadrant that contains the vector from a to b, which is not null, each with the axis at its
 // clockwise end.
-inline int quadrant(const Uv& a, const Uv& b)
+inline Direction quadrant(const Uv& a, const Uv& b)
 {
   const int x = compare(b[0], a[0]), y = compare(b[1], a[1]);
   if(x > 0 && y >= 0)
-    return 0;
+    return Quarter_turns::element(0);
   if(x <= 0 && y > 0)
-    return 1;
-  return (x < 0 && y <= 0) ? 2 : 3;
+    return Quarter_turns::element(1);
+  return Quarter_turns::element((x < 0 && y <= 0) ? 2 : 3);
 }
 
 // By how many axes a vector passes that turns from the first to the second edge of a corner;
@@ -49,11 +50,10 @@ inline int quadrant(const Uv& a, const Uv& b)
 inline int axes_passed(const Uv& p, const Uv& q, const Uv& r)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  switch(turned(quadrant(p, r), -quadrant(p, q))) {
-  case 0: return 0;
-  case 1: return 1;
-  case 3: return -1;
-  }
+  const Direction passed = turned(quadrant(p, r), Quarter_turns::inverse(quadrant(p, q)));
+  for(const int axes : {0, 1, -1})
+    if(passed == Quarter_turns::element(axes))
+      return axes;
   const Kernel::Point_2 a(p[0], p[1]), b(q[0], q[1]), c(r[0], r[1]);
   return Kernel().orientation_2_object()(a, b, c) == CGAL::NEGATIVE ? -2 : 2;
 }
@@ -71,12 +71,12 @@ inline void mark_singular_vertices(Chart_mesh& mesh)
 {
   const std::size_t n = mesh.corner_at_vertex.size();
   std::vector<double> angles(n, 0); // in quarter turns
-  std::vector<int> rotations(n, 0);
+  std::vector<Quarter_turns::Element> rotations(n, Quarter_turns::identity());
   std::vector<char> has_angle(n, true);
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h) {
     const std::size_t v = mesh.vertex(h);
     const Uv &p = mesh.uv(h), &q = mesh.uv(Chart_mesh::next(h)), &r = mesh.uv(Chart_mesh::prev(h));
-    rotations[v] += mesh.rotation(h);
+    rotations[v] = Quarter_turns::compose(mesh.rotation(h), rotations[v]);
     if(p == q || p == r)
       has_angle[v] = false;
     else
@@ -84,20 +84,20 @@ inline void mark_singular_vertices(Chart_mesh& mesh)
   }
   mesh.is_singular.assign(n, false);
   for(std::size_t v = 0; v < n; ++v) {
-    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == number_of_rotations
-                                         : rotations[v] % number_of_rotations == 0;
+    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == Quarter_turns::order
+                                         : rotations[v] == Quarter_turns::identity();
     mesh.is_singular[v] = !mesh.is_border[v] && !is_regular;
   }
 }
 
 // Sets the transition across a halfedge whose rotation is known.
-inline void add_transition(Chart_mesh& mesh, const Corner_index h, const int rotation)
+inline void add_transition(Chart_mesh& mesh, const Corner_index h, const Quarter_turns::Element rotation)
 {
   const Corner_index p = Chart_mesh::prev(h);
   const Corner_index g = mesh.opposite(h);
-  if(rotation == 0 && mesh.uv(h) == mesh.uv(Chart_mesh::prev(g)) && mesh.uv(p) == mesh.uv(g))
+  if(rotation == Quarter_turns::identity() && mesh.uv(h) == mesh.uv(Chart_mesh::prev(g)) && mesh.uv(p) == mesh.uv(g))
     return;
-  const Uv turned_source = rotation_matrix(rotation)(mesh.uv(p));
+  const Uv turned_source = Quarter_turns::apply(rotation, mesh.uv(p));
   mesh.corners[std::size_t(h)].transition = std::int32_t(mesh.transitions.size());
   mesh.transitions.push_back({rotation, {{Exact_difference(mesh.uv(g)[0], turned_source[0]),
                                           Exact_difference(mesh.uv(g)[1], turned_source[1])}}});

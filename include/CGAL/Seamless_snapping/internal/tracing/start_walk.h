@@ -31,7 +31,7 @@ namespace internal {
 // The ray from a vertex that is the fewest corners away when the direction is carried around it, both
 // ways, starting with the corner. Every direction occurs within a full turn, which around a cone
 // takes several rounds.
-inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const int direction,
+inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
                      Vertex_ray& ray)
 {
   bool found = false;
@@ -40,9 +40,9 @@ inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const in
       for_ray_at_corner(mesh, c, d, [&](const Vertex_ray& r) { ray = r; found = true; });
   };
   Corner_index left = corner, right = corner;
-  int left_direction = direction, right_direction = direction;
+  Direction left_direction = direction, right_direction = direction;
   look_at(corner, direction);
-  for(int rounds = 0; !found && rounds < number_of_rotations &&
+  for(int rounds = 0; !found && rounds < Quarter_turns::order &&
                       (left != no_index || right != no_index);) {
     if(left != no_index) {
       left_direction = turned(left_direction, mesh.rotation(left));
