@@ -14,18 +14,20 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The unknowns of the parametrization after all constraints have been eliminated: transitions at
-// the nodes of the cut graph, alignment, and the position of each component in the plane.
+// The unknowns of the parametrization that stay free when transitions, alignment, and the position
+// of each component in the plane have been eliminated, exactly.
 
-#include <CGAL/Seamless_snapping/internal/parameterization/Constraint_elimination.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
-#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
+#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_row.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -33,151 +35,184 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-// Coordinate `c` of a Rotated_sum, over the unknowns `2 i + coordinate`.
-inline Sparse_row coordinate_row(const Rotated_sum& sum, const std::size_t c,
-                                 const double factor = 1)
-{
-  Sparse_row row;
-  for(const auto& [vector, k] : sum)
-    for(std::size_t i = 0; i < 2; ++i)
-      if(const int sign = rotation_matrix(k).m[c][i]; sign != 0)
-        row.emplace_back(2 * vector + i, factor * sign);
-  return row;
-}
-
-inline void append(Sparse_row& row, const Sparse_row& other)
-{
-  row.insert(row.end(), other.begin(), other.end());
-}
-
-// The rows of a full turn around a vertex. Around a cone they determine its position x, as
-// (I - R^k)^-1 = (I + R) / 2, I / 2, (I - R) / 2 for k = 1, 2, 3.
-inline void add_closing_rows(const Cut_complex::Closing& closing, std::vector<Sparse_row>& rows)
-{
-  const Rotated_sum& t = closing.translation;
-  for(std::size_t c = 0; c < 2; ++c) {
-    if(closing.rotation == 0) {
-      rows.push_back(coordinate_row(t, c));
-      continue;
-    }
-    Sparse_row row = coordinate_row({{closing.vertex, 0}}, c);
-    append(row, coordinate_row(t, c, -0.5));
-    if(closing.rotation != 2)
-      append(row, coordinate_row(rotated(t, closing.rotation), c, -0.5));
-    rows.push_back(row);
-  }
-}
-
-// The kind of isocurve that an edge lies on: 0 for constant u, 1 for constant v; whichever is
-// closer to its direction in the field.
-inline std::size_t constant_coordinate(const Triangle_surface& surface,
-                                       const std::vector<double>& angles, const Corner_index h)
-{
-  const double turns = (surface.direction[h] - angles[surface.face(h)]) / quarter_turn;
-  return std::lround(turns) % 2 == 0 ? 1 : 0;
-}
-
-inline std::vector<Sparse_row> alignment_rows(const Triangle_surface& surface,
-                                              const std::vector<double>& angles,
-                                              const Cut_complex& complex)
-{
-  std::vector<Sparse_row> rows;
-  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
-    if(!surface.is_aligned[h] || !surface.represents_edge(h))
-      continue;
-    const std::size_t c = constant_coordinate(surface, angles, h);
-    Sparse_row row = coordinate_row(complex.position(complex.sector(h)), c);
-    append(row, coordinate_row(complex.position(complex.sector(surface.prev(h))), c, -1));
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-// The transitions and constraints allow to move a component as a whole: one vertex of each is put
-// at the origin.
-inline std::vector<Sparse_row> anchor_rows(const Triangle_surface& surface)
-{
-  std::vector<Sparse_row> rows;
-  std::vector<char> has_anchor(surface.number_of_components, false);
-  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
-    if(has_anchor[surface.component[f]])
-      continue;
-    has_anchor[surface.component[f]] = true;
-    for(std::size_t c = 0; c < 2; ++c)
-      rows.push_back(coordinate_row({{surface.vertex(3 * f), 0}}, c));
-  }
-  return rows;
-}
-
-// Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
-// constraints.
-class Free_coordinates
+// The solutions of homogeneous integer equations. Invariant: each column is a sum of free unknowns
+// with integer coefficients; whatever their values are, the equations hold, and any solution is of
+// this form.
+class Free_unknowns
 {
 public:
-  Free_coordinates(const Triangle_surface& surface, const std::vector<double>& angles,
-                   const Cut_complex& complex)
-    : m_complex(complex)
-    , m_elimination(2 * complex.number_of_vectors())
-    , m_index(2 * complex.number_of_vectors(), none)
+  explicit Free_unknowns(const Integer_system& system)
   {
-    std::vector<Sparse_row> rows;
-    for(const Cut_complex::Closing& closing : complex.closings())
-      add_closing_rows(closing, rows);
-    for(const auto& more : {alignment_rows(surface, angles, complex), anchor_rows(surface)})
-      rows.insert(rows.end(), more.begin(), more.end());
-    m_elimination.add(rows);
-    m_elimination.finish();
-    for(std::size_t i = 0; i < m_index.size(); ++i)
-      if(!m_elimination.is_eliminated(i))
-        m_index[i] = m_number_of_unknowns++;
+    const Echelon_form form = eliminate(system);
+    m_sums.resize(form.pivot_rows.number_of_columns());
+    std::vector<char> is_implied(m_sums.size(), false);
+    for(const Column_index c : form.pivot_columns)
+      is_implied[std::size_t(c)] = true;
+    add_core(form.core_rows, is_implied);
+    for(std::size_t c = 0; c < m_sums.size(); ++c)
+      if(!is_implied[c])
+        m_sums[c].emplace_back(m_size++, 1.);
+    for(std::size_t i = form.pivot_columns.size(); i-- > 0; )
+      substitute_back(form.pivot_rows.exact_row(i).entries, form.pivot_columns[i]);
   }
 
-  std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
+  std::size_t size() const { return m_size; }
+  std::size_t add_unknown() { return m_size++; }
+  const Sparse_row& sum(const std::size_t column) const { return m_sums[column]; }
+
+private:
+  // What pivots of 1 and -1 leave: a basis of its lattice of solutions spans all of them.
+  void add_core(const Integer_system& rows, std::vector<char>& is_implied)
+  {
+    std::vector<Column_index> columns;
+    for(std::size_t i = 0; i < rows.number_of_rows(); ++i)
+      rows.for_each_column(i, [&](const Column_index c) { columns.push_back(c); });
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    Integer_system core(columns.size());
+    for(std::size_t i = 0; i < rows.number_of_rows(); ++i) {
+      Integer_row<Exact_integer> row = rows.exact_row(i);
+      for(auto& e : row.entries)
+        e.column = Column_index(std::lower_bound(columns.begin(), columns.end(), e.column) -
+                                columns.begin());
+      core.add_row(std::move(row));
+    }
+    for(const Column_index c : columns)
+      is_implied[std::size_t(c)] = true;
+    if(columns.empty())
+      return;
+    for(const auto& vector : Integer_lattice(core).kernel_basis()) {
+      for(const auto& e : vector)
+        m_sums[std::size_t(columns[std::size_t(e.column)])].emplace_back(
+          m_size, CGAL::to_double(e.coefficient));
+      ++m_size;
+    }
+  }
+
+  void substitute_back(const Entries<Exact_integer>& row, const Column_index pivot)
+  {
+    Sparse_row& result = m_sums[std::size_t(pivot)];
+    double sign = 0;
+    for(const auto& e : row)
+      if(e.column == pivot)
+        sign = CGAL::to_double(e.coefficient);
+      else
+        append(result, m_sums[std::size_t(e.column)], CGAL::to_double(e.coefficient));
+    for(auto& term : result)
+      term.second *= -sign;
+    normalize(result);
+  }
+
+  std::vector<Sparse_row> m_sums; // per column
+  std::size_t m_size = 0;
+};
+
+// Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
+// constraints of the complex.
+class Free_coordinates
+{
+  using Group = Quarter_turns;
+  static constexpr std::size_t dimension = Group::dimension;
+
+public:
+  explicit Free_coordinates(const Cut_complex<Group>& complex)
+    : Free_coordinates(complex, Reduced_system<Group>(complex))
+  { }
+
+  std::size_t number_of_unknowns() const { return m_unknowns.size(); }
 
   // Coordinate `c` of a sector, over the free unknowns.
   Sparse_row coordinate(const std::size_t sector, const std::size_t c) const
   {
     Sparse_row row;
-    for(const auto& [unknown, factor] : coordinate_row(m_complex.position(sector), c)) {
-      if(!m_elimination.is_eliminated(unknown)) {
-        row.emplace_back(m_index[unknown], factor);
-        continue;
-      }
-      for(const auto& term : m_elimination.substitution(unknown))
-        row.emplace_back(m_index[term.first], factor * term.second);
-    }
+    for(const auto& [quantity, factor] : m_coordinates[dimension * sector + c])
+      append(row, m_quantities[quantity], factor);
     normalize(row);
     return row;
   }
 
-  // The coordinates of all sectors. Those of one vertex are computed from each other, so that the
-  // transitions hold up to the rounding of a single sum.
-  std::vector<std::array<double, 2> > evaluate(const std::vector<double>& free_values) const
+  // The coordinates of all sectors. Those of the two sides of a cut differ by the same translation,
+  // so that transitions hold up to the rounding of a single sum.
+  std::vector<std::array<double, dimension> > evaluate(const std::vector<double>& free_values) const
   {
-    std::vector<double> values(m_index.size(), 0);
-    for(std::size_t i = 0; i < values.size(); ++i) {
-      if(!m_elimination.is_eliminated(i))
-        values[i] = free_values[m_index[i]];
-      else
-        for(const auto& [other, factor] : m_elimination.substitution(i))
-          values[i] += factor * free_values[m_index[other]];
-    }
-    std::vector<std::array<double, 2> > uv(m_complex.number_of_sectors());
-    for(std::size_t s = 0; s < uv.size(); ++s)
-      for(std::size_t c = 0; c < 2; ++c) {
-        double sum = 0;
-        for(const auto& [unknown, factor] : coordinate_row(m_complex.position(s), c))
-          sum += factor * values[unknown];
-        uv[s][c] = sum;
-      }
+    std::vector<double> values;
+    for(const Sparse_row& quantity : m_quantities)
+      values.push_back(value_of(quantity, free_values));
+    std::vector<std::array<double, dimension> > uv(m_coordinates.size() / dimension);
+    for(std::size_t i = 0; i < m_coordinates.size(); ++i)
+      uv[i / dimension][i % dimension] = value_of(m_coordinates[i], values);
     return uv;
   }
 
 private:
-  const Cut_complex& m_complex;
-  Constraint_elimination m_elimination;
-  std::vector<std::size_t> m_index; // of the free unknowns
-  std::size_t m_number_of_unknowns = 0;
+  Free_coordinates(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
+    : m_unknowns(system.rows().system), m_coordinates(dimension * complex.number_of_sectors())
+  {
+    for(std::size_t c = 0; c < system.weights().size(); ++c)
+      m_quantities.push_back(m_unknowns.sum(c));
+    add_sectors_of_nodes(complex, system);
+    add_chains(complex, system);
+    add_branches(complex, system);
+    for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
+      make_free(Sector_index(s));
+  }
+
+  Sparse_row& row(const Sector_index s, const std::size_t c)
+  { return m_coordinates[dimension * std::size_t(s) + c]; }
+
+  // What has no value yet.
+  void make_free(const Sector_index s)
+  {
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(row(s, c).empty()) {
+        row(s, c).emplace_back(m_quantities.size(), 1.);
+        m_quantities.push_back({{m_unknowns.add_unknown(), 1.}});
+      }
+  }
+
+  void add_sectors_of_nodes(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
+  {
+    for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
+      if(const Column_index first = system.unknown(Sector_index(s)); first >= 0)
+        for(std::size_t c = 0; c < dimension; ++c)
+          row(Sector_index(s), c).emplace_back(std::size_t(first) + c, 1.);
+  }
+
+  // Between nodes, the constant coordinate is the level of the chain.
+  void add_chains(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
+  {
+    static_assert(Group::is_signed_permutation, "functionals have to be coordinates");
+    for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
+      if(complex.has_inner_links(c))
+        for(auto s = complex.links_begin(c) + 1; s + 1 != complex.links_end(c); ++s)
+          row(*s, std::size_t(complex.functional[c]))
+            .emplace_back(std::size_t(system.level(c)), 1.);
+  }
+
+  // Between nodes, u- = g u+ + t.
+  void add_branches(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
+  {
+    for(std::size_t b = 0; b < complex.number_of_branches(); ++b) {
+      if(!complex.has_inner_pairs(b))
+        continue;
+      const auto& m = Group::matrix(complex.element[b]);
+      for(auto p = complex.pairs_begin(b) + 1; p + 1 != complex.pairs_end(b); ++p) {
+        make_free(p->plus);
+        for(std::size_t c = 0; c < dimension; ++c) {
+          Sparse_row& minus = row(p->minus, c);
+          for(std::size_t d = 0; d < dimension; ++d)
+            if(m[c][d] != 0)
+              append(minus, row(p->plus, d), m[c][d]);
+          minus.emplace_back(std::size_t(system.translation(b)) + c, 1.);
+        }
+      }
+    }
+  }
+
+  Free_unknowns m_unknowns;
+  // The columns of the reduced system, and the coordinates of sectors that stay free.
+  std::vector<Sparse_row> m_quantities;
+  std::vector<Sparse_row> m_coordinates; // of the sectors, as sums of quantities
 };
 
 } // namespace parameterization

@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <cmath>
 #include <cstddef>
@@ -31,12 +32,12 @@ namespace internal {
 namespace parameterization {
 
 // Invariant: across each interior halfedge, from face f to face g,
-//   angle(f) + transport - angle(g) = rotation * quarter_turn + deviation;
-// a direction that has the uv coordinates w in the chart of f has R^rotation w in that of g.
+//   angle(f) + transport - angle(g) = turns * quarter_turn + deviation;
+// a direction that has the uv coordinates w in the chart of f has R^turns w in that of g.
 // Both numbers change their signs with the halfedge.
 struct Matching
 {
-  std::vector<int> rotation;
+  std::vector<int> turns;
   std::vector<double> deviation;
 };
 
@@ -50,18 +51,18 @@ inline double turn_across(const Triangle_surface& surface, const std::vector<dou
   return angles[surface.face(h)] + transport - angles[surface.face(surface.opposite(h))];
 }
 
-inline void set_rotation(const Triangle_surface& surface, const std::vector<double>& angles,
-                         const Corner_index h, const int rotation, Matching& matching)
+inline void set_turns(const Triangle_surface& surface, const std::vector<double>& angles,
+                         const Corner_index h, const int turns, Matching& matching)
 {
   const Corner_index o = surface.opposite(h);
-  matching.rotation[h] = rotation;
-  matching.deviation[h] = turn_across(surface, angles, h) - rotation * quarter_turn;
-  matching.rotation[o] = -matching.rotation[h];
+  matching.turns[h] = turns;
+  matching.deviation[h] = turn_across(surface, angles, h) - turns * quarter_turn;
+  matching.turns[o] = -matching.turns[h];
   matching.deviation[o] = -matching.deviation[h];
 }
 
 // Ties are broken away from the half, so that symmetric meshes don't decide by rounding errors.
-inline int nearest_rotation(const double angle)
+inline int nearest_turns(const double angle)
 {
   constexpr double tie_breaker = 1e-4;
   return static_cast<int>(std::floor(angle / quarter_turn + 0.5 - tie_breaker));
@@ -74,7 +75,7 @@ inline Matching match_crosses(const Triangle_surface& surface, const std::vector
   Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
   for(Corner_index h = 0; h < n; ++h)
     if(surface.represents_edge(h) && !surface.is_border_edge(h))
-      set_rotation(surface, angles, h, nearest_rotation(turn_across(surface, angles, h)), matching);
+      set_turns(surface, angles, h, nearest_turns(turn_across(surface, angles, h)), matching);
   return matching;
 }
 
@@ -144,24 +145,24 @@ inline Singularities singularities(const Triangle_surface& surface, const Topolo
 }
 
 // A cone of index 4 or more, as at the tip of a spike, leaves no angle for its faces, so that they
-// would flip: what it has above 3 is handed on to neighbors. Returns whether anything was changed.
+// would flip: its index above 3 is handed on to neighbors. Returns whether anything was changed.
 inline bool spread_large_indices(const Triangle_surface& surface, const std::vector<double>& angles,
                                  Singularities& singular, Matching& matching)
 {
   bool changed = false;
   std::vector<int>& index = singular.index;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    while(index[v] >= 4) {
+    while(index[v] >= Quarter_turns::order) {
       Corner_index best = no_index; // the neighbor of the smallest index, but not along a feature
       for_each_corner(surface, v, [&](const Corner_index h) {
         const std::size_t w = surface.source(h);
-        if(!surface.is_aligned[h] && index[w] < 3
+        if(!surface.is_aligned[h] && index[w] < Quarter_turns::order - 1
            && (best == no_index || index[w] < index[surface.source(best)]))
           best = h;
       });
       if(best == no_index)
         break;
-      set_rotation(surface, angles, best, matching.rotation[best] - 1, matching);
+      set_turns(surface, angles, best, matching.turns[best] - 1, matching);
       --index[v];
       ++index[surface.source(best)];
       changed = true;
@@ -185,19 +186,19 @@ inline void check_index_theorem(const Triangle_surface& surface, const Topology&
       loop_is_counted[loop] = true;
       continue;
     }
-    int rotation = 0;
-    for_each_corner(surface, v, [&](const Corner_index h) { rotation += matching.rotation[h]; });
-    if((rotation - singular.index[v]) % 4 != 0)
+    int turns = 0;
+    for_each_corner(surface, v, [&](const Corner_index h) { turns += matching.turns[h]; });
+    if(Quarter_turns::element(turns) != Quarter_turns::element(singular.index[v]))
       throw Failure{Parameterization_status::INTERNAL_ERROR,
                     "the index of a vertex does not match the rotations around it"};
     sum[c] += singular.index[v];
   }
   for(std::size_t c = 0; c < surface.number_of_components; ++c)
-    if(sum[c] != 4 * topo.euler_characteristic[c])
+    if(sum[c] != Quarter_turns::order * topo.euler_characteristic[c])
       throw Failure{Parameterization_status::INTERNAL_ERROR,
                     "the indices of component " + std::to_string(c) + " add up to "
                     + std::to_string(sum[c]) + " instead of "
-                    + std::to_string(4 * topo.euler_characteristic[c])};
+                    + std::to_string(Quarter_turns::order * topo.euler_characteristic[c])};
 }
 
 } // namespace parameterization

@@ -18,11 +18,11 @@
 
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_graph.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Surface_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/comb.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/curvature_field.h>
@@ -30,7 +30,6 @@
 #include <CGAL/Seamless_snapping/internal/parameterization/poisson.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/prescribe_alignment.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/smoothest_field.h>
-#include <CGAL/Seamless_snapping/internal/surface/quarter_turns.h>
 
 #include <CGAL/number_utils.h>
 
@@ -98,7 +97,7 @@ void report_topology(const Triangle_surface& surface, const Topology& topo, Repo
 // Writes the extent and the largest difference of the two sides of a cut edge after rotation.
 template <typename Report>
 void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
-             const std::vector<int>& rotation, const Cut_complex& complex, const Coordinates& uv,
+             const std::vector<Quarter_turns::Element>& rotation, const Surface_complex& complex, const Coordinates& uv,
              Report& report)
 {
   for(std::size_t c = 0; c < 2; ++c) {
@@ -117,7 +116,7 @@ void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
     if(!is_cut[h] || !surface.represents_edge(h))
       continue;
     ++report.number_of_cut_edges;
-    const auto d = rotation_matrix(rotation[h])(difference(h));
+    const auto d = Quarter_turns::apply(rotation[h], difference(h));
     const auto e = difference(surface.opposite(h));
     for(std::size_t c = 0; c < 2; ++c)
       report.violation = (std::max)(report.violation, std::abs(d[c] + e[c]));
@@ -157,10 +156,10 @@ void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
 // can't be avoided the weights grow until the system can't be solved any more, which ends it.
 template <typename Solver, typename Report>
 Coordinates solve_with_stiffening(const Triangle_surface& surface,
-                                  const std::vector<double>& angles, const Cut_complex& complex,
+                                  const std::vector<double>& angles, const Surface_complex& complex,
                                   const long number_of_rounds, Report& report)
 {
-  const Free_coordinates coordinates(surface, angles, complex);
+  const Free_coordinates coordinates(complex.complex());
   const Coordinate_table table(coordinates, complex.number_of_sectors());
   std::vector<double> weights(surface.number_of_faces(), 1);
   Coordinates best;
@@ -226,9 +225,10 @@ Parameterization_result parameterize(const Triangle_surface& surface,
 
   Cut_graph graph(surface);
   graph.connect(std::vector<char>(singular.index.begin(), singular.index.end()));
-  comb(surface, graph.is_cut(), angles, matching);
-  const Cut_complex complex(surface, graph.is_cut(), matching.rotation);
-  report.number_of_cut_branches = complex.number_of_branches();
+  const std::vector<Quarter_turns::Element> rotation =
+    comb(surface, graph.is_cut(), matching, angles);
+  const Surface_complex complex(surface, graph.is_cut(), rotation, angles);
+  report.number_of_cut_branches = complex.complex().number_of_branches();
   timer.finish("cut graph");
 
   result.uv = solve_with_stiffening<Solver>(surface, angles, complex,
@@ -242,7 +242,7 @@ Parameterization_result parameterize(const Triangle_surface& surface,
   timer.finish("coordinates");
 
   report.number_of_flipped_faces = number_of_flips(surface, complex, result.uv);
-  measure(surface, graph.is_cut(), matching.rotation, complex, result.uv, report);
+  measure(surface, graph.is_cut(), rotation, complex, result.uv, report);
   scale_coordinates<FT>(surface.exponent - exponent, result.uv, report);
   timer.finish("measuring");
   return result;

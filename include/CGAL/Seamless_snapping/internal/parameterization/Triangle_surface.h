@@ -18,6 +18,7 @@
 // each face, on which all steps of the parametrization work.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ namespace parameterization {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1); // of vertices, components, unknowns
 constexpr double pi = 3.14159265358979323846;
-constexpr double quarter_turn = pi / 2;
+constexpr double quarter_turn = 2 * pi / Quarter_turns::order;
 
 // Invariant: the triangles are not degenerate, and the angles, areas and directions are those of
 // triangles with the given lengths.

@@ -19,8 +19,9 @@
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
-#include <cstdlib>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -28,31 +29,44 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-// Changes `angles` by multiples of a quarter turn and `matching.rotation` with them, such that the
-// rotation is 0 across each edge that is not cut.
-inline void comb(const Triangle_surface& surface, const std::vector<char>& is_cut,
-                 std::vector<double>& angles, Matching& matching)
+// The angle that +u is turned by.
+inline double angle_of(const Quarter_turns::Element g)
 {
-  std::vector<int> turns(surface.number_of_faces(), 0);
+  const auto& m = Quarter_turns::matrix(g);
+  return std::atan2(m[1][0], m[0][0]);
+}
+
+// Changes `angles` by multiples of a quarter turn, and returns the rotations of the transitions
+// between the new charts, per halfedge: the identity across edges that are not cut.
+inline std::vector<Quarter_turns::Element> comb(const Triangle_surface& surface,
+                                                const std::vector<char>& is_cut,
+                                                const Matching& matching,
+                                                std::vector<double>& angles)
+{
+  const auto across = [&](const Corner_index h) { return Quarter_turns::element(matching.turns[h]); };
+  std::vector<Quarter_turns::Element> turn(surface.number_of_faces(), Quarter_turns::identity());
   for_each_edge_of_face_trees(
     surface, [&](const Corner_index h) { return !is_cut[h]; },
     [&](const Corner_index h) {
-      turns[surface.face(surface.opposite(h))] =
-        (turns[surface.face(h)] + matching.rotation[h]) % 4;
+      turn[surface.face(surface.opposite(h))] =
+        Quarter_turns::compose(across(h), turn[surface.face(h)]);
     });
 
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
-    angles[f] += turns[f] * quarter_turn;
+    angles[f] += angle_of(turn[f]);
+  std::vector<Quarter_turns::Element> rotation(surface.number_of_halfedges(),
+                                               Quarter_turns::identity());
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(surface.is_border_edge(h))
       continue;
-    int& rotation = matching.rotation[h];
-    rotation += turns[surface.face(h)] - turns[surface.face(surface.opposite(h))];
-    rotation = ((rotation % 4) + 4) % 4;
-    if(rotation != 0 && !is_cut[h])
+    rotation[h] = Quarter_turns::compose(
+      Quarter_turns::inverse(turn[surface.face(surface.opposite(h))]),
+      Quarter_turns::compose(across(h), turn[surface.face(h)]));
+    if(rotation[h] != Quarter_turns::identity() && !is_cut[h])
       throw Failure{Parameterization_status::INTERNAL_ERROR,
                     "the field can't be combed: a cone or a handle was not cut open"};
   }
+  return rotation;
 }
 
 } // namespace parameterization

@@ -41,14 +41,14 @@ inline void check_prescribed_indices(const Triangle_surface& surface, const Topo
 {
   std::vector<std::ptrdiff_t> sum(surface.number_of_components, 0);
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
-    if(index[v] >= 4)
+    if(index[v] >= Quarter_turns::order)
       throw Failure{Parameterization_status::INVALID_CONES,
                     surface.describe_vertex(v) + " is to have the index "
                     + std::to_string(index[v]) + ": from 4 on, no angle is left for its faces"};
     sum[surface.component_of_vertex(v)] += index[v];
   }
   for(std::size_t c = 0; c < surface.number_of_components; ++c) {
-    const std::ptrdiff_t expected = 4 * topo.euler_characteristic[c];
+    const std::ptrdiff_t expected = Quarter_turns::order * topo.euler_characteristic[c];
     if(topo.border_loops[c] == 0 && sum[c] != expected)
       throw Failure{Parameterization_status::INVALID_CONES,
                     "the indices of the cones of component " + std::to_string(c) + " add up to "

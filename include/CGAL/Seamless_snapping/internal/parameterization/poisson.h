@@ -18,7 +18,9 @@
 // local stiffening that lower the number of flipped triangles.
 
 #include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_row.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Surface_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 
 #include <algorithm>
@@ -81,7 +83,7 @@ private:
 // as a sum over the edges of each face.
 template <typename Solver>
 Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<double>& angles,
-                          const Cut_complex& complex, const Free_coordinates& coordinates,
+                          const Surface_complex& complex, const Free_coordinates& coordinates,
                           const Coordinate_table& table, const std::vector<double>& weights,
                           double& seconds)
 {
@@ -106,7 +108,7 @@ Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<dou
 }
 
 // Twice the area of face `f` in the plane.
-inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv,
+inline double doubled_uv_area(const Surface_complex& complex, const Coordinates& uv,
                               const Flat_face_index f)
 {
   const auto& p = uv[complex.sector(3 * f)];
@@ -115,7 +117,7 @@ inline double doubled_uv_area(const Cut_complex& complex, const Coordinates& uv,
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-inline std::size_t number_of_flips(const Triangle_surface& surface, const Cut_complex& complex,
+inline std::size_t number_of_flips(const Triangle_surface& surface, const Surface_complex& complex,
                                    const Coordinates& uv)
 {
   std::size_t count = 0;
@@ -126,7 +128,7 @@ inline std::size_t number_of_flips(const Triangle_surface& surface, const Cut_co
 
 // How far the singular values of the map of each face are from 1; negative determinants count as
 // negative singular values. See [Bommes, Zimmer, Kobbelt 2009], Sec. 5.
-inline std::vector<double> distortion(const Triangle_surface& surface, const Cut_complex& complex,
+inline std::vector<double> distortion(const Triangle_surface& surface, const Surface_complex& complex,
                                       const Coordinates& uv)
 {
   std::vector<double> result(surface.number_of_faces());
@@ -149,7 +151,7 @@ inline std::vector<double> distortion(const Triangle_surface& surface, const Cut
 
 // Raises the weights where the distortion differs from that of the neighbors, and multiplies them
 // at flipped faces and around, where raising alone takes many rounds.
-inline void stiffen(const Triangle_surface& surface, const Cut_complex& complex,
+inline void stiffen(const Triangle_surface& surface, const Surface_complex& complex,
                     const Coordinates& uv, std::vector<double>& weights)
 {
   constexpr double largest_increase = 5, factor_of_flips = 2;

@@ -33,7 +33,10 @@ namespace parameterization {
 using Complex = std::complex<double>;
 
 // A cross is represented by the fourth power of any of its four unit directions.
-inline Complex cross_of_angle(const double angle) { return std::polar(1., 4 * angle); }
+inline Complex cross_of_angle(const double angle)
+{
+  return std::polar(1., Quarter_turns::order * angle);
+}
 
 // One value per face: the cross to keep, or 0 where the field is free.
 using Prescribed_field = std::vector<Complex>;

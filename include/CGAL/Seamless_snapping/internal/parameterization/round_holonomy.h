@@ -109,11 +109,11 @@ inline Matching match_along_connection(const Triangle_surface& surface,
   std::vector<int> missing; // per vertex: the sum of the rotations that are still to be set
   for(const double s : sum)
     missing.push_back(static_cast<int>(std::lround(s)));
-  const auto set = [&](const Corner_index h, const int rotation)
+  const auto set = [&](const Corner_index h, const int turns)
   {
-    set_rotation(surface, field.angles, h, rotation, matching);
-    missing[surface.vertex(h)] -= rotation;
-    missing[surface.source(h)] += rotation;
+    set_turns(surface, field.angles, h, turns, matching);
+    missing[surface.vertex(h)] -= turns;
+    missing[surface.source(h)] += turns;
   };
 
   const std::vector<Corner_index> tree = trees_of_vertices(surface, field.is_followed);
@@ -122,7 +122,7 @@ inline Matching match_along_connection(const Triangle_surface& surface,
     is_in_tree[h] = is_in_tree[surface.opposite(h)] = true;
   for(Corner_index h = 0; h < n; ++h)
     if(surface.represents_edge(h) && !surface.is_border_edge(h) && !is_in_tree[h])
-      set(h, nearest_rotation(holonomy[h]));
+      set(h, nearest_turns(holonomy[h]));
   for(auto it = tree.rbegin(); it != tree.rend(); ++it)
     set(*it, missing[surface.vertex(*it)]);
   return matching;

@@ -201,7 +201,7 @@ inline std::vector<double> angles_of_field(const Prescribed_field& field)
   std::vector<double> angles;
   angles.reserve(field.size());
   for(const Complex& z : field)
-    angles.push_back(std::arg(z) / 4);
+    angles.push_back(std::arg(z) / Quarter_turns::order);
   return angles;
 }
 
