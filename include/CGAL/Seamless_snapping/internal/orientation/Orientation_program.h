@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,9 +44,8 @@ class Orientation_program
 
 public:
   // \param optimum the exact solution for targets that are not shifted
-  Orientation_program(const Points& points, const Complex_solver<Group>& solver,
-                      const Uv_state& optimum)
-    : m_points(points), m_solver(solver), m_optimum(optimum), m_unit(solver.coarsest_step()),
+  Orientation_program(const Points& points, const Complex_solver<Group>& solver, Uv_state optimum)
+    : m_points(points), m_solver(solver), m_optimum(std::move(optimum)), m_unit(solver.coarsest_step()),
       m_displacements(points.cuts().complex, solver)
   { }
 
@@ -53,7 +53,7 @@ public:
   // \param at where the conditions are linearized
   // \param forces receives the multiplier of each face
   bool solve(const std::vector<Face_index>& active, const double margin, const Uv_state& at,
-             Uv_state& result, Eigen::VectorXd& forces) const
+             Uv_state& result, Eigen::VectorXd& forces)
   {
     std::vector<Condition> conditions;
     for(const Face_index f : active)
@@ -72,7 +72,7 @@ public:
     forces = minimize_nonnegative(s, missing);
     if(!forces.allFinite())
       return false;
-    Vectors shift; // in units
+    Vectors shift(m_shift);
     for(Eigen::Index i = 0; i < n; ++i)
       for(const auto& p : conditions[std::size_t(i)].gradient)
         add(shift, p.first, {{forces[i] * p.second[0], forces[i] * p.second[1]}});
@@ -83,7 +83,20 @@ public:
     if(!m_solver.solve_shifted(shifts, result))
       return false;
     set_free_coordinates(shift, result);
+    m_last_shift = std::move(shift);
     return true;
+  }
+
+  const Uv_state& start() const { return m_optimum; }
+
+  // The shift of the last solution, in units.
+  const Vectors& last_shift() const { return m_last_shift; }
+
+  // Lets further programs start from a solution: its faces are so many that they come in turns.
+  void start_from(const Vectors& shift, const Uv_state& solution)
+  {
+    m_shift = shift;
+    m_optimum = solution;
   }
 
 private:
@@ -145,20 +158,24 @@ private:
   // What no equation determines moves with its target.
   void set_free_coordinates(const Vectors& shift, Uv_state& result) const
   {
-    for(const auto& s : shift) {
-      Uv u = std::size_t(s.first) < result.size() ? m_points.uv(result, s.first)
-                                                  : m_points.uv(m_optimum, s.first);
-      for(std::size_t c = 0; c < 2; ++c)
-        if(!m_displacements.is_dependent(s.first, c))
-          u[c] = rounded_to(m_solver.format(),
-                            m_points.uv(m_optimum, s.first)[c] + s.second[c] * m_unit);
-      m_points.set_uv(result, s.first, u);
+    for(std::size_t i = 0; i < shift.size(); ++i) {
+      const Point_index p = shift[i].first;
+      Uv u = m_points.uv(std::size_t(p) < result.size() ? result : m_optimum, p);
+      for(std::size_t c = 0; c < 2; ++c) {
+        const double done = i < m_shift.size() ? m_shift[i].second[c] : 0; // by the optimum
+        if(!m_displacements.is_dependent(p, c))
+          u[c] = rounded_to(m_solver.format(), m_points.uv(m_optimum, p)[c] +
+                                                 (shift[i].second[c] - done) * m_unit);
+      }
+      m_points.set_uv(result, p, u);
     }
   }
 
   const Points& m_points;
   const Complex_solver<Group>& m_solver;
-  const Uv_state& m_optimum;
+  Uv_state m_optimum; // that programs start from
+  Vectors m_shift;    // its targets, in units
+  Vectors m_last_shift;
   double m_unit;
   Displacements<Group> m_displacements;
 };

@@ -164,7 +164,7 @@ private:
   void repair_by_program(Attempt& best)
   {
     watch_within(m_largest_repair);
-    const Program program(m_points, m_solver, m_optimum);
+    Program program(m_points, m_solver, m_optimum);
     for(const double reach : {m_reach, m_largest_repair})
       for(const double margin : area_margins)
         if(!best.lost.empty())
@@ -177,14 +177,15 @@ private:
   // Solves with the conditions of the faces that remain, and again with those of faces that this
   // costs, linearized at the previous solution.
   // \param reach the largest change of a coordinate
-  void search(const Program& program, const double margin, const double reach, const bool with_flips,
+  void search(Program& program, const double margin, const double reach, const bool with_flips,
               Attempt& best)
   {
     std::vector<Face_index> active = best.lost, given_up;
     if(with_flips)
       active.insert(active.end(), best.flips.begin(), best.flips.end());
-    Uv_state at = m_optimum, next;
+    Uv_state at = program.start(), next;
     Eigen::VectorXd forces;
+    const bool is_crowd = active.size() > largest_program;
     active.resize((std::min)(active.size(), largest_program));
     for(int idle = 0; idle < 4 && !active.empty() && m_work < largest_work; ++idle) {
       m_work += active.size();
@@ -202,8 +203,11 @@ private:
       watch_moved_vertices(next);
       const Attempt attempt = repaired_by_moves(next, m_reach);
       bool has_changed = is_better(attempt, best);
-      if(has_changed)
+      if(has_changed) {
         best = attempt;
+        if(is_crowd) // the next program is for the others
+          program.start_from(program.last_shift(), next);
+      }
       if(best.lost.empty() && (best.flips.empty() || !with_flips))
         return;
       for(const Face_index f : attempt.lost)
