@@ -108,6 +108,8 @@ struct Snapping_figures
   std::size_t number_of_faces = 0;        ///< faces of the mesh
   std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
   std::size_t number_of_merged_edges = 0; ///< edges that are no cut, but whose sides differed in the input
+  /// edges too short to tell their rotation, which took it from their surroundings
+  std::size_t number_of_edges_decided_by_surroundings = 0;
   /// interior vertices whose holonomy is not the identity
   std::size_t number_of_singular_vertices = 0;
   std::size_t number_of_sectors = 0; ///< sectors at the vertices of cut, merged, and aligned edges

@@ -126,6 +126,8 @@ private:
     m_report.run.number_of_faces = faces(m_tmesh).size(); // num_faces() counts removed ones too
     m_report.run.number_of_cut_edges = transitions.number_of_cuts;
     m_report.run.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
+    m_report.run.number_of_edges_decided_by_surroundings =
+      transitions.number_of_edges_decided_by_surroundings;
     m_report.extent = transitions.extent;
     m_report.violation_before = transitions.violation;
   }

@@ -19,6 +19,7 @@
 // elimination and the factorization are made once, and serve all targets.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/complex/exact_components.h>
 #include <CGAL/Seamless_snapping/internal/complex/expand_solution.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
 
@@ -49,6 +50,7 @@ public:
   {
     for(const double largest : m_largest)
       m_grids.push_back(Grid::finest(format, largest));
+    m_is_exact = exact_components(complex, m_components, m_largest.size());
   }
 
   Complex_solver(const Complex_solver&) = delete; // its members refer to each other
@@ -60,14 +62,7 @@ public:
   const Number_format& format() const { return m_format; }
   const std::vector<Grid>& grids() const { return m_grids; } // per component
 
-  // Of all grids; 1 if there is none.
-  double coarsest_step() const
-  {
-    double step = 0;
-    for(const Grid& grid : m_grids)
-      step = (std::max)(step, grid.step());
-    return step > 0 ? step : 1;
-  }
+  double coarsest_step() const { return internal::coarsest_step(m_grids); }
 
   // Exact coordinates near the input; `grids()` become those of the solution. Returns why there are
   // none, if so.
@@ -75,47 +70,57 @@ public:
   {
     if(!m_solver.is_consistent())
       return Refusal{Snapping_status::INCONSISTENT, {}, m_solver.certificate()};
-    for(;;) {
-      Linear_solution solution;
-      if(m_solver.solve(target(), solution) >= 0)
-        return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
-      const std::vector<Grid> tried(m_grids);
-      m_grids = solution.grids;
-      snapped = expand({}, solution);
-      if(snapped.misfit < 0)
-        return std::nullopt;
-      // Rare: coordinates that grow past a power of two need a coarser grid. Where right-hand sides
-      // want a finer one, there is none.
-      const std::size_t k = std::size_t(snapped.misfit);
-      if(m_grids[k].exponent() < tried[k].exponent())
-        return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
-      m_grids[k] = Grid(m_format, m_grids[k].exponent() + 1);
-    }
+    if(!solve({}, m_grids, snapped))
+      return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+    return std::nullopt;
   }
 
-  // The same for targets beside the input, on the grids of the first solution. Returns false if
-  // there are none.
+  // The same for targets beside the input. Returns false if there are none, or none near by: more
+  // than twice as large as the input.
   bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const
   {
-    Linear_solution solution;
-    if(!are_in_range(shifts) || m_solver.solve(linear_target(shifts), solution) >= 0)
+    std::vector<Grid> grids(m_grids);
+    Snapped_coordinates<Group> snapped;
+    if(!are_in_range(shifts) || !solve(shifts, grids, snapped))
       return false;
-    for(std::size_t k = 0; k < m_grids.size(); ++k)
-      if(solution.grids[k].exponent() != m_grids[k].exponent())
+    for(std::size_t k = 0; k < grids.size(); ++k)
+      if(grids[k].exponent() > m_grids[k].exponent() + 1)
         return false;
-    Snapped_coordinates<Group> snapped = expand(shifts, solution);
     coordinates.swap(snapped.coordinates);
-    return snapped.misfit < 0;
+    return true;
   }
 
   // What the linear solver approximates where no target is shifted.
-  Linear_target target() const { return linear_target({}); }
+  Linear_target target() const { return linear_target({}, m_grids); }
 
 private:
-  Linear_target linear_target(const Target_shifts<Group>& shifts) const
+  // Tries grids from the given ones on. Returns false if none has a solution.
+  bool solve(const Target_shifts<Group>& shifts, std::vector<Grid>& grids,
+             Snapped_coordinates<Group>& snapped) const
   {
-    const Grid_coordinates<Group> coordinates(m_complex, m_grids, shifts);
-    return {m_grids,
+    const std::vector<char> is_kept = kept_components(shifts);
+    for(;;) {
+      Linear_solution solution;
+      if(!solve_components(is_kept, linear_target(shifts, grids), solution))
+        return false;
+      snapped = expand(shifts, is_kept, solution);
+      const std::vector<Grid> tried(grids);
+      grids = solution.grids;
+      if(snapped.misfit < 0)
+        return true;
+      // Rare: coordinates that grow past a power of two need a coarser grid. Where right-hand sides
+      // want a finer one, there is none.
+      Grid& grid = grids[std::size_t(snapped.misfit)];
+      if(grid.exponent() < tried[std::size_t(snapped.misfit)].exponent())
+        return false;
+      grid = Grid(m_format, grid.exponent() + 1);
+    }
+  }
+
+  Linear_target linear_target(const Target_shifts<Group>& shifts, const std::vector<Grid>& grids) const
+  {
+    const Grid_coordinates<Group> coordinates(m_complex, grids, shifts);
+    return {grids,
             Linear_target_builder<Group>(m_complex, m_system, m_components, coordinates).build()};
   }
 
@@ -131,7 +136,35 @@ private:
     return true;
   }
 
+  // Those that are exact in the input, and are not asked to move.
+  std::vector<char> kept_components(const Target_shifts<Group>& shifts) const
+  {
+    std::vector<char> result(m_is_exact);
+    if(!shifts.empty())
+      m_components.for_each_sector([&](const Sector_index s, const auto& components) {
+        if(shifts.count(s) != 0)
+          for(const Component_index k : components)
+            if(k >= 0)
+              result[std::size_t(k)] = false;
+      });
+    return result;
+  }
+
+  // Returns false if a component has no representable solution.
+  bool solve_components(const std::vector<char>& is_kept, const Linear_target& target,
+                        Linear_solution& solution) const
+  {
+    solution.grids = target.grids;
+    solution.x.assign(target.values.size(), 0);
+    solution.optimum.assign(target.values.size(), Grid_value());
+    for(std::size_t k = 0; k < is_kept.size(); ++k)
+      if(!is_kept[k] && !m_solver.solve_component(Component_index(k), target, solution))
+        return false;
+    return true;
+  }
+
   Snapped_coordinates<Group> expand(const Target_shifts<Group>& shifts,
+                                    const std::vector<char>& is_kept,
                                     const Linear_solution& solution) const
   {
     Snapped_coordinates<Group> result;
@@ -141,8 +174,8 @@ private:
     if(result.misfit >= 0)
       return result;
     const Grid_coordinates<Group> targets(m_complex, solution.grids, shifts);
-    return Solution_expander<Group>(m_complex, m_system, m_components, targets, solution, m_format,
-                                    coarsest_step()).take();
+    return Solution_expander<Group>(m_complex, m_system, m_components, targets, solution,
+                                    is_kept, m_format).take();
   }
 
   const Cut_complex<Group>& m_complex;
@@ -152,6 +185,7 @@ private:
   Coordinate_components<Group> m_components;
   std::vector<double> m_largest; // per component: absolute value of a coordinate
   std::vector<Grid> m_grids;     // per component
+  std::vector<char> m_is_exact;  // per component: in the input
 };
 
 } // namespace internal

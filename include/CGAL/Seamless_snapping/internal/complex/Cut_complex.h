@@ -23,6 +23,7 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -119,6 +120,15 @@ struct Cut_complex
   std::size_t number_of_branches() const { return element.size(); }
   std::size_t number_of_chains() const { return functional.size(); }
   bool has_further_constraints() const { return !paths.empty() || !equations.empty(); }
+
+  // Null for sectors whose corners are the same.
+  const Mixed_sector* find_mixed_sector(const Sector_index s) const
+  {
+    const auto found = std::lower_bound(
+      mixed_sectors.begin(), mixed_sectors.end(), s,
+      [](const Mixed_sector& m, const Sector_index t) { return m.sector < t; });
+    return found != mixed_sectors.end() && found->sector == s ? &*found : nullptr;
+  }
 
   const Pair* pairs_begin(const std::size_t b) const { return pairs.data() + first_pair[b]; }
   const Pair* pairs_end(const std::size_t b) const { return pairs.data() + first_pair[b + 1]; }

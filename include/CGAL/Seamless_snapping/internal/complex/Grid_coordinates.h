@@ -147,15 +147,9 @@ std::vector<double> largest_coordinates(const Cut_complex<Group>& complex,
     if(k >= 0)
       result[std::size_t(k)] = (std::max)(result[std::size_t(k)], std::abs(x));
   };
-  auto mixed = [&](const Sector_index s) {
-    const auto found = std::lower_bound(
-      complex.mixed_sectors.begin(), complex.mixed_sectors.end(), s,
-      [](const auto& m, const Sector_index t) { return m.sector < t; });
-    return found != complex.mixed_sectors.end() && found->sector == s ? found->largest : 0.;
-  };
-  const bool has_mixed = !complex.mixed_sectors.empty();
   components.for_each_sector([&](const Sector_index s, const Components<Group::dimension>& k) {
-    const double largest = has_mixed ? mixed(s) : 0;
+    const auto* const mixed = complex.find_mixed_sector(s);
+    const double largest = mixed != nullptr ? mixed->largest : 0;
     for(std::size_t c = 0; c < Group::dimension; ++c)
       add(k[c], (std::max)(std::abs(complex.coordinates[std::size_t(s)][c]), largest));
   });
@@ -198,11 +192,8 @@ private:
   void add_deviation(const Sector_index s, const Components<dimension>& k,
                      Grid_point<dimension>& point) const
   {
-    const auto found = std::lower_bound(
-      m_complex.mixed_sectors.begin(), m_complex.mixed_sectors.end(), s,
-      [](const auto& m, const Sector_index t) { return m.sector < t; });
-    if(found != m_complex.mixed_sectors.end() && found->sector == s)
-      add(found->deviation, k, point);
+    if(const auto* const mixed = m_complex.find_mixed_sector(s))
+      add(mixed->deviation, k, point);
   }
 
   void add_shift(const Sector_index s, const Components<dimension>& k,

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,6 +45,16 @@ struct Snapped_coordinates
   Component_index misfit = -1; // a component that needs a coarser grid; if there is one, all is void
 };
 
+// Of all grids; 1 if there is none.
+inline double coarsest_step(const std::vector<Grid>& grids)
+{
+  double step = 0;
+  for(const Grid& grid : grids)
+    step = (std::max)(step, grid.step());
+  return step > 0 ? step : 1;
+}
+
+// The components that are kept have no solution, and need none.
 template <typename Group>
 class Solution_expander
 {
@@ -54,11 +65,11 @@ public:
   Solution_expander(const Cut_complex<Group>& complex, const Reduced_system<Group>& system,
                     const Coordinate_components<Group>& components,
                     const Grid_coordinates<Group>& targets, const Linear_solution& solution,
-                    const Number_format& format, const double unit)
+                    const std::vector<char>& is_kept, const Number_format& format)
     : m_complex(complex), m_system(system), m_components(components), m_targets(targets),
-      m_solution(solution), m_format(format)
+      m_solution(solution), m_is_kept(is_kept), m_format(format)
   {
-    m_result.unit = unit;
+    m_result.unit = coarsest_step(solution.grids);
     m_result.coordinates = complex.coordinates;
     expand_mixed_sectors();
     expand_nodes();
@@ -94,7 +105,7 @@ private:
       const Components<dimension> k = m_components.of_node(s);
       const Grid_point<dimension> target = m_targets(s, k);
       for(std::size_t c = 0; c < dimension; ++c)
-        if(k[c] >= 0) {
+        if(k[c] >= 0 && !is_kept(k[c])) {
           const Column_index column = unknown + Column_index(c);
           set(s, c, k[c], m_solution.x[std::size_t(column)]);
           add_optimal_change(optimal_change({target.base[c], target.offset[c]}, column), k[c]);
@@ -179,18 +190,22 @@ private:
   // \param change in steps of the component's grid
   void add_optimal_change(const double change, const Component_index k)
   {
-    add_optimal_change(change * (grid(k).step() / m_result.unit));
+    if(!is_kept(k))
+      add_optimal_change(change * (grid(k).step() / m_result.unit));
   }
 
   void add_optimal_change(const double change) { m_result.optimal_squares += change * change; }
 
   void set(const Sector_index s, const std::size_t c, const Component_index k, const std::int64_t x)
   {
+    if(is_kept(k))
+      return;
     if(!grid(k).is_representable(x))
       m_result.misfit = k;
     m_result.coordinates[std::size_t(s)][c] = grid(k).value(x);
   }
 
+  bool is_kept(const Component_index k) const { return m_is_kept[std::size_t(k)] != 0; }
   const Grid& grid(const Component_index k) const { return m_solution.grids[std::size_t(k)]; }
 
   const Cut_complex<Group>& m_complex;
@@ -198,6 +213,7 @@ private:
   const Coordinate_components<Group>& m_components;
   const Grid_coordinates<Group>& m_targets;
   const Linear_solution& m_solution;
+  const std::vector<char>& m_is_kept; // per component: coordinates are those of the input
   Number_format m_format;
   Snapped_coordinates<Group> m_result;
 };

@@ -71,6 +71,7 @@ public:
     }
   }
 
+  std::size_t size() const { return m_begin.size() - 1; } // vertices
   std::size_t degree(const Vertex_index v) const
   { return m_begin[std::size_t(v) + 1] - m_begin[std::size_t(v)]; }
   const Incidence* begin(const Vertex_index v) const
@@ -79,7 +80,7 @@ public:
   { return m_incidences.data() + m_begin[std::size_t(v) + 1]; }
 
 private:
-  std::vector<std::size_t> m_begin;
+  Offsets m_begin = Offsets(1, 0);
   std::vector<Incidence> m_incidences;
 };
 

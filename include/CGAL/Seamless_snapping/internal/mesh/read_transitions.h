@@ -16,7 +16,11 @@
 
 // From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from noise.
 
-#include <CGAL/Seamless_snapping/internal/mesh/classify_mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
+#include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -45,6 +49,7 @@ struct Transition_data
 
   std::vector<Mismatched_edge<Halfedge> > edges; // the cut edges, then the merged ones
   std::size_t number_of_cuts = 0;
+  std::size_t number_of_edges_decided_by_surroundings = 0;
   std::optional<Refusal> refusal;
   bool is_exact = true;
   double extent = 0;
@@ -258,27 +263,33 @@ private:
     return false;
   }
 
-  // Returns false if a rotation that an edge takes from its branch does not fit it.
+  // Returns false if an edge takes a rotation from its surroundings that misses by too much.
   bool tell_cuts_from_noise(const Vertex_numbers& numbers, Data& data) const
   {
-    const double residual = largest_residual(data.edges);
-    const auto is_hidden = [&](const Mismatched_edge<Halfedge>& edge) {
-      constexpr double epsilon =
-        std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
-      return hides_its_rotation(edge, residual, epsilon);
-    };
+    double residual = 0;
+    for(const Mismatched_edge<Halfedge>& edge : data.edges)
+      residual = (std::max)(residual, edge.residual);
     if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Mismatched_edge<Halfedge>& edge)
-                    { return is_hidden(edge) || may_be_noise<Group>(edge, residual); }))
+                    { return edge.length <= 16 * residual || may_be_noise<Group>(edge, residual); }))
       return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
-    if(!Given::has_rotations &&
-       complete_rotations<Group>(m_tmesh, m_scale, is_hidden, ends, incidences, data.edges) &&
-       !check_residuals(data))
-      return false;
+    if(!Given::has_rotations) {
+      data.number_of_edges_decided_by_surroundings =
+        Seam_estimator<Group, TriangleMesh, Halfedge>(
+          m_tmesh, m_scale, m_tolerance * (data.extent * m_scale), epsilon(), ends, incidences,
+          data.edges).run();
+      if(data.number_of_edges_decided_by_surroundings > 0 && !check_residuals(data))
+        return false;
+    }
     if(!Given::has_cuts)
-      mark_merged_edges<Group>(m_tmesh, ends, incidences, residual, data.edges);
+      mark_merged_edges<Group>(m_tmesh, incidences, data.edges);
     return true;
+  }
+
+  static constexpr double epsilon()
+  {
+    return std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
   }
 
   void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const

@@ -203,11 +203,7 @@ private:
 
   bool is_mixed(const Sector_index s) const
   {
-    const auto& mixed = m_cuts.complex.mixed_sectors;
-    const auto found = std::lower_bound(mixed.begin(), mixed.end(), s,
-                                        [](const auto& m, const Sector_index t)
-                                        { return m.sector < t; });
-    return found != mixed.end() && found->sector == s;
+    return m_cuts.complex.find_mixed_sector(s) != nullptr;
   }
 
   std::size_t number_of_sectors() const { return m_cuts.complex.number_of_sectors(); }

@@ -1,0 +1,69 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXACT_COMPONENTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXACT_COMPONENTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Which components of the reduced system hold exactly in the input: they are left alone to the bit,
+// whatever is mended elsewhere.
+
+#include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// \return per component
+template <typename Group>
+std::vector<char> exact_components(const Cut_complex<Group>& complex,
+                                   const Coordinate_components<Group>& components,
+                                   const std::size_t number_of_components)
+{
+  std::vector<char> result(number_of_components, true);
+  const auto mark = [&](const Components<Group::dimension>& inexact) {
+    for(const Component_index k : inexact)
+      if(k >= 0)
+        result[std::size_t(k)] = false;
+  };
+  const auto& u = complex.coordinates;
+  for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
+    if(!branch_is_exact(complex, b, u))
+      mark(components.of_node(complex.pairs_begin(b)->minus));
+  for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
+    if(!chain_is_exact(complex, c, u))
+      mark(components.of_node(*complex.links_begin(c)));
+  for(const auto& path : complex.paths)
+    if(!path_is_exact(complex, path, u))
+      mark(components.of_node(path.a));
+  for(const auto& equation : complex.equations)
+    if(!equation_is_exact<Group>(equation, u))
+      for(const auto& term : equation.terms)
+        mark(components.of_node(term.sector));
+  if(!complex.mixed_sectors.empty())
+    components.for_each_sector([&](const Sector_index s, const auto& inexact) {
+      if(complex.find_mixed_sector(s) != nullptr)
+        mark(inexact);
+    });
+  return result;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_EXACT_COMPONENTS_H

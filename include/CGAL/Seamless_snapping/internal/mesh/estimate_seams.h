@@ -1,0 +1,297 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ESTIMATE_SEAMS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ESTIMATE_SEAMS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Which mismatched edges are cuts, and how their charts are turned: the topology that explains the
+// coordinates with the smallest residuals. Floating point is used throughout: this chooses which
+// parametrization is approximated, not whether it is met exactly.
+
+#include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// One run. The noise at an edge is what residuals in its surroundings tell, and gaps where corners
+// differ along most edges. An edge whose length lets only one rotation explain it up to the noise
+// is decided by itself. Others take the rotation that leaves no cone at one of their ends; where
+// both ends leave a choice, they are no cut if their gap is noise too, and what fits best
+// otherwise. Cones that only such choices have made cancel each other along edges that are not
+// decided by themselves.
+template <typename Group, typename TriangleMesh, typename Halfedge>
+class Seam_estimator
+{
+  using Edge = Mismatched_edge<Halfedge>;
+  using Element = typename Group::Element;
+
+public:
+  // \param tolerance the largest residual that a rotation may have, in scaled units
+  Seam_estimator(const TriangleMesh& tmesh, const double scale, const double tolerance,
+                 const double epsilon, const std::vector<Edge_ends>& ends,
+                 const Vertex_incidences& incidences, std::vector<Edge>& edges)
+    : m_tmesh(tmesh), m_scale(scale), m_tolerance(tolerance), m_epsilon(epsilon), m_ends(ends),
+      m_incidences(incidences), m_edges(edges), m_is_decided(edges.size(), true),
+      m_is_soft(edges.size(), false), m_number_of_undecided(incidences.size(), 0),
+      m_is_border(incidences.size(), UNKNOWN)
+  { }
+
+  // Returns the number of edges that were decided by their surroundings.
+  std::size_t run()
+  {
+    estimate_noise();
+    find_undecided();
+    if(std::find(m_is_soft.begin(), m_is_soft.end(), true) == m_is_soft.end())
+      return 0;
+    for(std::size_t v = 0; v < m_incidences.size(); ++v)
+      m_queue.push_back(Vertex_index(v));
+    complete_vertices();
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      if(!m_is_decided[i] && is_noise(m_edges[i].gap, i) && is_admissible(i, Group::identity()))
+        decide(i, Group::identity());
+    complete_vertices();
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      if(!m_is_decided[i]) {
+        decide(i, m_edges[i].rotation); // of least residual
+        complete_vertices();
+      }
+    for(std::size_t v = 0; v < m_incidences.size(); ++v)
+      if(is_cone(Vertex_index(v)))
+        cancel_cone(Vertex_index(v));
+    return std::size_t(std::count(m_is_soft.begin(), m_is_soft.end(), true));
+  }
+
+private:
+  enum : char { UNKNOWN, NO, YES };
+
+  // --- noise ---
+
+  // The largest residual within a few edges: a single one can be small by chance.
+  void estimate_noise()
+  {
+    constexpr int number_of_rings = 3;
+    m_noise.assign(m_edges.size(), 0);
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      m_noise[i] = m_edges[i].residual;
+    for(std::size_t v = 0; v < m_incidences.size(); ++v)
+      add_gaps(Vertex_index(v));
+    std::vector<double> at_vertex(m_incidences.size());
+    for(int ring = 0; ring < number_of_rings; ++ring) {
+      std::fill(at_vertex.begin(), at_vertex.end(), 0);
+      for(std::size_t i = 0; i < m_edges.size(); ++i)
+        for(const Vertex_index v : {m_ends[i].source, m_ends[i].target})
+          at_vertex[std::size_t(v)] = (std::max)(at_vertex[std::size_t(v)], m_noise[i]);
+      for(std::size_t i = 0; i < m_edges.size(); ++i)
+        m_noise[i] = (std::max)(at_vertex[std::size_t(m_ends[i].source)],
+                                at_vertex[std::size_t(m_ends[i].target)]);
+    }
+  }
+
+  // Where corners differ along most edges of a vertex, each has noise of its own, which their gaps
+  // show even if the edges are too short for residuals to.
+  void add_gaps(const Vertex_index v)
+  {
+    if(m_incidences.degree(v) < 3)
+      return;
+    std::size_t number = 0;
+    double largest = 0;
+    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
+      const Edge& edge = m_edges[std::size_t(i->edge)];
+      if(edge.is_exact || edge.gap > 4 * edge.length)
+        continue;
+      ++number;
+      largest = (std::max)(largest, edge.gap);
+    }
+    if(2 * number <= CGAL::halfedges_around_target(halfedge_towards(v), m_tmesh).size())
+      return;
+    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
+      m_noise[std::size_t(i->edge)] = (std::max)(m_noise[std::size_t(i->edge)], largest);
+  }
+
+  bool is_noise(const double x, const std::size_t i) const { return x <= 2 * m_noise[i]; }
+
+  // --- edges ---
+
+  void find_undecided()
+  {
+    for(std::size_t i = 0; i < m_edges.size(); ++i) {
+      const Edge& edge = m_edges[i];
+      // what agrees exactly, and is longer than what does so by chance, is no noise
+      if(!edge.is_cut || (edge.is_exact && edge.length > 64 * m_epsilon))
+        continue;
+      int number = 0;
+      for(int turns = 0; turns < Group::order; ++turns)
+        number += is_admissible(i, Group::element(turns)) ? 1 : 0;
+      if(number < 2)
+        continue;
+      m_is_decided[i] = false;
+      m_is_soft[i] = true;
+      ++m_number_of_undecided[std::size_t(m_ends[i].source)];
+      ++m_number_of_undecided[std::size_t(m_ends[i].target)];
+    }
+  }
+
+  bool is_admissible(const std::size_t i, const Element g) const
+  {
+    const Edge& edge = m_edges[i];
+    if(g == edge.rotation)
+      return true;
+    if(edge.length > 4 * m_noise[i]) // all others miss by more than this
+      return false;
+    const double residual = Edge_vectors(edge.sides).residual<Group>(g, m_scale);
+    return is_noise(residual, i) && residual <= m_tolerance;
+  }
+
+  void decide(const std::size_t i, const Element g)
+  {
+    set_rotation<Group>(m_edges[i], Edge_vectors(m_edges[i].sides), g, m_scale);
+    m_is_decided[i] = true;
+    for(const Vertex_index v : {m_ends[i].source, m_ends[i].target}) {
+      --m_number_of_undecided[std::size_t(v)];
+      m_queue.push_back(v);
+    }
+  }
+
+  // --- vertices ---
+
+  // At inner vertices all of whose edges but one are decided, that one leaves no cone, if it can.
+  void complete_vertices()
+  {
+    for(; !m_queue.empty(); m_queue.pop_front()) {
+      const Vertex_index v = m_queue.front();
+      if(m_number_of_undecided[std::size_t(v)] != 1 || is_border(v))
+        continue;
+      for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
+        const std::size_t e = std::size_t(i->edge);
+        if(m_is_decided[e])
+          continue;
+        const Element others = holonomy(v, i->edge);
+        const Element g = i->points_to_vertex ? Group::inverse(others) : others;
+        if(is_admissible(e, g))
+          decide(e, g);
+        break;
+      }
+    }
+  }
+
+  // The product of the rotations around a vertex, counterclockwise, but for one edge.
+  Element holonomy(const Vertex_index v, const Edge_index except) const
+  {
+    Element product = Group::identity();
+    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
+      if(i->edge != except) {
+        const Element g = m_edges[std::size_t(i->edge)].rotation;
+        product = Group::compose(i->points_to_vertex ? g : Group::inverse(g), product);
+      }
+    return product;
+  }
+
+  bool is_cone(const Vertex_index v) { return cone(v) != Group::identity(); }
+
+  // \return the identity on the border
+  Element cone(const Vertex_index v)
+  {
+    return is_border(v) ? Group::identity() : holonomy(v, -1);
+  }
+
+  Halfedge halfedge_towards(const Vertex_index v) const
+  {
+    const Incidence& i = *m_incidences.begin(v);
+    const Halfedge h = m_edges[std::size_t(i.edge)].halfedge;
+    return i.points_to_vertex ? h : opposite(h, m_tmesh);
+  }
+
+  bool is_border(const Vertex_index v)
+  {
+    char& known = m_is_border[std::size_t(v)];
+    if(known == UNKNOWN)
+      known = m_incidences.degree(v) > 0 &&
+              CGAL::is_border(target(halfedge_towards(v), m_tmesh), m_tmesh) ? YES : NO;
+    return known == YES;
+  }
+
+  // --- pairs of cones ---
+
+  // Turns the edges of the shortest way to a cone that is inverse to this one, or to the border,
+  // where all of them leave the choice. Then both are gone.
+  void cancel_cone(const Vertex_index start)
+  {
+    constexpr std::size_t largest_search = 10000; // vertices
+    const Element index = cone(start);
+    std::vector<Vertex_index> reached(1, start);
+    std::vector<std::int32_t> arrival(1, -1); // place in `reached`
+    std::vector<Incidence> by(1);
+    std::vector<char>& is_reached = m_is_reached;
+    is_reached.resize(m_incidences.size(), false);
+    is_reached[std::size_t(start)] = true;
+    std::size_t found = 0;
+    for(std::size_t k = 0; k < reached.size() && found == 0 && k < largest_search; ++k)
+      for(const Incidence* i = m_incidences.begin(reached[k]);
+          i != m_incidences.end(reached[k]) && found == 0; ++i) {
+        const std::size_t e = std::size_t(i->edge);
+        const Vertex_index next = i->points_to_vertex ? m_ends[e].source : m_ends[e].target;
+        if(!m_is_soft[e] || is_reached[std::size_t(next)] ||
+           !is_admissible(e, turned(*i, index)))
+          continue;
+        is_reached[std::size_t(next)] = true;
+        reached.push_back(next);
+        arrival.push_back(std::int32_t(k));
+        by.push_back(*i);
+        if(!is_border(next) && cone(next) == Group::inverse(index))
+          found = reached.size() - 1;
+      }
+    for(const Vertex_index v : reached)
+      is_reached[std::size_t(v)] = false;
+    for(std::size_t k = found; k != 0; k = std::size_t(arrival[k])) {
+      const std::size_t e = std::size_t(by[k].edge);
+      set_rotation<Group>(m_edges[e], Edge_vectors(m_edges[e].sides), turned(by[k], index), m_scale);
+    }
+  }
+
+  // The rotation of an edge that takes a cone from the vertex of the incidence to its other end.
+  Element turned(const Incidence& i, const Element index) const
+  {
+    const Element g = m_edges[std::size_t(i.edge)].rotation;
+    return Group::compose(i.points_to_vertex ? Group::inverse(index) : index, g);
+  }
+
+  const TriangleMesh& m_tmesh;
+  double m_scale, m_tolerance, m_epsilon;
+  const std::vector<Edge_ends>& m_ends;
+  const Vertex_incidences& m_incidences;
+  std::vector<Edge>& m_edges;
+  std::vector<double> m_noise; // per edge
+  std::vector<char> m_is_decided, m_is_soft; // per edge: now, and not by itself
+  std::vector<int> m_number_of_undecided; // per vertex: edges
+  std::vector<char> m_is_border, m_is_reached; // per vertex
+  std::deque<Vertex_index> m_queue;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_ESTIMATE_SEAMS_H
