@@ -38,6 +38,11 @@ struct Grid_value
 
 inline double to_double(const Grid_value& v) { return static_cast<double>(v.base) + v.offset; }
 
+inline double difference(const Grid_value& a, const Grid_value& b)
+{
+  return static_cast<double>(a.base - b.base) + (a.offset - b.offset);
+}
+
 // What a floating point number type can hold.
 struct Number_format
 {

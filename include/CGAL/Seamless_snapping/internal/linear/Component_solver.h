@@ -23,12 +23,14 @@
 #include <CGAL/Seamless_snapping/internal/linear/Core_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
+#include <CGAL/Seamless_snapping/internal/linear/reduced_rows.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -57,7 +59,8 @@ public:
       m_form(eliminate(m_system))
   {
     if(!m_form.rows_in_core.empty())
-      m_core = std::make_unique<Core_solver>(m_system, m_form);
+      m_core = std::make_unique<Core_solver>(
+        m_system, m_form, m_system.number_of_columns() <= Core_solver::largest_whole_system);
     std::vector<bool> is_free(m_form.pivot_rows.number_of_columns(), true);
     for(const Column_index column : m_form.pivot_columns)
       is_free[std::size_t(column)] = false;
@@ -72,6 +75,7 @@ public:
   }
 
   const Integer_system& system() const { return m_system; }
+  const std::vector<double>& weights() const { return m_weights; }
 
   // Whether there are solutions over the rationals.
   bool is_consistent() const
@@ -122,37 +126,26 @@ public:
   // the finest that fits the values on. Returns false if there is no solution on any grid that the
   // number type has for values of this size: impossible for homogeneous systems, which 0 solves.
   // \pre is_consistent()
-  bool solve(Component_solution& solution, Step_timer* const timer) const
+  bool solve(Component_solution& solution, Step_timer* const timer = nullptr) const
   {
-    int coarsest = m_format.maximum_exponent - 1;
-    if(!m_is_homogeneous) {
-      if(m_core != nullptr && !m_core->right_hand_shift())
-        return false;
-      const int shift = m_core == nullptr ? 0 : static_cast<int>(*m_core->right_hand_shift());
-      coarsest = (std::min)(coarsest, -m_system.right_hand_scale() - shift);
-    }
+    const int coarsest = coarsest_exponent();
+    const Component_solution values(solution);
     if(coarsest < m_format.minimum_exponent || !find_optimum(coarsest, solution))
       return false;
     if(m_is_homogeneous)
       pull_into_range(solution);
-    add_auxiliary_unknowns(solution.optimum);
-    if(m_core != nullptr && m_metric == nullptr)
-      m_metric = std::make_unique<Lattice_metric>(m_core->metric(all_weights()));
     finish(timer, "least-squares target");
-
-    for(int excess = 0; (excess = evaluate(solution)) > 0;) {
-      if(solution.grid.exponent() == coarsest) {
-        if(!m_is_homogeneous)
-          return false;
-        solution.x.assign(solution.x.size(), 0);
-        break;
-      }
-      change_grid((std::min)(solution.grid.exponent() + excess, coarsest), solution);
-    }
-    solution.x.resize(m_system.number_of_columns());
-    solution.optimum.resize(m_system.number_of_columns());
+    const bool found = evaluate_near(values, coarsest, solution);
     finish(timer, "evaluation");
-    return true;
+    return found;
+  }
+
+  // Moves the values to the least-squares optimum, on a grid for that. Returns false if no grid of the
+  // number type holds it.
+  bool find_optimum(Component_solution& solution) const
+  {
+    const int coarsest = coarsest_exponent();
+    return coarsest >= m_format.minimum_exponent && find_optimum(coarsest, solution);
   }
 
   // How the optimum answers to shifts of the values.
@@ -160,10 +153,25 @@ public:
   { return projection().nearest_difference(shifts); }
 
 private:
+  static constexpr std::size_t most_rows_to_reduce = 300;
+  static constexpr int most_bits_at_once = 40; // of a finer grid: what is left of errors fits there
+
   static void finish(Step_timer* const timer, const char* step)
   {
     if(timer != nullptr)
       timer->finish(step);
+  }
+
+  // The exponent of the coarsest grid that has solutions; too small for any if none has.
+  int coarsest_exponent() const
+  {
+    const int coarsest = m_format.maximum_exponent - 1;
+    if(m_is_homogeneous)
+      return coarsest;
+    if(m_core != nullptr && !m_core->right_hand_shift())
+      return m_format.minimum_exponent - 1;
+    const int shift = m_core == nullptr ? 0 : static_cast<int>(*m_core->right_hand_shift());
+    return (std::min)(coarsest, -m_system.right_hand_scale() - shift);
   }
 
   bool is_whole() const { return m_core != nullptr && m_core->is_whole(); }
@@ -197,6 +205,90 @@ private:
     return weights;
   }
 
+  // Moves the values to their projection.
+  void project(Component_solution& solution) const
+  {
+    const int shift = right_hand_shift(solution.grid);
+    const std::vector<Grid_value> values(solution.optimum);
+    if(projection().project(m_system, shift, solution.optimum) || m_reduced_rows != nullptr ||
+       projection().number_of_rows() > most_rows_to_reduce)
+      return;
+    m_reduced_rows = std::make_unique<Integer_system>(
+      reduced_rows(m_system, independent_rows(), m_weights));
+    std::vector<Row_index> all_rows(m_reduced_rows->number_of_rows());
+    std::iota(all_rows.begin(), all_rows.end(), 0);
+    m_projection = std::make_unique<Least_squares_projection>(*m_reduced_rows, all_rows, m_weights);
+    solution.optimum = values;
+    m_projection->project(*m_reduced_rows, shift, solution.optimum);
+  }
+
+  // Finds integers near the optimum by back-substitution or, where this leads far away, by lattice
+  // reduction.
+  bool evaluate_near(const Component_solution& values, const int coarsest,
+                     Component_solution& solution) const
+  {
+    Component_solution nearest(solution);
+    const bool found = evaluate_on_grids(m_core.get(), coarsest, nearest);
+    if(!is_whole() && m_system.number_of_columns() <= Core_solver::largest_whole_system &&
+       (!found || nearest.grid.exponent() > solution.grid.exponent() ||
+        is_far(values, solution.optimum, nearest))) {
+      if(m_whole == nullptr)
+        m_whole = std::make_unique<Core_solver>(m_system, m_form, true);
+      Component_solution other(solution);
+      if(evaluate_on_grids(m_whole.get(), coarsest, other) &&
+         (!found || distance(other) < distance(nearest))) {
+        solution = std::move(other);
+        return true;
+      }
+    }
+    solution = std::move(nearest);
+    return found;
+  }
+
+  // The same on the finest grid that the number type has for what comes out.
+  bool evaluate_on_grids(const Core_solver* const core, const int coarsest,
+                         Component_solution& solution) const
+  {
+    add_auxiliary_unknowns(solution.optimum);
+    int excess = 0;
+    while((excess = evaluate(core, solution)) > 0 && solution.grid.exponent() != coarsest)
+      change_grid((std::min)(solution.grid.exponent() + excess, coarsest), solution);
+    if(excess > 0 && m_is_homogeneous)
+      solution.x.assign(solution.x.size(), 0);
+    solution.x.resize(m_system.number_of_columns());
+    solution.optimum.resize(m_system.number_of_columns());
+    return excess == 0 || m_is_homogeneous;
+  }
+
+  // Whether a solution is several times as far from the optimum as the values are, or as the grid
+  // makes necessary.
+  bool is_far(const Component_solution& values, const std::vector<Grid_value>& optimum,
+              const Component_solution& solution) const
+  {
+    double change = 0, distance = 0; // in steps
+    const int shift = solution.grid.exponent() - values.grid.exponent();
+    for(std::size_t j = 0; j < solution.x.size(); ++j)
+      if(m_is_representable[j]) {
+        Grid_value v = values.optimum[j];
+        rescale(v, shift);
+        change = (std::max)(change, std::abs(difference(optimum[j], v)));
+        distance = (std::max)(distance,
+                              std::abs(difference(optimum[j], Grid_value{solution.x[j], 0})));
+      }
+    return distance > 4 * (change + 1 + static_cast<double>(solution.x.size() / 16));
+  }
+
+  // Of a solution from the optimum, weighted.
+  double distance(const Component_solution& solution) const
+  {
+    double squares = 0;
+    for(std::size_t j = 0; j < solution.x.size(); ++j) {
+      const double d = difference(solution.optimum[j], Grid_value{solution.x[j], 0});
+      squares += m_weights[j] * d * d;
+    }
+    return std::sqrt(squares) * solution.grid.step();
+  }
+
   // Projects the values, and chooses a grid for that: right-hand sides may want a finer one, and so
   // does a projection much smaller than the values. Returns false if no grid holds it.
   bool find_optimum(const int coarsest, Component_solution& solution) const
@@ -207,7 +299,7 @@ private:
     // Where values shrink by much, each round makes up for the rounding errors of the last one.
     double size = std::numeric_limits<double>::infinity(); // of the optimum, in steps of the grid
     for(bool again = true; again;) {
-      projection().project(m_system, right_hand_shift(solution.grid), solution.optimum);
+      project(solution);
       const double previous = size;
       size = largest_value(solution);
       again = size >= machine_integer_bound && size < previous / 2;
@@ -215,7 +307,7 @@ private:
       if(may_be_finer)
         wanted = finer_exponent(solution.grid, size, wanted);
       if(wanted != solution.grid.exponent()) {
-        change_grid(wanted, solution);
+        change_grid((std::max)(wanted, solution.grid.exponent() - most_bits_at_once), solution);
         size = std::numeric_limits<double>::infinity();
         again = true;
       }
@@ -296,16 +388,16 @@ private:
 
   // Chooses the core and the free columns near the optimum, and computes the implied ones. Returns 0
   // if all fit, else by how many bits the grid must be coarser.
-  int evaluate(Component_solution& solution) const
+  int evaluate(const Core_solver* const core, Component_solution& solution) const
   {
     constexpr int many = 10; // for numbers of unknown size beyond 2^62
     // negative only if all right-hand sides are zero
     const int shift = (std::max)(right_hand_shift(solution.grid), 0);
     std::vector<std::int64_t>& x = solution.x;
     x.assign(solution.optimum.size(), 0);
-    if(m_core != nullptr && !m_core->nearest(std::size_t(shift), solution.optimum, *m_metric, x))
+    if(core != nullptr && !core->nearest(std::size_t(shift), solution.optimum, all_weights(), x))
       return many;
-    if(!is_whole()) {
+    if(core == nullptr || !core->is_whole()) {
       for(const Column_index column : m_free_columns)
         if(!solution.grid.nearest(solution.optimum[std::size_t(column)], x[std::size_t(column)]))
           return many;
@@ -379,7 +471,8 @@ private:
   std::vector<Column_index> m_free_columns; // neither implied nor in the core
   bool m_is_homogeneous = true;
   mutable std::unique_ptr<Least_squares_projection> m_projection;
-  mutable std::unique_ptr<Lattice_metric> m_metric; // of the core
+  mutable std::unique_ptr<Integer_system> m_reduced_rows; // its rows, if not the system's
+  mutable std::unique_ptr<Core_solver> m_whole; // if back-substitution led far away
 };
 
 } // namespace internal

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,9 +39,10 @@ namespace internal {
 class Core_solver
 {
 public:
-  Core_solver(const Integer_system& system, const Echelon_form& form)
-    : m_is_whole(!form.rows_in_core.empty() &&
-                 system.number_of_columns() <= largest_whole_system),
+  static constexpr std::size_t largest_whole_system = 2000; // columns
+
+  Core_solver(const Integer_system& system, const Echelon_form& form, const bool is_whole)
+    : m_is_whole(is_whole),
       m_lattice(m_is_whole ? whole_system(system, form) : core_of(form))
   {
     for(const Row_index i : m_lattice.independent_rows())
@@ -82,20 +84,12 @@ public:
     return result;
   }
 
-  // The reduced basis for `nearest()`; expensive, computed once for all grids.
-  Lattice_metric metric(const std::vector<double>& weights) const
-  {
-    std::vector<double> core_weights;
-    for(const Column_index column : m_columns)
-      core_weights.push_back(weights[std::size_t(column)]);
-    return m_lattice.metric(core_weights);
-  }
-
   // Sets the core's columns of `x` to a solution near the target, for right-hand sides that are doubled
   // `shift` times. Returns false if a value exceeds 2^62.
+  // \param weights the same in all calls: the reduced basis is expensive, and computed once
   // \pre shift >= *right_hand_shift()
   bool nearest(const std::size_t shift, const std::vector<Grid_value>& target,
-               const Lattice_metric& metric, std::vector<std::int64_t>& x) const
+               const std::vector<double>& weights, std::vector<std::int64_t>& x) const
   {
     if(m_columns.empty())
       return true;
@@ -106,7 +100,13 @@ public:
     const Exact_integer factor = power_of_two(shift);
     for(Exact_integer& value : b)
       value = product(value, factor);
-    const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, metric);
+    if(m_metric == nullptr) {
+      std::vector<double> core_weights;
+      for(const Column_index column : m_columns)
+        core_weights.push_back(weights[std::size_t(column)]);
+      m_metric = std::make_unique<Lattice_metric>(m_lattice.metric(core_weights));
+    }
+    const Lattice_solution solution = m_lattice.nearest_solution(b, core_target, *m_metric);
     CGAL_assertion(solution.solvability == Solvability::SOLVABLE);
     for(std::size_t j = 0; j < m_columns.size(); ++j) {
       if(!fits_64_bits(solution.values[j]))
@@ -117,8 +117,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t largest_whole_system = 2000; // columns
-
   // The rows that the elimination left something of: about the others it said all.
   Integer_system whole_system(const Integer_system& system, const Echelon_form& form)
   {
@@ -174,6 +172,7 @@ private:
   std::vector<Exact_integer> m_right_hand_side;
   Exact_integer m_largest_coefficient = Exact_integer(0);
   Integer_lattice m_lattice;
+  mutable std::unique_ptr<Lattice_metric> m_metric;
 
   std::vector<Row_index> m_independent_rows;
   bool m_is_consistent = true;

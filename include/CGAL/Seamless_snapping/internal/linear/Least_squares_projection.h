@@ -30,7 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -141,21 +141,34 @@ public:
 
   std::size_t number_of_rows() const { return m_row_indices.size(); }
 
-  // Moves `values` to their projection.
+  // Moves `values` to their projection, in steps, each of which starts from the exact violations that
+  // the last one left, as long as these shrink. Returns whether they became small: not so for rows
+  // that are parallel but for rounding errors.
   // \pre the system is that of the constructor
-  void project(const Integer_system& system, const int right_hand_shift,
+  bool project(const Integer_system& system, const int right_hand_shift,
                std::vector<Grid_value>& values) const
   {
-    Vector r(m_rows.cols());
-    for(Eigen::Index i = 0; i < r.size(); ++i)
-      r[i] = m_row_scales[i] * row_violation(system, std::size_t(m_row_indices[std::size_t(i)]),
-                                             right_hand_shift, values);
-    const double size = r.size() == 0 ? 0 : r.lpNorm<Eigen::Infinity>();
-    if(size == 0 || !r.allFinite())
-      return;
-    const Vector y = shortest_solution(r / size); // r itself may have any magnitude
-    for(std::size_t j = 0; j < values.size(); ++j)
-      values[j].offset -= size * y[Eigen::Index(j)] * m_scales[Eigen::Index(j)];
+    constexpr double precise = 0x1p-40, small = 0x1p-20; // parts of the first violations
+    double first_size = -1, last_size = std::numeric_limits<double>::infinity();
+    for(Vector step;;) {
+      const Vector r = violations(system, right_hand_shift, values);
+      const double size = r.size() == 0 ? 0 : r.lpNorm<Eigen::Infinity>();
+      if(!r.allFinite())
+        return true; // too large for this grid
+      if(first_size < 0)
+        first_size = size;
+      if(size <= precise * first_size)
+        return true;
+      if(!(size < last_size / 2)) {
+        if(size > last_size)
+          move(step, -1, values);
+        return (std::min)(size, last_size) <= small * first_size;
+      }
+      last_size = size;
+      step = m_scales.cwiseProduct(shortest_solution(r / size)); // r may have any magnitude
+      step *= size;
+      move(step, 1, values);
+    }
   }
 
   // The nearest difference between solutions.
@@ -169,6 +182,22 @@ public:
   }
 
 private:
+  static void move(const Vector& step, const double factor, std::vector<Grid_value>& values)
+  {
+    for(std::size_t j = 0; j < values.size(); ++j)
+      values[j].offset -= factor * step[Eigen::Index(j)];
+  }
+
+  Vector violations(const Integer_system& system, const int right_hand_shift,
+                    const std::vector<Grid_value>& values) const
+  {
+    Vector r(m_rows.cols());
+    for(Eigen::Index i = 0; i < r.size(); ++i)
+      r[i] = m_row_scales[i] * row_violation(system, std::size_t(m_row_indices[std::size_t(i)]),
+                                             right_hand_shift, values);
+    return r;
+  }
+
   // The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as columns.
   void set_rows(const Integer_system& system)
   {

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
+#include <CGAL/Seamless_snapping/internal/linear/solve_on_many_grids.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -150,6 +151,19 @@ public:
       solution.optimum[j] = part.optimum[k];
     }
     return true;
+  }
+
+  // The same, on a grid of its own for each column, where the component has no solution on one grid.
+  std::optional<std::vector<Column_solution> >
+  solve_component_on_many_grids(const Component_index c, const Linear_target& target) const
+  {
+    Component_solution part{target.grids[std::size_t(c)], {}, {}};
+    for(const Column_index j : columns(c))
+      part.optimum.push_back(target.values[std::size_t(j)]);
+    const Component_solver& solver = m_solvers[std::size_t(c)];
+    if(!solver.find_optimum(part))
+      return std::nullopt;
+    return solve_on_many_grids(solver.system(), solver.weights(), part);
   }
 
   // The linear part of the least-squares projection: how the optimum answers to shifts of the values,

@@ -218,14 +218,22 @@ inline std::optional<Refusal> snap_values(const Scaled_system& scaled,
       (std::max)(report.violation_before, largest_violation(solver, c, target.grids[std::size_t(c)],
                                                             target.values, scaled.scales));
     timer.finish("input");
-    if(!solver.solve_component(c, target, solution, &timer))
+    const auto take = [&](const std::size_t j, const Column_solution& part) {
+      report.run.grid_step = (std::max)(report.run.grid_step, part.grid.step());
+      snapped[j] = part.grid.value(part.x);
+      figures.add(x[j], part.grid, part.x, part.optimum);
+    };
+    const std::vector<Column_index>& columns = solver.columns(c);
+    if(solver.solve_component(c, target, solution, &timer)) {
+      for(const Column_index column : columns) {
+        const std::size_t j = std::size_t(column);
+        take(j, {solution.grids[std::size_t(c)], solution.x[j], solution.optimum[j]});
+      }
+    } else if(const auto parts = solver.solve_component_on_many_grids(c, target)) {
+      for(std::size_t k = 0; k < columns.size(); ++k)
+        take(std::size_t(columns[k]), (*parts)[k]);
+    } else {
       return not_representable(solver, c);
-    const Grid& grid = solution.grids[std::size_t(c)];
-    report.run.grid_step = (std::max)(report.run.grid_step, grid.step());
-    for(const Column_index column : solver.columns(c)) {
-      const std::size_t j = std::size_t(column);
-      snapped[j] = grid.value(solution.x[j]);
-      figures.add(x[j], grid, solution.x[j], solution.optimum[j]);
     }
   }
   for(std::size_t i = 0; i < row_holds.size(); ++i)

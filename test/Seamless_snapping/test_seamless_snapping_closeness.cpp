@@ -1,0 +1,342 @@
+// How close snap_to_linear_constraints() comes, and whether it finds a solution wherever there is one
+// near by: systems that make rounding errors grow, unknowns that many rows share, coefficients of many
+// bits, values of mixed scale. Each is compared with a reference that shares nothing with the package.
+//
+//   test_seamless_snapping_closeness [NUMBER [SEED]]
+//
+// runs NUMBER random small systems instead of a few thousand.
+
+#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+
+#include "checking.h"
+#include "exact_reference.h"
+#include "grid_reference.h"
+#include "random_systems.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CS = CGAL::Seamless_snapping;
+
+using exact_reference::Integer;
+using exact_reference::Rational;
+using grid_reference::Small_system;
+using random_systems::Random;
+using random_systems::random_integer;
+using random_systems::random_real;
+using Constraints = CS::Linear_constraints<>;
+using Values = std::vector<double>;
+
+template <typename Coefficient>
+bool is_solution(const CS::Linear_constraints<Coefficient>& c, const Values& x)
+{
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
+    Rational sum = -c.right_hand_side(i);
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      sum += Rational(term->second) * Rational(x[term->first]);
+    if(sum != 0)
+      return false;
+  }
+  return true;
+}
+
+double largest_difference(const Values& a, const Values& b)
+{
+  double result = 0;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    result = (std::max)(result, std::abs(a[i] - b[i]));
+  return result;
+}
+
+// Snaps, and tells how far the values moved; and how long that took, which is not checked.
+template <typename Coefficient>
+CS::Snapping_report snap(const std::string& name, const CS::Linear_constraints<Coefficient>& c,
+                         Values& x)
+{
+  const Values before(x);
+  const auto start = std::chrono::steady_clock::now();
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(c, x);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  std::cout << name << ": " << report << ", largest change " << largest_difference(before, x)
+            << ", optimal rms " << report.optimal_rms_change << ", " << time.count() << " s" << std::endl;
+  if(CHECK(bool(report)))
+    CHECK(is_solution(c, x));
+  return report;
+}
+
+// --- rounding errors that grow from row to row ---------------------------------------------------
+
+// The harmonic functions of a k x k grid, by their five-point stencils, at noise of 1e-9.
+void test_laplace_grid(const int k, const unsigned int seed)
+{
+  Random random(seed);
+  Constraints c(std::size_t(k * k));
+  Values x;
+  for(int i = 0; i < k; ++i)
+    for(int j = 0; j < k; ++j) {
+      const std::size_t center = std::size_t(i * k + j), width = std::size_t(k);
+      x.push_back(double(i * i - j * j) / double(k * k) + 1e-9 * random_real(random));
+      if(i > 0 && i + 1 < k && j > 0 && j + 1 < k)
+        c.add_constraint({{center, 4}, {center - 1, -1}, {center + 1, -1}, {center - width, -1},
+                          {center + width, -1}});
+    }
+  const Values before(x);
+  snap("Laplace grid, k = " + std::to_string(k), c, x);
+  CHECK(largest_difference(before, x) < 1e-8);
+}
+
+// --- unknowns that many rows share ---------------------------------------------------------------
+
+// All equal the first one: the optimum is the mean.
+void test_hub(const std::size_t n)
+{
+  Constraints c(n);
+  for(std::size_t j = 1; j < n; ++j)
+    c.add_constraint({{0, 1}, {j, -1}});
+  Values x(n, 0.);
+  x[0] = 1;
+  const CS::Snapping_report report = snap("hub of " + std::to_string(n), c, x);
+  const double mean = 1. / static_cast<double>(n);
+  CHECK(std::abs(x[0] - mean) <= 1e-9 * mean);
+  const double rms = std::sqrt((1 - mean) * mean);
+  CHECK(std::abs(report.optimal_rms_change - rms) <= 0.01 * rms);
+}
+
+// Two of them, which the rows also link to each other.
+void test_two_hubs(const std::size_t n)
+{
+  Constraints c(2 * n);
+  for(std::size_t j = 1; j < n; ++j) {
+    c.add_constraint({{0, 1}, {2 * j, -1}});
+    c.add_constraint({{1, 2}, {0, -1}, {2 * j + 1, -1}});
+  }
+  Values x(2 * n, 0.);
+  x[0] = 1;
+  x[1] = 1;
+  snap("two hubs of " + std::to_string(n), c, x);
+  // min (a-1)^2 + (n-1) a^2 + (b-1)^2 + (n-1) (2b-a)^2
+  const double r = static_cast<double>(n - 1);
+  const double aa = 1 + 2 * r, ab = -2 * r, bb = 1 + 4 * r, determinant = aa * bb - ab * ab;
+  CHECK(std::abs(x[0] - (bb - ab) / determinant) < 1e-9);
+  CHECK(std::abs(x[1] - (aa - ab) / determinant) < 1e-9);
+}
+
+// --- coefficients of many bits -------------------------------------------------------------------
+
+std::int64_t random_coefficient(Random& random, const int bits)
+{
+  const std::int64_t largest = std::int64_t(1) << bits;
+  return std::int64_t(random() % std::uint64_t(2 * largest + 1)) - largest;
+}
+
+// A row that few integers of a knapsack satisfy.
+void test_knapsack_row(const std::size_t n, const int bits, const unsigned int seed)
+{
+  Random random(seed);
+  Constraints c(n);
+  std::vector<Constraints::Term> row;
+  Values x;
+  for(std::size_t j = 0; j < n; ++j) {
+    row.emplace_back(j, random_coefficient(random, bits));
+    x.push_back(random_real(random));
+  }
+  c.add_constraint(row);
+  const CS::Snapping_report report = snap("row of " + std::to_string(n), c, x);
+  CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
+}
+
+// Rows that are nearly parallel: the second is the first but for small changes.
+void test_nearly_parallel_rows(const std::size_t n, const int bits, const unsigned int seed)
+{
+  Random random(seed);
+  Constraints c(n);
+  exact_reference::System system;
+  system.columns = n;
+  std::vector<Constraints::Term> first, second;
+  exact_reference::Row first_row, second_row;
+  Values x;
+  for(std::size_t j = 0; j < n; ++j) {
+    const std::int64_t a = random_coefficient(random, bits);
+    const std::int64_t b = a + random_integer(random, -1, 1);
+    first.emplace_back(j, a);
+    second.emplace_back(j, b);
+    first_row.push_back({j, Rational(a)});
+    second_row.push_back({j, Rational(b)});
+    x.push_back(random_real(random));
+  }
+  c.add_constraint(first);
+  c.add_constraint(second);
+  system.add_row(first_row);
+  system.add_row(second_row);
+  const exact_reference::Optimum optimum =
+    exact_reference::optimum_in_closed_form(system, exact_reference::to_rationals(x));
+  const CS::Snapping_report report =
+    snap("parallel rows of " + std::to_string(n) + ", " + std::to_string(bits) + " bits", c, x);
+  const double rms = std::sqrt(CGAL::to_double(optimum.value) / static_cast<double>(n));
+  CHECK(std::abs(report.optimal_rms_change - rms) <= 0.01 * rms);
+  CHECK(report.rms_change <= 10 * rms);
+}
+
+// --- solutions that are not on the grid of the largest value -------------------------------------
+
+void test_found(const std::string& name, const std::size_t n,
+                const std::vector<std::pair<std::vector<Constraints::Term>, double> >& rows,
+                const Values& values, const double largest_change)
+{
+  std::vector<std::size_t> order(n);
+  for(std::size_t j = 0; j < n; ++j)
+    order[j] = j;
+  do { // whatever the order of the unknowns
+    Constraints c(n);
+    for(const auto& row : rows) {
+      std::vector<Constraints::Term> terms(row.first);
+      for(Constraints::Term& term : terms)
+        term.first = order[term.first];
+      c.add_constraint(terms, Rational(row.second));
+    }
+    Values x(n);
+    for(std::size_t j = 0; j < n; ++j)
+      x[order[j]] = values[j];
+    const Values before(x);
+    snap(name, c, x);
+    CHECK(largest_difference(before, x) <= largest_change);
+  } while(std::next_permutation(order.begin(), order.end()));
+}
+
+void test_mixed_scales()
+{
+  test_found("at a power of two", 2, {{{{0, 1}, {1, -1}}, -0x1p-49}}, {-16, -16}, 0x1p-47);
+  test_found("at two powers of two", 3, {{{{0, 1}, {1, -1}}, -0x1p-49}, {{{1, 1}, {2, 1}}, 0x1p-49}},
+             {-16, -16, 16}, 0x1p-46);
+  test_found("small pin", 1, {{{{0, 1}}, 1e-96}}, {1e235}, 1e235);
+  test_found("small sum", 3, {{{{0, 1}, {1, 1}, {2, 1}}, 0x1p-60}}, {1, -1, 0}, 0x1p-50);
+  test_found("large and small", 3, {{{{0, 1}, {1, -1}}, 0}, {{{1, 1}, {2, -1}}, 1e20}},
+             {1e-20, 1e-20, -1e20}, 1e5);
+}
+
+// --- random small systems ------------------------------------------------------------------------
+
+struct Tally
+{
+  std::map<std::string, std::size_t> outcomes;
+  std::size_t compared = 0, too_far = 0, refused = 0;
+  double worst_ratio = 0;
+};
+
+struct Random_problem
+{
+  Small_system system;
+  Values x;
+};
+
+Random_problem random_problem(Random& random)
+{
+  Random_problem p;
+  const std::size_t n = std::size_t(random_integer(random, 1, 6));
+  const int m = random_integer(random, 1, (std::max)(1, int(n) - 1));
+  const int bits = random_integer(random, 1, 24), zeros = random_integer(random, 0, 60);
+  const bool is_mixed = random() % 2 == 0;
+  const int spread = is_mixed ? random_integer(random, 1, 40) : 0;
+  p.system.columns = n;
+  for(std::size_t j = 0; j < n; ++j)
+    p.x.push_back(std::ldexp(random_real(random), random_integer(random, -spread, spread)));
+  const int kind = random_integer(random, 0, 3);
+  for(int i = 0; i < m; ++i) {
+    grid_reference::Integers row;
+    Rational b(0);
+    for(std::size_t j = 0; j < n; ++j) {
+      const bool is_zero = random_integer(random, 0, 99) < zeros;
+      row.push_back(Integer(is_zero ? 0 : random_coefficient(random, bits)));
+      if(kind >= 2) // near the values, on a grid
+        b += Rational(row.back()) * Rational(std::ldexp(std::floor(std::ldexp(p.x[j], 20)), -20));
+    }
+    if(kind == 1)
+      b = Rational(std::ldexp(double(random_integer(random, -9, 9)), random_integer(random, -60, 0)));
+    p.system.rows.push_back(row);
+    p.system.b.push_back(b);
+  }
+  return p;
+}
+
+void test_random_problem(const std::uint64_t seed, Tally& tally)
+{
+  Random random(seed);
+  const Random_problem p = random_problem(random);
+  CS::Linear_constraints<Integer> c(p.system.columns);
+  for(std::size_t i = 0; i < p.system.rows.size(); ++i) {
+    std::vector<std::pair<std::size_t, Integer> > row;
+    for(std::size_t j = 0; j < p.system.columns; ++j)
+      row.emplace_back(j, p.system.rows[i][j]);
+    c.add_constraint(row, p.system.b[i]);
+  }
+  Values x(p.x);
+  const CS::Snapping_report report = CS::snap_to_linear_constraints(c, x);
+  ++tally.outcomes[CS::to_string(report.status)];
+  if(report && !CHECK(is_solution(c, x)))
+    std::cout << "  seed " << seed << std::endl;
+  const auto reference = grid_reference::nearest_on_one_grid(p.system, p.x);
+  if(!reference)
+    return;
+  ++tally.compared;
+  const double ratio = largest_difference(p.x, x) / reference->largest_change;
+  if(!report) {
+    const double extent = std::abs(*std::max_element(p.x.begin(), p.x.end(),
+      [](const double a, const double b) { return std::abs(a) < std::abs(b); }));
+    if(reference->largest_change <= 1000 * extent) {
+      ++tally.refused;
+      if(tally.refused < 5)
+        std::cout << "  refused: seed " << seed << ", " << reference->largest_change << std::endl;
+    }
+    return;
+  }
+  if(reference->largest_change > 0)
+    tally.worst_ratio = (std::max)(tally.worst_ratio, ratio);
+  if(reference->largest_change > 0 && ratio > 10) {
+    ++tally.too_far;
+    if(tally.too_far < 5)
+      std::cout << "  seed " << seed << ": moved by " << largest_difference(p.x, x) << " instead of "
+                << reference->largest_change << std::endl;
+  }
+}
+
+void test_random_problems(const std::uint64_t count, const std::uint64_t seed)
+{
+  Tally tally;
+  for(std::uint64_t i = 0; i < count; ++i)
+    test_random_problem(seed + i, tally);
+  std::cout << count << " random systems from seed " << seed << ":";
+  for(const auto& outcome : tally.outcomes)
+    std::cout << " " << outcome.first << " " << outcome.second;
+  std::cout << "; compared " << tally.compared << ", refused " << tally.refused
+            << ", more than 10 times as far " << tally.too_far << ", at most "
+            << tally.worst_ratio << " times" << std::endl;
+  CHECK(2 * tally.compared > count);
+  CHECK_EQUAL(tally.refused, 0u);
+  CHECK_EQUAL(tally.too_far, 0u);
+}
+
+int main(int argc, char** argv)
+{
+  const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
+  test_random_problems(argc > 1 ? std::stoull(argv[1]) : 2000, seed);
+  if(argc > 1)
+    return report_checks();
+  test_mixed_scales();
+  for(const int bits : {10, 20, 30, 40})
+    test_nearly_parallel_rows(8, bits, 1);
+  for(const std::size_t n : {100, 1800, 100000})
+    test_hub(n);
+  test_two_hubs(3000);
+  for(const std::size_t n : {60, 80, 150})
+    test_knapsack_row(n, 40, 1);
+  for(const int k : {10, 20, 30})
+    test_laplace_grid(k, 1);
+  return report_checks();
+}
