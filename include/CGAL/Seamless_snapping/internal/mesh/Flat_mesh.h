@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The connectivity of a triangle mesh in plain arrays. It does not depend on the mesh data structure
-// of the caller, and any number of threads can read it.
+// The connectivity of a triangle mesh in plain arrays. It does not depend on the mesh data
+// structure of the caller, and any number of threads can read it.
 
 #include <cstddef>
 #include <cstdint>

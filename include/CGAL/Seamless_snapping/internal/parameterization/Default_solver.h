@@ -14,9 +14,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The solver of all sparse systems unless the caller names another one: CHOLMOD of SuiteSparse where
-// the build system has found it and defines CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE, and Eigen's own
-// elsewhere. CHOLMOD works on dense blocks, which pays where cones couple the two coordinates.
+// The solver of all sparse systems unless the caller names another one: CHOLMOD of SuiteSparse
+// where the build system has found it and defines CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE, and
+// Eigen's own elsewhere. CHOLMOD works on dense blocks, which pays where cones couple the two
+// coordinates.
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Eigen_sparse_matrix.h>

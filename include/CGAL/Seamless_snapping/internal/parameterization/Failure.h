@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// How the steps of a parametrization fail: each throws, and the public function catches. Nothing has
-// been written to the caller's map by then.
+// How the steps of a parametrization fail: each throws, and the public function catches. Nothing
+// has been written to the caller's map by then.
 
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 

@@ -97,7 +97,8 @@ void report_topology(const Triangle_surface& surface, const Topology& topo, Repo
 // Writes the extent and the largest difference of the two sides of a cut edge after rotation.
 template <typename Report>
 void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
-             const std::vector<Quarter_turns::Element>& rotation, const Surface_complex& complex, const Coordinates& uv,
+             const std::vector<Quarter_turns::Element>& rotation,
+             const Surface_complex& complex, const Coordinates& uv,
              Report& report)
 {
   for(std::size_t c = 0; c < 2; ++c) {

@@ -26,8 +26,8 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-// Pairs of an unknown and its coefficient: an integer that a double holds exactly, so that sums which
-// are zero come out as zero.
+// Pairs of an unknown and its coefficient: an integer that a double holds exactly, so that sums
+// which are zero come out as zero.
 using Sparse_row = std::vector<std::pair<std::size_t, double> >;
 
 // Sorts a row and adds up what refers to the same unknown.

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A triangle mesh in plain arrays with its intrinsic geometry: lengths, angles, and a plane layout of
-// each face, on which all steps of the parametrization work.
+// A triangle mesh in plain arrays with its intrinsic geometry: lengths, angles, and a plane layout
+// of each face, on which all steps of the parametrization work.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
@@ -144,8 +144,8 @@ inline void mollify_lengths(Triangle_surface& surface)
     surface.length[h] += increase[surface.component[S::face(h)]];
 }
 
-// Spanning trees of the faces of each component, by breadth: visit(h) for each halfedge by whose edge
-// a tree goes on from the face of h. Trees cross only edges for which may_cross(h).
+// Spanning trees of the faces of each component, by breadth: visit(h) for each halfedge by whose
+// edge a tree goes on from the face of h. Trees cross only edges for which may_cross(h).
 template <typename MayCross, typename Visit>
 void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross& may_cross,
                                  const Visit& visit)

@@ -43,7 +43,8 @@ inline std::vector<Quarter_turns::Element> comb(const Triangle_surface& surface,
                                                 const Matching& matching,
                                                 std::vector<double>& angles)
 {
-  const auto across = [&](const Corner_index h) { return Quarter_turns::element(matching.turns[h]); };
+  const auto across = [&](const Corner_index h)
+  { return Quarter_turns::element(matching.turns[h]); };
   std::vector<Quarter_turns::Element> turn(surface.number_of_faces(), Quarter_turns::identity());
   for_each_edge_of_face_trees(
     surface, [&](const Corner_index h) { return !is_cut[h]; },

@@ -128,8 +128,8 @@ inline std::size_t number_of_flips(const Triangle_surface& surface, const Surfac
 
 // How far the singular values of the map of each face are from 1; negative determinants count as
 // negative singular values. See [Bommes, Zimmer, Kobbelt 2009], Sec. 5.
-inline std::vector<double> distortion(const Triangle_surface& surface, const Surface_complex& complex,
-                                      const Coordinates& uv)
+inline std::vector<double> distortion(const Triangle_surface& surface,
+                                      const Surface_complex& complex, const Coordinates& uv)
 {
   std::vector<double> result(surface.number_of_faces());
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {

@@ -14,7 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated manifold.
+// Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated
+// manifold.
 
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
@@ -163,7 +164,8 @@ void read_alignment(const TriangleMesh& tmesh,
 {
   surface.is_aligned.resize(surface.number_of_halfedges());
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
-    surface.is_aligned[h] = get(edge_is_constrained, edge(numbering.halfedges_of_corners()[h], tmesh))
+    surface.is_aligned[h] = get(edge_is_constrained,
+                                edge(numbering.halfedges_of_corners()[h], tmesh))
                             || (align_border && surface.is_border_edge(h));
 }
 

@@ -39,7 +39,8 @@ public:
   // A curve that comes closer than `near` to a singular vertex or a target is meant to meet it. A
   // loop should return to `start`, in this direction, unless that is no_index.
   Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
-                           const Corner_index start, const Direction start_direction, const double near)
+                           const Corner_index start, const Direction start_direction,
+                           const double near)
     : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
       m_near(near)
   { }

@@ -87,7 +87,8 @@ void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const 
 
 // The first corner of the star counterclockwise, if it starts at the border; else `corner`.
 // `direction` is carried along.
-inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner, Direction& direction)
+inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner,
+                                 Direction& direction)
 {
   Corner_index c = corner;
   for(Corner_index before = mesh.clockwise(c); before != no_index; before = mesh.clockwise(c)) {

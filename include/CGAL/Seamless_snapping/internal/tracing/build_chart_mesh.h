@@ -91,11 +91,13 @@ inline void mark_singular_vertices(Chart_mesh& mesh)
 }
 
 // Sets the transition across a halfedge whose rotation is known.
-inline void add_transition(Chart_mesh& mesh, const Corner_index h, const Quarter_turns::Element rotation)
+inline void add_transition(Chart_mesh& mesh, const Corner_index h,
+                           const Quarter_turns::Element rotation)
 {
   const Corner_index p = Chart_mesh::prev(h);
   const Corner_index g = mesh.opposite(h);
-  if(rotation == Quarter_turns::identity() && mesh.uv(h) == mesh.uv(Chart_mesh::prev(g)) && mesh.uv(p) == mesh.uv(g))
+  if(rotation == Quarter_turns::identity() && mesh.uv(h) == mesh.uv(Chart_mesh::prev(g)) &&
+     mesh.uv(p) == mesh.uv(g))
     return;
   const Uv turned_source = Quarter_turns::apply(rotation, mesh.uv(p));
   mesh.corners[std::size_t(h)].transition = std::int32_t(mesh.transitions.size());
@@ -103,8 +105,8 @@ inline void add_transition(Chart_mesh& mesh, const Corner_index h, const Quarter
                                           Exact_difference(mesh.uv(g)[1], turned_source[1])}}});
 }
 
-// `seams` are the transitions that were read off `uv_map`. Vertices with several fans of faces do no
-// harm here: the border keeps their fans apart.
+// `seams` are the transitions that were read off `uv_map`. Vertices with several fans of faces do
+// no harm here: the border keeps their fans apart.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename SeamTransitions>
 Chart_mesh build_chart_mesh(const TriangleMesh& tmesh,
                             const Flat_numbering<TriangleMesh>& numbering,

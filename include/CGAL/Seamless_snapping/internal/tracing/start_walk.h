@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The ray from a vertex that is the fewest corners away when the direction is carried around it, both
-// ways, starting with the corner. Every direction occurs within a full turn, which around a cone
-// takes several rounds.
+// The ray from a vertex that is the fewest corners away when the direction is carried around it,
+// both ways, starting with the corner. Every direction occurs within a full turn, which around a
+// cone takes several rounds.
 inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
                      Vertex_ray& ray)
 {
