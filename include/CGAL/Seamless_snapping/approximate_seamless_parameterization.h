@@ -43,7 +43,7 @@ template <typename TriangleMesh, typename ConeIndexMap>
 std::vector<int> read_cones(const Flat_numbering<TriangleMesh>& numbering,
                             const Triangle_surface& surface, const ConeIndexMap cone_index)
 {
-  std::vector<int> index(surface.number_of_vertices, 0);
+  std::vector<int> index(surface.number_of_vertices(), 0);
   for(std::size_t v = 0; v < index.size(); ++v)
     if(!surface.is_border[v])
       index[v] = static_cast<int>(get(cone_index, numbering.vertices_in_order()[v]));

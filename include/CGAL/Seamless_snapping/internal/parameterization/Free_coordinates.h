@@ -81,7 +81,8 @@ private:
       is_implied[std::size_t(c)] = true;
     if(columns.empty())
       return;
-    for(const auto& vector : Integer_lattice(core).kernel_basis()) {
+    const Integer_lattice lattice(core);
+    for(const auto& vector : lattice.kernel_basis()) {
       for(const auto& e : vector)
         m_sums[std::size_t(columns[std::size_t(e.column)])].emplace_back(
           m_size, CGAL::to_double(e.coefficient));
