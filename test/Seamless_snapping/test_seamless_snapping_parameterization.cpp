@@ -19,12 +19,14 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -448,6 +450,36 @@ void test_refused_parameters()
                 parameters::edge_is_constrained_map(is_feature).cone_index_map(index));
 }
 
+// --- the elimination -----------------------------------------------------------------------------
+
+// Equations without a coefficient of 1 or -1, which meshes hardly ever lead to: the free unknowns
+// span the solutions.
+void test_equations_without_units()
+{
+  namespace SP = SS::internal::parameterization;
+  using Row = SS::internal::Entries<std::int64_t>;
+  constexpr std::size_t number_of_columns = 7, rank = 4;
+  SS::internal::Integer_system system(number_of_columns);
+  const std::vector<Row> rows = {{{0, 2}, {1, 3}}, {{1, 4}, {2, -6}, {3, 9}}, {{3, 1}, {4, 2}},
+                                 {{5, 10}}, {{1, 8}, {2, -12}, {3, 18}}};
+  for(const Row& row : rows)
+    system.add_row(row, 0);
+  const SP::Free_unknowns unknowns(system);
+  CHECK_EQUAL(unknowns.size(), number_of_columns - rank);
+
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(number_of_columns, Eigen::Index(unknowns.size()));
+  for(std::size_t c = 0; c < number_of_columns; ++c)
+    for(const auto& [unknown, coefficient] : unknowns.sum(c))
+      sums(Eigen::Index(c), Eigen::Index(unknown)) = coefficient;
+  CHECK_EQUAL(std::size_t(sums.fullPivLu().rank()), unknowns.size());
+  for(const Row& row : rows) {
+    Eigen::RowVectorXd left_hand_side = Eigen::RowVectorXd::Zero(sums.cols());
+    for(const auto& entry : row)
+      left_hand_side += double(entry.coefficient) * sums.row(entry.column);
+    CHECK(left_hand_side.isZero(0));
+  }
+}
+
 // --- input that is handled -----------------------------------------------------------------------
 
 void test_poor_meshes()
@@ -497,6 +529,7 @@ int main()
   test_components_of_all_sizes();
   test_spikes();
   test_tiny_meshes();
+  test_equations_without_units();
   test_poor_meshes();
   return report_checks();
 }
