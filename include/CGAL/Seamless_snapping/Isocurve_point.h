@@ -17,6 +17,7 @@
 // Where isocurves start, and what they are when traced: sequences of crossed edges and met
 // vertices.
 
+#include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
@@ -34,41 +35,6 @@
 
 namespace CGAL {
 namespace Seamless_snapping {
-
-/*!
-\ingroup PkgSeamlessSnappingRef
-
-The directions of isocurves in a chart: along \f$ +u, +v, -u, -v \f$. In a face that is flipped in
-the domain a direction tells the sides: at the left of `PLUS_U`, seen on the surface, \f$ v \f$ is
-larger.
-*/
-enum class Isocurve_direction
-{
-  PLUS_U,  ///< \f$ v \f$ is constant, \f$ u \f$ grows
-  PLUS_V,  ///< \f$ u \f$ is constant, \f$ v \f$ grows
-  MINUS_U, ///< \f$ v \f$ is constant, \f$ u \f$ falls
-  MINUS_V  ///< \f$ u \f$ is constant, \f$ v \f$ falls
-};
-
-/*!
-\ingroup PkgSeamlessSnappingRef
-returns the opposite direction.
-*/
-inline Isocurve_direction reversed(const Isocurve_direction direction)
-{
-  return Isocurve_direction(internal::reversed(int(direction)));
-}
-
-/*!
-\ingroup PkgSeamlessSnappingRef
-What a point of an isocurve lies on.
-*/
-enum class Isocurve_place
-{
-  VERTEX, ///< a vertex
-  EDGE,   ///< the inside of an edge
-  FACE    ///< the inside of a face
-};
 
 /*!
 \ingroup PkgSeamlessSnappingRef

@@ -24,14 +24,13 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-How a traced isocurve ends. The second half can only occur where a parametrization is traced in
-floating point; these are the failures that Mandad and Campen \cgalCite{cgal:mc-ecstsp-19} list.
+How a traced isocurve ends. From `STUCK_AT_CUT` on, the ends can only occur where a parametrization
+is traced in floating point: these are the failures that Mandad and Campen
+\cgalCite{cgal:mc-ecstsp-19} list.
 */
 enum class Isocurve_status
 {
-  /// \cond SKIP_IN_MANUAL
-  CONTINUES,        // not yet; never returned
-  /// \endcond
+  CONTINUES,        ///< it goes on: of no curve, but of `Isocurve_walker::advance()`
   TARGET,           ///< it has met a vertex that was given
   SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex of 360 degrees or more
   BORDER,           ///< it has met the border, and does not continue along it
@@ -39,6 +38,7 @@ enum class Isocurve_status
   MAXIMUM_NUMBER,   ///< it has crossed as many edges and vertices as were allowed
   MAXIMUM_LENGTH,   ///< it has become as long as was allowed, or longer by a part of a face
   CONSTANT_ON_FACE, ///< it has met degenerate faces on which its coordinate is constant
+  NOT_EXACT,        ///< the parametrization is not exactly seamless, so that nothing was traced
   STUCK_AT_CUT,     ///< behind a cut edge it points back onto the edge, for ever
   FELL_INTO_GAP,    ///< the place behind a cut edge lies beside the edge
   NO_WAY_OUT,       ///< no direction leads on from a regular vertex
@@ -50,11 +50,11 @@ enum class Isocurve_status
 
 /*!
 \ingroup PkgSeamlessSnappingRef
-returns `true` for the ends that can only occur where a parametrization is traced in floating point.
+returns `true` for the ends that can only occur where a parametrization is not exactly seamless.
 */
 inline bool is_failure(const Isocurve_status status)
 {
-  return status >= Isocurve_status::STUCK_AT_CUT;
+  return status >= Isocurve_status::NOT_EXACT;
 }
 
 /*!
@@ -72,6 +72,7 @@ inline const char* to_string(const Isocurve_status status)
   case Isocurve_status::MAXIMUM_NUMBER:   return "maximum number";
   case Isocurve_status::MAXIMUM_LENGTH:   return "maximum length";
   case Isocurve_status::CONSTANT_ON_FACE: return "constant on a face";
+  case Isocurve_status::NOT_EXACT:        return "not exact";
   case Isocurve_status::STUCK_AT_CUT:     return "stuck at a cut";
   case Isocurve_status::FELL_INTO_GAP:    return "fell into a gap";
   case Isocurve_status::NO_WAY_OUT:       return "no way out";

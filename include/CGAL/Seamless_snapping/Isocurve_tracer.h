@@ -127,8 +127,9 @@ public:
   }
 
   /*!
-  traces one isocurve. The named parameters are those of `trace_isocurve()`.
-  \pre `is_exact()`; or `operator bool()`, and floating point tracing is asked for
+  traces one isocurve. The named parameters are those of `trace_isocurve()`. The status of the curve
+  is `Isocurve_status::NOT_EXACT`, and it has no points, if `is_exact()` is `false` and it is not to
+  be traced in floating point, and also if `operator bool()` returns `false`.
   \pre `start` is as `Isocurve_start` asks for
   */
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -142,18 +143,20 @@ public:
   traces all isocurves that leave singular vertices, in the order of `vertices(tmesh)` and
   counterclockwise around each; the order does not depend on the number of threads. The named
   parameters are those of `trace_isocurve()`. With several threads, all of them read the property
-  map `vertex_is_constrained_map`.
+  map `vertex_is_constrained_map`. Where `trace()` would return `Isocurve_status::NOT_EXACT`, a single
+  curve with this status is returned.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
          `CGAL::Parallel_tag`, which does not compile unless TBB is linked
-  \pre `is_exact()`; or `operator bool()`, and floating point tracing is asked for
   */
   template <typename ConcurrencyTag = CGAL::Sequential_tag,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   std::vector<Curve> separatrices(
     const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    check_validity();
+    const Options all = options(internal::strip(np));
+    if(!can_trace(all))
+      return std::vector<Curve>(1, refused(Start(), Isocurve_direction::PLUS_U));
     std::vector<Curve> curves;
     for(const vertex_descriptor v : m_numbering.vertices_in_order())
       if(is_singular(v))
@@ -162,7 +165,6 @@ public:
           curves.back().start = start;
           curves.back().direction = direction;
         }
-    const Options all = options(internal::strip(np));
     CGAL::for_each<ConcurrencyTag>(curves, [&](Curve& curve) {
       curve = trace(curve.start, curve.direction, all);
       return true;
@@ -187,6 +189,20 @@ private:
     bool decide_exactly = true;
     double near = 0;
   };
+
+  bool can_trace(const Options& options) const
+  {
+    return m_is_valid && (m_mesh.is_exact || !options.decide_exactly);
+  }
+
+  static Curve refused(const Start& start, const Isocurve_direction direction)
+  {
+    Curve curve;
+    curve.status = Isocurve_status::NOT_EXACT;
+    curve.start = start;
+    curve.direction = direction;
+    return curve;
+  }
 
   template <typename NamedParameters>
   Options options(const NamedParameters& np) const
@@ -224,9 +240,8 @@ private:
 
   Curve trace(const Start& start, const Isocurve_direction direction, const Options& options) const
   {
-    check_validity();
-    CGAL_precondition_msg(is_exact() || !options.decide_exactly,
-                          "isocurves can be traced exactly on exactly seamless maps only");
+    if(!can_trace(options))
+      return refused(start, direction);
     const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
     if(options.decide_exactly) {
       internal::Exact_decisions decisions(m_mesh);
@@ -239,23 +254,6 @@ private:
     return trace_with(decisions, start, direction, options);
   }
 
-  // Turns what the walk meets into points.
-  struct Collector
-  {
-    template <typename State> void edge(const State& s) { add(Isocurve_place::EDGE, s); }
-    template <typename State> void vertex(const State& s) { add(Isocurve_place::VERTEX, s); }
-
-    template <typename State>
-    void add(const Isocurve_place place, const State& s, const double running = 0)
-    {
-      points.emplace_back(place, tracer.halfedge(s.halfedge), s.direction,
-                          internal::Exact_level(s.level), running);
-    }
-
-    const Isocurve_tracer& tracer;
-    std::vector<Isocurve_point<TriangleMesh> >& points;
-  };
-
   template <typename Decisions>
   Curve trace_with(Decisions& decisions, const Start& start, const Isocurve_direction direction,
                    const Options& options) const
@@ -263,10 +261,20 @@ private:
     Curve curve;
     curve.start = start;
     curve.direction = direction;
-    Collector collector{*this, curve.points};
-    internal::Isocurve_walk<Decisions, Collector> walk(m_mesh, decisions, options.limits,
-                                                       collector);
-    curve.status = start_walk(walk, decisions, collector, start, int(direction));
+    const auto add = [&](const Isocurve_place place, const auto& state, const double running) {
+      curve.points.emplace_back(place, halfedge(state.halfedge), state.direction,
+                                internal::Exact_level(state.level), running);
+    };
+    internal::Isocurve_walk<Decisions> walk(m_mesh, options.limits, decisions);
+    const auto beginning = internal::begin_walk(m_mesh, chart_start(start), int(direction),
+                                                decisions, walk);
+    if(!beginning.is_first_state)
+      add(start.place, beginning.start, CGAL::to_double(beginning.running));
+    curve.status = beginning.status;
+    if(curve.status == Isocurve_status::CONTINUES)
+      curve.status = internal::run(walk, [&](const auto& state) {
+        add(state.is_at_vertex ? Isocurve_place::VERTEX : Isocurve_place::EDGE, state, 0);
+      });
     if(curve.status == Isocurve_status::CLOSED && start.place != Isocurve_place::VERTEX)
       curve.points.back() = curve.points.front();
     curve.number_of_crossings = walk.number_of_crossings();
@@ -274,64 +282,10 @@ private:
     return curve;
   }
 
-  template <typename Walk, typename Decisions>
-  Isocurve_status start_walk(Walk& walk, Decisions& decisions, Collector& collector,
-                             const Start& start, const int direction) const
+  internal::Chart_start chart_start(const Start& start) const
   {
-    using Level = typename Decisions::Level;
-    const std::size_t c = internal::constant_component(direction);
-    typename Decisions::State state;
-    state.halfedge = m_numbering.corner(start.halfedge);
-    CGAL_precondition_msg(state.halfedge != internal::no_index,
-                          "the halfedge that an isocurve starts at must have a face");
-    state.direction = direction;
-    switch(start.place) {
-    case Isocurve_place::VERTEX: {
-      internal::Vertex_ray ray{state.halfedge, direction, internal::Ray_kind::THROUGH_FACE};
-      const bool leaves = internal::find_ray(m_mesh, state.halfedge, direction, ray);
-      state.halfedge = ray.corner;
-      state.direction = ray.direction;
-      state.level = Level(m_mesh.uv(ray.corner)[internal::constant_component(ray.direction)]);
-      collector.vertex(state);
-      if(leaves)
-        return walk.run_from_vertex(ray);
-      return m_mesh.is_border[m_mesh.vertex(ray.corner)] ? Isocurve_status::BORDER
-                                                         : Isocurve_status::CONSTANT_ON_FACE;
-    }
-    case Isocurve_place::EDGE: {
-      CGAL_precondition_msg(start.parameter > 0 && start.parameter < 1,
-                            "the point that an isocurve starts at must lie inside of its edge");
-      state.level = coordinate_on_edge<Level>(state.halfedge, start.parameter, c);
-      const double running = coordinate_on_edge<double>(state.halfedge, start.parameter, 1 - c);
-      const auto point = state;
-      bool enters = false;
-      const bool leaves = internal::leave_edge_point(m_mesh, decisions, state, enters);
-      if(leaves && !enters && !state.is_at_vertex)
-        return walk.run_from(state); // the walk begins with this edge
-      collector.add(Isocurve_place::EDGE, point, running);
-      if(!leaves)
-        return Isocurve_status::CONSTANT_ON_FACE;
-      return enters ? walk.run_into(state) : walk.run_from(state, running);
-    }
-    case Isocurve_place::FACE:
-      break;
-    }
-    state.level = Level(start.uv[c]);
-    collector.add(Isocurve_place::FACE, state, start.uv[1 - c]);
-    return internal::leave_face_point<Decisions>(m_mesh, state)
-             ? walk.run_from(state, start.uv[1 - c]) : Isocurve_status::CONSTANT_ON_FACE;
-  }
-
-  template <typename Number>
-  Number coordinate_on_edge(const internal::Corner_index h, const Exact_rational& t,
-                            const std::size_t c) const
-  {
-    const Exact_rational a(m_mesh.uv(internal::Chart_mesh::prev(h))[c]), b(m_mesh.uv(h)[c]);
-    const Exact_rational coordinate(a + t * (b - a));
-    if constexpr(std::is_same_v<Number, double>)
-      return CGAL::to_double(coordinate);
-    else
-      return Number(coordinate);
+    return {start.place, m_numbering.corner(start.halfedge), start.parameter,
+            {{start.uv[0], start.uv[1]}}};
   }
 
   halfedge_descriptor halfedge(const internal::Corner_index h) const

@@ -40,12 +40,22 @@ edges where these lie on it. It ends at the target, at a singular vertex, at the
 closes, or when a bound is reached. All decisions are comparisons that are exact, so that on an
 exactly seamless map there is no other end, with one exception: degenerate faces on which a
 coordinate is constant (`Isocurve_status::CONSTANT_ON_FACE`). A curve that is traced backwards from
-its end takes the same way. Flipped faces do no harm: there, an isocurve is traced as the level set
-of a piecewise linear function.
+its end takes the same way. On a map that is not exactly seamless, nothing is traced: the status is
+`Isocurve_status::NOT_EXACT`.
 
-At a regular vertex a curve goes straight on. At the border it goes on where a border edge or a
-reentrant corner allows it to go straight on; at border vertices with an angle of 360 degrees or
-more it ends.
+- At a regular vertex a curve goes straight on.
+- At the border it goes on where a border edge or a reentrant corner allows it to go straight on. At
+  a border vertex with an angle of 360 degrees or more, several continuations are straight: there it
+  ends with `Isocurve_status::SINGULAR_VERTEX`.
+- An edge that has no length in the domain (its vertices have the same coordinates) has no
+  direction, and neither of its faces is crossed: these faces have no area. A curve that meets such
+  an edge meets one of its vertices, and ends there with `Isocurve_status::CONSTANT_ON_FACE` or, if
+  this vertex is singular, with `Isocurve_status::SINGULAR_VERTEX`. It goes on only if it leaves the
+  vertex through a face that has an area.
+- Where faces are flipped, an isocurve is traced as the level set of a piecewise linear function: it
+  goes back in flipped faces, and may pass a vertex several times. In a folded star more than two
+  rays of an isocurve may leave the vertex: it goes on along the opposite one, as many rays to its
+  left as to its right, so that no two curves join and the way back is the same.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -111,10 +121,11 @@ more it ends.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return how the curve ends. Its member `points` is empty: the points are written to `output`.
+\return how the curve ends. Its member `points` is empty: the points are written to `output`. If the
+        map is not exactly seamless (`is_seamless()`) and `decide_exactly` is not `false`, or if it
+        is not seamless up to the default tolerance of `seam_transitions()`, the status is
+        `Isocurve_status::NOT_EXACT`: snap the map first, with `snap_to_seamless()`.
 
-\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the default
-     tolerance of `seam_transitions()`
 \pre `start` is as `Isocurve_start` asks for
 
 \par Complexity
@@ -166,10 +177,9 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `trace_isocurve()`
 
-\return the past-the-end output iterator
+\return the past-the-end output iterator. Where `trace_isocurve()` would return the status
+        `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
 
-\pre `is_seamless(tmesh, uv_map)`, unless `decide_exactly` is `false`; then, up to the default
-     tolerance of `seam_transitions()`
 
 \sa `trace_isocurve()`
 */

@@ -38,7 +38,7 @@ public:
   using Level = Exact_level;
   using State = Walk_state<Level>;
 
-  explicit Exact_decisions(const Chart_mesh& mesh) : m_mesh(mesh) { }
+  explicit Exact_decisions(const Chart_mesh& mesh) : m_mesh(&mesh) { }
 
   // From the chart of the transition's one face to that of the other.
   static void cross(const Chart_transition& transition, State& state)
@@ -60,8 +60,8 @@ public:
     const std::size_t c = constant_component(state.direction);
     CGAL_USE(c);
     CGAL_assertion_code(const int left = left_sign(state.direction));
-    CGAL_assertion(state.level.side_of(m_mesh.uv(Chart_mesh::prev(state.halfedge))[c]) == left);
-    CGAL_assertion(state.level.side_of(m_mesh.uv(state.halfedge)[c]) == -left);
+    CGAL_assertion(state.level.side_of(m_mesh->uv(Chart_mesh::prev(state.halfedge))[c]) == left);
+    CGAL_assertion(state.level.side_of(m_mesh->uv(state.halfedge)[c]) == -left);
     return true;
   }
 
@@ -73,9 +73,9 @@ public:
     const std::size_t n = around.rays.size();
     const std::size_t arrival = std::size_t(
       std::find_if(around.rays.begin(), around.rays.end(),
-                   [&](const Vertex_ray& ray) { return state.arrived_by(m_mesh, ray); }) -
+                   [&](const Vertex_ray& ray) { return state.arrived_by(*m_mesh, ray); }) -
       around.rays.begin());
-    const bool is_border = m_mesh.is_border[m_mesh.vertex(state.halfedge)];
+    const bool is_border = m_mesh->is_border[m_mesh->vertex(state.halfedge)];
     if(arrival == n || (!is_border && n % 2 != 0))
       return Isocurve_status::CONSTANT_ON_FACE;
     if(is_border && n == 1)
@@ -96,7 +96,7 @@ public:
   static Isocurve_status failure() { return Isocurve_status::CONTINUES; }
 
 private:
-  const Chart_mesh& m_mesh;
+  const Chart_mesh* m_mesh;
 };
 
 } // namespace internal

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The walk along an isocurve, from edge to edge and through vertices. What is decided exactly and
-// what in floating point is up to the template argument, so that both kinds of tracing are this
-// same walk.
+// The walk along an isocurve, from edge to edge and through vertices, a step at a time. What is
+// decided exactly and what in floating point is up to the template argument, so that both kinds of
+// tracing are this same walk.
 
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
@@ -29,50 +29,54 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// `Sink` has functions edge(state) and vertex(state), called for each edge crossed and vertex met.
-template <typename Decisions, typename Sink>
+// Invariant: once it has begun, and until it ends, the state is the edge that the curve is about to
+// cross, or the vertex that it is about to pass, as seen from the face that it comes through.
+template <typename Decisions>
 class Isocurve_walk
 {
 public:
   using Level = typename Decisions::Level;
   using State = Walk_state<Level>;
 
-  Isocurve_walk(const Chart_mesh& mesh, Decisions& decisions, const Walk_limits& limits, Sink& sink)
-    : m_mesh(mesh), m_decisions(decisions), m_limits(limits), m_sink(sink)
+  // The arguments have to outlive the walk.
+  Isocurve_walk(const Chart_mesh& mesh, const Walk_limits& limits, const Decisions& decisions)
+    : m_mesh(&mesh), m_limits(&limits), m_decisions(decisions)
   { }
 
-  // Along a ray from a vertex, which is not passed to the sink.
-  Isocurve_status run_from_vertex(const Vertex_ray& ray)
+  // Along a ray from a vertex.
+  void begin_at_vertex(const Vertex_ray& ray)
   {
     m_start_ray = ray;
     m_starts_at_vertex = true;
     take(ray);
-    return run();
   }
 
   // Through the edge or vertex `state` that the curve is about to meet.
-  Isocurve_status run_from(const State& state)
-  {
-    m_state = state;
-    return run();
-  }
+  void begin(const State& state) { m_state = state; }
 
   // The same from a point of its face whose running coordinate is `start`.
-  Isocurve_status run_from(const State& state, const double start)
+  void begin(const State& state, const double start)
   {
     m_state = state;
     if(has_length())
       m_length = m_length_before = length_between(
         start, state.is_at_vertex ? running(state.halfedge) : running_on_edge(state.halfedge));
-    return run();
   }
 
   // From a border edge into the face that `state` gives.
-  Isocurve_status run_into(const State& state)
+  Isocurve_status begin_at_border(const State& state)
   {
     m_state = state;
-    const Isocurve_status status = traverse_face();
-    return status == Isocurve_status::CONTINUES ? run() : status;
+    return traverse_face();
+  }
+
+  // Passes the edge or vertex of the state, and goes on to the next one.
+  Isocurve_status step()
+  {
+    const Isocurve_status status = m_state.is_at_vertex ? pass_vertex() : cross_edge();
+    if(status == Isocurve_status::CLOSED)
+      m_length -= m_length_before; // it went round to the first edge or vertex, beyond the start
+    return status;
   }
 
   std::size_t number_of_crossings() const { return m_crossings; }
@@ -80,39 +84,22 @@ public:
   const State& state() const { return m_state; }
 
 private:
-  Isocurve_status run()
+  Isocurve_status cross_edge()
   {
-    Isocurve_status status;
-    do {
-      status = m_state.is_at_vertex ? pass_vertex() : cross_edges();
-    } while(status == Isocurve_status::CONTINUES);
-    if(status == Isocurve_status::CLOSED)
-      m_length -= m_length_before; // it went round to the first edge or vertex, beyond the start
-    return status;
-  }
-
-  // Until the curve meets a vertex.
-  Isocurve_status cross_edges()
-  {
-    Isocurve_status status;
-    do {
-      m_sink.edge(m_state);
-      status = compare_with_start();
-      if(status != Isocurve_status::CONTINUES)
-        return status;
-      const Chart_corner& exit = m_mesh.corner(m_state.halfedge);
-      if(exit.opposite == no_index)
-        return m_decisions.leave_over_border(m_state);
-      ++m_crossings;
-      status = compare_with_bounds();
-      if(status != Isocurve_status::CONTINUES)
-        return status;
-      if(exit.transition != no_index)
-        m_decisions.cross(m_mesh.transitions[std::size_t(exit.transition)], m_state);
-      m_state.halfedge = exit.opposite;
-      status = traverse_face();
-    } while(status == Isocurve_status::CONTINUES && !m_state.is_at_vertex);
-    return status;
+    Isocurve_status status = compare_with_start();
+    if(status != Isocurve_status::CONTINUES)
+      return status;
+    const Chart_corner& exit = m_mesh->corner(m_state.halfedge);
+    if(exit.opposite == no_index)
+      return m_decisions.leave_over_border(m_state);
+    ++m_crossings;
+    status = compare_with_bounds();
+    if(status != Isocurve_status::CONTINUES)
+      return status;
+    if(exit.transition != no_index)
+      m_decisions.cross(m_mesh->transitions[std::size_t(exit.transition)], m_state);
+    m_state.halfedge = exit.opposite;
+    return traverse_face();
   }
 
   // One comparison tells which way the curve leaves a face: the edge it enters by has one end on
@@ -124,7 +111,7 @@ private:
     const Corner_index entry = m_state.halfedge;
     const Corner_index apex = Chart_mesh::next(entry);
     const int side = m_decisions.side_of(m_state.level,
-                                         m_mesh.uv(apex)[constant_component(m_state.direction)]);
+                                         m_mesh->uv(apex)[constant_component(m_state.direction)]);
     if(has_length())
       m_length += length_through(entry, side);
     if(side == 0)
@@ -136,20 +123,21 @@ private:
 
   Isocurve_status pass_vertex()
   {
-    const std::size_t v = m_mesh.vertex(m_state.halfedge);
-    m_sink.vertex(m_state);
-    if(m_limits.is_target(v))
+    const std::size_t v = m_mesh->vertex(m_state.halfedge);
+    if(m_limits->is_target(v))
       return Isocurve_status::TARGET;
-    if(m_mesh.is_singular[v])
+    if(m_mesh->is_singular[v])
       return Isocurve_status::SINGULAR_VERTEX;
     ++m_crossings;
-    m_rays.collect(m_mesh, m_state.halfedge, m_state.direction);
+    m_rays.collect(*m_mesh, m_state.halfedge, m_state.direction);
     Vertex_ray ray;
     Isocurve_status status = m_decisions.choose_ray(m_state, m_rays, ray);
     if(status != Isocurve_status::CONTINUES)
       return status;
-    if(m_starts_at_vertex && ray == m_start_ray)
+    if(m_starts_at_vertex && ray == m_start_ray) {
+      m_crossings -= m_is_start_counted ? 1 : 0;
       return Isocurve_status::CLOSED;
+    }
     status = compare_with_bounds();
     if(status == Isocurve_status::CONTINUES) {
       remember_start_ray(ray);
@@ -161,16 +149,16 @@ private:
   // At the edge or vertex that the curve has met, once it has no other reason to end there.
   Isocurve_status compare_with_bounds() const
   {
-    if(m_crossings >= m_limits.maximum_number)
+    if(m_crossings >= m_limits->maximum_number)
       return Isocurve_status::MAXIMUM_NUMBER;
-    return m_length >= m_limits.maximum_length ? Isocurve_status::MAXIMUM_LENGTH
+    return m_length >= m_limits->maximum_length ? Isocurve_status::MAXIMUM_LENGTH
                                                : Isocurve_status::CONTINUES;
   }
 
   void take(const Vertex_ray& ray)
   {
     m_state.direction = ray.direction;
-    m_state.level = Level(m_mesh.uv(ray.corner)[constant_component(ray.direction)]);
+    m_state.level = Level(m_mesh->uv(ray.corner)[constant_component(ray.direction)]);
     if(ray.kind == Ray_kind::THROUGH_FACE) {
       m_state.is_at_vertex = false;
       m_state.halfedge = Chart_mesh::prev(ray.corner);
@@ -182,7 +170,7 @@ private:
     const Corner_index end = is_first ? Chart_mesh::next(ray.corner) : Chart_mesh::prev(ray.corner);
     if(has_length())
       m_length += length_between(running(ray.corner), running(end));
-    arrive(end, m_mesh.edge_key(is_first ? end : ray.corner));
+    arrive(end, m_mesh->edge_key(is_first ? end : ray.corner));
   }
 
   void arrive(const Corner_index corner, const Corner_index along_key)
@@ -212,25 +200,25 @@ private:
   void remember_start_ray(const Vertex_ray& ray)
   {
     if(!m_starts_at_vertex && m_start.halfedge == no_index) {
-      m_starts_at_vertex = true;
+      m_starts_at_vertex = m_is_start_counted = true;
       m_start_ray = ray;
     }
   }
 
   // Lengths are measured in floating point: they bound a walk, and decide nothing else.
   bool has_length() const
-  { return m_limits.maximum_length < std::numeric_limits<double>::infinity(); }
+  { return m_limits->maximum_length < std::numeric_limits<double>::infinity(); }
 
   double running(const Corner_index corner) const
   {
-    return m_mesh.uv(corner)[running_component(m_state.direction)];
+    return m_mesh->uv(corner)[running_component(m_state.direction)];
   }
 
   double running_on_edge(const Corner_index h) const
   {
     const std::size_t c = constant_component(m_state.direction);
     const Corner_index source = Chart_mesh::prev(h);
-    const double a = m_mesh.uv(source)[c], b = m_mesh.uv(h)[c];
+    const double a = m_mesh->uv(source)[c], b = m_mesh->uv(h)[c];
     const double parameter = (Decisions::approximation(m_state.level) - a) / (b - a);
     return running(source) + parameter * (running(h) - running(source));
   }
@@ -246,10 +234,9 @@ private:
     return length_between(running_on_edge(entry), end);
   }
 
-  const Chart_mesh& m_mesh;
-  Decisions& m_decisions;
-  const Walk_limits& m_limits;
-  Sink& m_sink;
+  const Chart_mesh* m_mesh;
+  const Walk_limits* m_limits;
+  Decisions m_decisions;
 
   State m_state;
   Isocurve_rays m_rays;
@@ -258,9 +245,22 @@ private:
   double m_length_before = 0; // the first edge or vertex
 
   bool m_starts_at_vertex = false;
+  bool m_is_start_counted = false; // as a crossing: it is the first vertex, after another start
   Vertex_ray m_start_ray{no_index, 0, Ray_kind::THROUGH_FACE};
   State m_start; // where it left its first face, if it did not start at a vertex
 };
+
+// To the end of the curve. `add` is called with the states, one for each edge crossed and vertex met.
+template <typename Walk, typename Function>
+Isocurve_status run(Walk& walk, const Function& add)
+{
+  Isocurve_status status;
+  do {
+    add(walk.state());
+    status = walk.step();
+  } while(status == Isocurve_status::CONTINUES);
+  return status;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -17,12 +17,16 @@
 // The first step of a walk: from a point on the surface and a direction to the first edge or vertex
 // that the isocurve meets.
 
+#include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Isocurve_walk.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -128,6 +132,115 @@ bool leave_face_point(const Chart_mesh& mesh, typename Decisions::State& state)
   }
   CGAL_precondition_msg(false, "the start point must lie in its face");
   return false;
+}
+
+// Where a curve starts, in the chart of the face of `halfedge`.
+struct Chart_start
+{
+  Isocurve_place place;
+  Corner_index halfedge;
+  Exact_rational parameter; // on an edge
+  Uv uv;                    // in a face
+};
+
+// A walk at its start. Invariant: where the status is CONTINUES, the walk has begun.
+template <typename Decisions>
+struct Walk_beginning
+{
+  typename Decisions::State start; // the point, as a state
+  Exact_rational running{0};       // its running coordinate, unless it is a vertex
+  bool is_first_state = false;     // the walk's state is the start itself, not the next point
+  Isocurve_status status = Isocurve_status::CONTINUES;
+};
+
+inline Exact_rational coordinate_on_edge(const Chart_mesh& mesh, const Corner_index h,
+                                         const Exact_rational& t, const std::size_t c)
+{
+  const Exact_rational a(mesh.uv(Chart_mesh::prev(h))[c]), b(mesh.uv(h)[c]);
+  return Exact_rational(a + t * (b - a));
+}
+
+template <typename Number>
+Number rounded_level(const Exact_rational& level)
+{
+  if constexpr(std::is_same_v<Number, double>)
+    return CGAL::to_double(level);
+  else
+    return Number(level);
+}
+
+template <typename Decisions>
+void begin_at_vertex(const Chart_mesh& mesh, Isocurve_walk<Decisions>& walk,
+                     Walk_beginning<Decisions>& beginning)
+{
+  auto& state = beginning.start;
+  Vertex_ray ray{state.halfedge, state.direction, Ray_kind::THROUGH_FACE};
+  const bool leaves = find_ray(mesh, state.halfedge, state.direction, ray);
+  state.is_at_vertex = true;
+  state.halfedge = ray.corner;
+  state.direction = ray.direction;
+  state.level = typename Decisions::Level(mesh.uv(ray.corner)[constant_component(ray.direction)]);
+  if(leaves)
+    walk.begin_at_vertex(ray);
+  else
+    beginning.status = mesh.is_border[mesh.vertex(ray.corner)] ? Isocurve_status::BORDER
+                                                               : Isocurve_status::CONSTANT_ON_FACE;
+}
+
+template <typename Decisions>
+void begin_on_edge(const Chart_mesh& mesh, const Exact_rational& t, Decisions& decisions,
+                   Isocurve_walk<Decisions>& walk, Walk_beginning<Decisions>& beginning)
+{
+  auto& point = beginning.start;
+  point.level = rounded_level<typename Decisions::Level>(
+    coordinate_on_edge(mesh, point.halfedge, t, constant_component(point.direction)));
+  beginning.running =
+    coordinate_on_edge(mesh, point.halfedge, t, running_component(point.direction));
+  auto state = point;
+  bool enters = false;
+  if(!leave_edge_point(mesh, decisions, state, enters)) {
+    beginning.status = Isocurve_status::CONSTANT_ON_FACE;
+  } else if(enters) {
+    beginning.status = walk.begin_at_border(state);
+  } else if(state.is_at_vertex) {
+    walk.begin(state, CGAL::to_double(beginning.running));
+  } else {
+    beginning.is_first_state = true;
+    walk.begin(state);
+  }
+}
+
+template <typename Decisions>
+Walk_beginning<Decisions> begin_walk(const Chart_mesh& mesh, const Chart_start& start,
+                                     const Direction direction, Decisions& decisions,
+                                     Isocurve_walk<Decisions>& walk)
+{
+  CGAL_precondition_msg(start.halfedge != no_index,
+                        "the halfedge that an isocurve starts at must have a face");
+  Walk_beginning<Decisions> beginning;
+  beginning.start.halfedge = start.halfedge;
+  beginning.start.direction = direction;
+  switch(start.place) {
+  case Isocurve_place::VERTEX:
+    begin_at_vertex(mesh, walk, beginning);
+    return beginning;
+  case Isocurve_place::EDGE:
+    CGAL_precondition_msg(start.parameter > 0 && start.parameter < 1,
+                          "the point that an isocurve starts at must lie inside of its edge");
+    begin_on_edge(mesh, start.parameter, decisions, walk, beginning);
+    return beginning;
+  case Isocurve_place::FACE:
+    break;
+  }
+  const double running = start.uv[running_component(direction)];
+  beginning.start.level = typename Decisions::Level(start.uv[constant_component(direction)]);
+  beginning.running = Exact_rational(running);
+  auto state = beginning.start;
+  if(leave_face_point<Decisions>(mesh, state))
+    walk.begin(state, running);
+  else
+    beginning.status = Isocurve_status::CONSTANT_ON_FACE;
+  return beginning;
 }
 
 } // namespace internal
