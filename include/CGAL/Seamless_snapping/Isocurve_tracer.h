@@ -17,6 +17,7 @@
 // The tracer: a parametrized mesh prepared for tracing any number of isocurves.
 
 #include <CGAL/Seamless_snapping/Isocurve_point.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/for_each.h>
@@ -79,7 +79,8 @@ public:
                   const NamedParameters& np = CGAL::parameters::default_values())
     : m_numbering(tmesh)
   {
-    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const internal::Protect_exact_arithmetic protect;
+    internal::require_exact_arithmetic();
     const auto seams = seam_transitions(tmesh, uv_map, np);
     m_is_valid = bool(seams);
     if(m_is_valid)
@@ -116,6 +117,7 @@ public:
   std::vector<std::pair<Start, Isocurve_direction> > outgoing(const vertex_descriptor v) const
   {
     check_validity();
+    const internal::Protect_exact_arithmetic protect;
     std::vector<std::pair<Start, Isocurve_direction> > result;
     const internal::Flat_vertex_index i = m_numbering.vertex(v);
     if(i == internal::no_index)
@@ -242,7 +244,8 @@ private:
   {
     if(!can_trace(options))
       return refused(start, direction);
-    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const internal::Protect_exact_arithmetic protect;
+    internal::require_exact_arithmetic();
     if(options.decide_exactly) {
       internal::Exact_decisions decisions(m_mesh);
       return trace_with(decisions, start, direction, options);

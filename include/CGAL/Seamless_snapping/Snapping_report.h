@@ -46,6 +46,7 @@ enum class Snapping_status
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INCONSISTENT,       ///< the constraints contradict each other
   NOT_REPRESENTABLE,  ///< the constraints have solutions, but in the number type none was found near by
+  INEXACT_ARITHMETIC, ///< the program was compiled with options like `-ffast-math`
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };
 
@@ -66,6 +67,7 @@ inline const char* to_string(const Snapping_status status)
   case Snapping_status::INVALID_ROTATIONS: return "invalid rotations";
   case Snapping_status::INCONSISTENT:      return "inconsistent";
   case Snapping_status::NOT_REPRESENTABLE: return "not representable";
+  case Snapping_status::INEXACT_ARITHMETIC: return "inexact arithmetic";
   case Snapping_status::INTERNAL_ERROR:    break;
   }
   return "internal error";

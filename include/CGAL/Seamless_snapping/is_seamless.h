@@ -18,6 +18,7 @@
 // about the price of a floating point pass: see Exact_difference.h.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
@@ -28,7 +29,6 @@
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -295,6 +295,8 @@ not tell which is meant: pass `halfedge_rotation_map` as well.
         (with connection or cycle constraints also if one is beyond 1e300), or if given rotations of
         opposite halfedges are not inverse to each other
 
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
 \par Complexity
 Linear in the number of edges; about as fast as comparing the coordinates on both sides of each edge.
 */
@@ -303,7 +305,8 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
   return internal::is_seamless(tmesh, uv_map, internal::strip(np));
 }
 
@@ -318,6 +321,8 @@ flipped or degenerate in the domain. Template and named parameters are those of 
 
 \pre all coordinates are finite
 
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
 \par Complexity
 Linear in the number of faces.
 */
@@ -326,7 +331,8 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 Seamlessness measure_seamlessness(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
   return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
 }
 

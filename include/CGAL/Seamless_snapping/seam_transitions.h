@@ -18,12 +18,12 @@
 // vertices are singular.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -206,6 +206,8 @@ of the largest violation of the whole map are no cuts either, but noise: their c
 
 \return the transitions, or the reason why they could not be read; test with `operator bool()`
 
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
 \par Complexity
 One pass over the edges, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose sides differ.
 */
@@ -215,7 +217,8 @@ Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, Halfe
                                                 const NamedParameters& np =
                                                   CGAL::parameters::default_values())
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
   return Seam_transitions<TriangleMesh>(tmesh, uv_map,
                                         internal::read_transitions<internal::Quarter_turns>(
                                           tmesh, uv_map, internal::strip(np)));

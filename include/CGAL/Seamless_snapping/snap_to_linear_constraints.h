@@ -19,11 +19,11 @@
 
 #include <CGAL/Seamless_snapping/Linear_constraints.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/linear/constraint_input.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
@@ -97,8 +97,9 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
 
-  // Callers may sit inside interval arithmetic (Sec. 4.3 needs rounding to nearest).
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const Protect_exact_arithmetic protect;
+  if(!is_arithmetic_exact())
+    return refused(Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message());
   const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
   Snapping_report report;
   Step_timer timer(report.run, verbose);
@@ -200,6 +201,7 @@ pivots first, and a least-squares target.
         - `NOT_FINITE`: a value is NaN or infinite;
         - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
           that contradict each other;
+        - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
           the values on a grid that the number type has at their size. All values are looked for on
           one grid, so there may be one in which some are finer: for

@@ -17,11 +17,11 @@
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
@@ -160,6 +160,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest
           number, as can happen with `float`s close to it;
+        - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: the result failed its verification, or did not read back as it was
           written, and the old coordinates have been restored. A `uv_map` that does not keep what is
           written to it causes this.
@@ -180,8 +181,13 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  // Callers may sit inside interval arithmetic; splitting numbers exactly needs rounding to nearest.
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
+  if(!internal::is_arithmetic_exact()) {
+    Snapping_report report;
+    report.status = Snapping_status::INEXACT_ARITHMETIC;
+    report.message = internal::inexact_arithmetic_message();
+    return report;
+  }
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   return internal::Surface_snapper<internal::Quarter_turns, TriangleMesh, HalfedgeUVMap, Parameters>(
            tmesh, uv_map, internal::strip(np)).run();

@@ -19,8 +19,8 @@
 // range.
 
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
-#include <CGAL/FPU.h>
 
 #include <array>
 #include <charconv>
@@ -72,7 +72,7 @@ public:
   Statements parse()
   {
     // the fast path of `std::from_chars` multiplies in the current rounding mode
-    CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const Protect_exact_arithmetic protect;
 
     for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
         keyword = m_scanner.next_statement()) {
