@@ -93,12 +93,12 @@ struct Options
   explicit Options(const bool is_demo)
     : input(is_demo ? "data/isocurves.obj" : ""),
       exact_input(is_demo ? "data/isocurves_exact.obj" : ""), tolerance(is_demo ? 0.5 : 1e-4),
-      near(is_demo ? 0.008 : 0), starts_at_all_vertices(is_demo)
+      near_distance(is_demo ? 0.008 : 0), starts_at_all_vertices(is_demo)
   { }
 
   std::string input, exact_input, output = "traced";
   std::size_t maximum_number = 500;
-  double tolerance, near;
+  double tolerance, near_distance;
   bool features = false, border = false, constrain = false, starts_at_all_vertices;
 };
 
@@ -111,7 +111,7 @@ bool parse(int argc, char* argv[], Options& o, int& exit_code)
     "output,o", po::value(&o.output), "how the names of the files written begin")(
     "maximum-number", po::value(&o.maximum_number), "crossings per curve (default 500)")(
     "tolerance", po::value(&o.tolerance), "relative violation that is accepted (default 1e-4)")(
-    "near", po::value(&o.near), "relative distance at which a target counts as missed")(
+    "near", po::value(&o.near_distance), "relative distance at which a target counts as missed")(
     "features", po::bool_switch(&o.features), "align the l elements, as far as the exact map goes")(
     "border", po::bool_switch(&o.border), "align the border likewise")(
     "constrain", po::bool_switch(&o.constrain),
@@ -147,8 +147,8 @@ std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Options& 
   for(const Vertex v : mesh.vertices())
     if(options.starts_at_all_vertices || tracer.is_singular(v))
       for(const auto& [start, direction] : tracer.outgoing(v))
-        curves.push_back(options.near > 0
-                           ? tracer.trace(start, direction, how.tolerance(options.near))
+        curves.push_back(options.near_distance > 0
+                           ? tracer.trace(start, direction, how.tolerance(options.near_distance))
                            : tracer.trace(start, direction, how));
   return curves;
 }

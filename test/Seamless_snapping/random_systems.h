@@ -27,13 +27,13 @@ inline double random_real(Random& random) // in [-1,1)
   return static_cast<double>(static_cast<std::int64_t>(random())) * 0x1p-63;
 }
 
-enum class Kind { signs, small, halves_and_thirds, wide, huge, number_of_kinds };
+enum class Kind { signs, small_numbers, halves_and_thirds, wide, huge, number_of_kinds };
 
 inline Rational random_coefficient(Random& random, Kind kind)
 {
   switch(kind) {
     case Kind::signs: return Rational(random() % 2 == 0 ? 1 : -1);
-    case Kind::small: return Rational(random_integer(random, -4, 4));
+    case Kind::small_numbers: return Rational(random_integer(random, -4, 4));
     case Kind::halves_and_thirds:
       return Rational(random_integer(random, -9, 9)) / Rational(random_integer(random, 1, 6));
     case Kind::wide: return Rational(random_integer(random, -1000000, 1000000));

@@ -92,7 +92,7 @@ template <typename Values>
 CS::Snapping_report snap(random_systems::Random& random, const System& system, Values& x,
                          const std::vector<double>& weights)
 {
-  const auto np = CS::parameters::weights(weights);
+  const auto np = CS::parameters::value_weights(weights);
   const bool are_small = are_integers(system, 1000000);
   switch(random() % 4) {
     case 1:

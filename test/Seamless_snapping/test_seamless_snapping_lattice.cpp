@@ -445,10 +445,10 @@ void test_large_coefficients(const unsigned int seed)
       for(std::size_t i = 0; i < n; ++i)
         target[i] = {to_64_bits(y[i]), noise(random)};
       const std::vector<double> weights(n, 1.);
-      const Lattice_solution near = lattice.nearest_solution(b, target, weights);
-      check_solution(a, b, near);
+      const Lattice_solution nearest = lattice.nearest_solution(b, target, weights);
+      check_solution(a, b, nearest);
       // Many bits, few columns: the kernel vectors are long, so that solution is the only one near.
-      CHECK(near.values == y);
+      CHECK(nearest.values == y);
 
       // One bit more on the right can't always be had.
       b[0] += 1;

@@ -83,10 +83,10 @@ void test_last_one_counts()
 void test_references()
 {
   std::vector<double> weights(3, 1.);
-  const auto np = parameters::weights(std::ref(weights)).verbose(false);
+  const auto np = parameters::value_weights(std::ref(weights)).verbose(false);
   std::vector<double> none;
   const std::vector<double>& read = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter_reference(internal::strip(np), internal_np::weights), none);
+    CGAL::parameters::get_parameter_reference(internal::strip(np), internal_np::value_weights), none);
   CHECK(&read == &weights);
 }
 
@@ -104,6 +104,26 @@ void test_all_names()
 #undef CGAL_SEAMLESS_SNAPPING_TEST
 }
 
+// A name that CGAL defines, too, would be ambiguous here, and this would not compile.
+namespace own_names {
+
+#define CGAL_SEAMLESS_SNAPPING_TEST(Tag_type, tag, function)                                       \
+  template <typename T>                                                                            \
+  int function(const T&) { return 17; }
+CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_TEST)
+#undef CGAL_SEAMLESS_SNAPPING_TEST
+
+} // namespace own_names
+
+void test_names_are_not_those_of_cgal()
+{
+  using namespace CGAL::parameters;
+  using namespace own_names;
+#define CGAL_SEAMLESS_SNAPPING_TEST(Tag_type, tag, name) CHECK_EQUAL(name(0), 17);
+  CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_TEST)
+#undef CGAL_SEAMLESS_SNAPPING_TEST
+}
+
 // The lists above pair names and tags; these are the pairs that functions of the package rely on.
 void test_tags()
 {
@@ -112,8 +132,8 @@ void test_tags()
   CHECK(has(parameters::edge_is_cut_map(0), internal_np::edge_is_cut));
   CHECK(has(parameters::halfedge_rotation_map(0), internal_np::halfedge_rotation));
   CHECK(has(parameters::tolerance(0), internal_np::tolerance));
-  CHECK(has(parameters::weights(0), internal_np::weights));
-  CHECK(!has(parameters::weights(0), internal_np::tolerance));
+  CHECK(has(parameters::value_weights(0), internal_np::value_weights));
+  CHECK(!has(parameters::value_weights(0), internal_np::tolerance));
 }
 
 // CGAL's overloads take nothing but its own type for a chain: the wrapper has to be gone.
@@ -163,6 +183,7 @@ int main()
   test_last_one_counts();
   test_references();
   test_all_names();
+  test_names_are_not_those_of_cgal();
   test_tags();
   test_stripping();
   test_is_named_parameters();

@@ -179,7 +179,7 @@ void check_system(Random& random, const System& system, const std::vector<Number
 // Values that violate the constraints by noise of some size: the projection of a random point,
 // rounded, and moved at random.
 template <typename Number>
-std::vector<Number> values_near_a_solution(Random& random, const System& system, bool near)
+std::vector<Number> values_near_a_solution(Random& random, const System& system, bool is_near)
 {
   const double magnitude = std::ldexp(1., random_integer(random, -20, 20));
   const double noise =
@@ -187,7 +187,7 @@ std::vector<Number> values_near_a_solution(Random& random, const System& system,
   Rationals point;
   for(std::size_t c = 0; c < system.columns; ++c)
     point.push_back(Rational(magnitude * random_real(random)));
-  if(near) {
+  if(is_near) {
     const Optimum projection = exact_reference::optimum_in_closed_form(system, point);
     if(projection.feasible)
       point = projection.x;
@@ -398,7 +398,7 @@ void test_outliers()
   constraints.add_constraint({{0, 1}, {1, -1}});
   std::vector<double> x = {1e20, 1};
   const std::vector<double> weights = {1e-30, 1};
-  CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::weights(weights))));
+  CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
   CHECK(x[0] == x[1] && std::abs(x[0] - (1 + 1e-10)) < close);
 }
 
@@ -485,7 +485,7 @@ void test_figures()
   for(const std::vector<double>& weights :
       {std::vector<double>{1e300, 1e-320}, {1e-320, 1e-320}, {1e308, 1e308}, {1, 1}}) {
     std::vector<double> x = {1, 2};
-    CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::weights(weights))));
+    CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
     CHECK(x[0] == x[1] && x[0] == (weights[0] == weights[1] ? 1.5 : 1.));
   }
 }

@@ -42,8 +42,8 @@ void test_levels()
         const int sign = random() % 2 == 0 ? 1 : -1;
         level.transform(sign, SS::internal::Exact_difference(a, b));
         expected = Exact_rational(sign) * expected + Exact_rational(a) - Exact_rational(b);
-        const double near = CGAL::to_double(expected);
-        for(const double u : {near, std::nextafter(near, 1e300), std::nextafter(near, -1e300), a})
+        const double rounded = CGAL::to_double(expected);
+        for(const double u : {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
           all_agree = all_agree &&
                       level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
         all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);

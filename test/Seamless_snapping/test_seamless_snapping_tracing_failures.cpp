@@ -126,7 +126,7 @@ public:
     const auto original = values();
     collect(number, random);
     m_results.asked = m_constraints.size();
-    if(snap(m_constraints, 10 * near * m_model.edge_length)) {
+    if(snap(m_constraints, 10 * near_distance * m_model.edge_length)) {
       keep_possible_ones();
       disturb(m_mesh, m_uv, noise * m_model.extent, random);
       m_results.failed_naively = count(Kind::failure, false);

@@ -35,7 +35,7 @@ inline int constant_component(const Direction direction) { return int(direction)
 // The first place where a curve passes by a corner for which is_wanted(corner, direction of the
 // curve in its chart) holds, closer than `near`. There the curve gets the status, and ends.
 template <typename IsWanted>
-bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double near, const Status status, const IsWanted& is_wanted,
+bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double distance, const Status status, const IsWanted& is_wanted,
                     Near_pass& result)
 {
   const auto& points = curve.points;
@@ -46,7 +46,7 @@ bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, cons
     const auto apex = next(opposite(points[i].halfedge(), mesh), mesh);
     const auto p = get(uv, apex);
     const double coordinate = constant_component(behind.direction()) == 0 ? p.x() : p.y();
-    if(std::abs(coordinate - behind.approximate_constant_coordinate()) <= near &&
+    if(std::abs(coordinate - behind.approximate_constant_coordinate()) <= distance &&
        is_wanted(apex, behind.direction())) {
       result.corner = apex;
       result.curve = curve;
@@ -60,7 +60,7 @@ bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, cons
 
 // Whether noise below `near` can't change on which side a curve passes a critical vertex: it meets
 // none on its way, and comes near none that it doesn't meet.
-inline bool is_clear(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double near,
+inline bool is_clear(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double distance,
                      const std::vector<char>& is_critical)
 {
   const auto& points = curve.points;
@@ -75,7 +75,7 @@ inline bool is_clear(const Curve& curve, const Mesh& mesh, const UV_map& uv, con
     for(const auto h : CGAL::halfedges_around_face(points[i].halfedge(), mesh)) {
       const auto v = target(h, mesh);
       if(is_critical[v] && !is_met(i - 1, v) && !is_met(i, v) &&
-         std::abs((c == 0 ? get(uv, h).x() : get(uv, h).y()) - level) <= near)
+         std::abs((c == 0 ? get(uv, h).x() : get(uv, h).y()) - level) <= distance)
         return false;
     }
   }
@@ -106,7 +106,7 @@ inline void disturb(const Mesh& mesh, const UV_map& uv, const double size, Rando
 // Curves are followed for so many crossings; as a candidate, a curve may pass by at this part of an
 // edge's length; noise is smaller than the clearance by far.
 constexpr std::size_t maximum_number = 1000;
-constexpr double near = 0.05;
+constexpr double near_distance = 0.05;
 constexpr double clearance = 1e-4;
 constexpr double noise = 1e-10; // of the extent
 
@@ -181,7 +181,7 @@ struct Connections
       return false;
     const auto& [start, direction] = outgoing[random() % outgoing.size()];
     const Curve curve = tracer.trace(start, direction, parameters::maximum_number(maximum_number));
-    if(find_near_pass(curve, mesh, model.uv, near * model.edge_length, failure,
+    if(find_near_pass(curve, mesh, model.uv, near_distance * model.edge_length, failure,
                       [&](const auto h, Direction)
                       { return mesh.target(h) != v && model.is_end[mesh.target(h)]; }, pass))
       return true;
@@ -219,7 +219,7 @@ struct Cycles
       const double level = point.approximate_constant_coordinate();
       const auto [first, is_new] = levels.insert({{point.halfedge(), point.direction()}, level});
       if(!is_new && point.place() == Place::EDGE &&
-         std::abs(first->second - level) <= near * model.edge_length)
+         std::abs(first->second - level) <= near_distance * model.edge_length)
         return find_return(model, tracer, point.halfedge(), point.direction(), pass);
     }
     return curve.status == Status::CLOSED &&
@@ -247,7 +247,7 @@ struct Cycles
                                      parameters::maximum_number(maximum_number));
     pass = {curve, curve.points.back().halfedge()};
     return curve.status == Status::CLOSED ||
-           find_near_pass(curve, mesh, model.uv, near * model.edge_length, failure, leads_back,
+           find_near_pass(curve, mesh, model.uv, near_distance * model.edge_length, failure, leads_back,
                           pass);
   }
 };

@@ -189,7 +189,7 @@ private:
   {
     internal::Walk_limits limits;
     bool decide_exactly = true;
-    double near = 0;
+    double near_distance = 0;
   };
 
   bool can_trace(const Options& options) const
@@ -218,7 +218,7 @@ private:
     result.limits.maximum_length = choose_parameter(get_parameter(np, np_tags::maximum_length),
                                                     result.limits.maximum_length);
     result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
-    result.near = near_distance(np);
+    result.near_distance = near_distance(np);
     const auto target = get_parameter(np, np_tags::target_vertex);
     if constexpr(!std::is_same_v<std::decay_t<decltype(target)>, np_tags::Param_not_found>)
       result.limits.target = std::size_t(m_numbering.vertex(target));
@@ -253,7 +253,7 @@ private:
     const bool at_vertex = start.place == Isocurve_place::VERTEX;
     internal::Floating_point_decisions decisions(
       m_mesh, options.limits, at_vertex ? m_numbering.corner(start.halfedge) : internal::no_index,
-      int(direction), options.near);
+      int(direction), options.near_distance);
     return trace_with(decisions, start, direction, options);
   }
 

@@ -107,7 +107,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
   std::vector<double> weights =
-    read_weights(get_parameter_reference(np, CGAL::internal_np::weights), x.size());
+    read_weights(get_parameter_reference(np, CGAL::internal_np::value_weights), x.size());
 
   if(x.size() != number_of_columns(c))
     return refused(Snapping_status::INVALID_ARGUMENT,
@@ -180,7 +180,7 @@ pivots first, and a least-squares target.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{weights}
+  \cgalParamNBegin{value_weights}
     \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
     \cgalParamType{a random access range of positive numbers of type `double`, one per unknown; ratios
                    beyond \f$ 2^{400} \f$ count as that}
