@@ -44,7 +44,7 @@ file(GENERATE OUTPUT "${two_units}_a.cpp" CONTENT "${includes}int main() { retur
 file(GENERATE OUTPUT "${two_units}_b.cpp" CONTENT "${includes}")
 add_executable(test_seamless_snapping_two_units "${two_units}_a.cpp" "${two_units}_b.cpp")
 seamless_snapping_options(test_seamless_snapping_two_units)
-seamless_snapping_use_precompiled(test_seamless_snapping_two_units FASTER)
+seamless_snapping_use_precompiled(test_seamless_snapping_two_units)
 add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
 set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
 

@@ -152,14 +152,12 @@ void print_growth(const std::vector<Measurement>& all)
 std::vector<std::string> default_files()
 {
   std::vector<std::string> result;
-#ifdef SEAMLESS_SNAPPING_DATA_DIR
-  const std::filesystem::path folder =
-    std::filesystem::path(SEAMLESS_SNAPPING_DATA_DIR) / "systems";
-  if(std::filesystem::is_directory(folder))
+  const char* const data = std::getenv("SEAMLESS_SNAPPING_DATA_DIR");
+  const auto folder = std::filesystem::path(data != nullptr ? data : "") / "systems";
+  if(data != nullptr && std::filesystem::is_directory(folder))
     for(const auto& entry : std::filesystem::directory_iterator(folder))
       if(entry.path().extension() == ".mtx")
         result.push_back(entry.path().string());
-#endif
   std::sort(result.begin(), result.end());
   return result;
 }

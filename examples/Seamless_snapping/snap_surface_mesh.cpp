@@ -5,7 +5,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/config.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -17,7 +16,7 @@ using Halfedge = Mesh::Halfedge_index;
 
 int main(int argc, char* argv[])
 {
-  const std::string input = (argc > 1) ? argv[1] : CGAL::data_file_path("genus2.obj");
+  const std::string input = (argc > 1) ? argv[1] : "data/genus3_border.obj";
   const std::string output = (argc > 2) ? argv[2] : "snapped.obj";
 
   Mesh mesh;

@@ -7,7 +7,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/config.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -24,8 +23,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const std::string input =
-    (argc > 1) ? argv[1] : CGAL::data_file_path("genus2_features_border.obj");
+  const std::string input = (argc > 1) ? argv[1] : "data/genus3_features.obj";
   Mesh mesh;
   auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   if(!SS::IO::read_OBJ(input, mesh, uv_map) || !SS::snap_to_seamless(mesh, uv_map))

@@ -5,6 +5,7 @@
 #define SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H
 
 #include "orientation_checks.h"
+#include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 
@@ -14,10 +15,6 @@
 #include <random>
 #include <string>
 #include <vector>
-
-#ifndef SEAMLESS_SNAPPING_DATA_DIR
-#define SEAMLESS_SNAPPING_DATA_DIR ""
-#endif
 
 namespace orientation_data {
 
@@ -107,18 +104,7 @@ inline void test_file(const File& original, const std::string& name, double nois
 
 inline void test_files()
 {
-  const std::filesystem::path folder = std::filesystem::path(SEAMLESS_SNAPPING_DATA_DIR) / "uv";
-  if(!std::filesystem::is_directory(folder)) {
-    std::cout << "no data, skipped" << std::endl;
-    return;
-  }
-  std::vector<std::filesystem::path> paths;
-  for(const auto& entry : std::filesystem::directory_iterator(folder))
-    if(entry.path().extension() == ".obj")
-      paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  CHECK(!paths.empty());
-
+  const auto paths = test_data::further_files("uv", ".obj");
   const std::vector<double> noises = { 0, 1e-8, 1e-6 };
   std::vector<Tally> tallies(noises.size());
   for(const auto& path : paths) {

@@ -7,6 +7,7 @@
 #include "exact_seamless_check.h"
 #include "random_constraints.h"
 #include "reduced_seamless_system.h"
+#include "test_data.h"
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -21,10 +22,6 @@
 #include <iostream>
 #include <string>
 #include <vector>
-
-#ifndef SEAMLESS_SNAPPING_DATA_DIR
-#define SEAMLESS_SNAPPING_DATA_DIR ""
-#endif
 
 namespace CS = CGAL::Seamless_snapping;
 namespace parameters = CGAL::Seamless_snapping::parameters;
@@ -57,12 +54,6 @@ struct Model : Parametrized_model
                        [&](Halfedge h) { return uv[h] == uv[mesh.prev(h)]; });
   }
 };
-
-// In the folder that is part of the package.
-std::string data_file(const std::string& name)
-{
-  return "../../data/" + name + ".obj";
-}
 
 // What holds already.
 template <typename NamedParameters>
@@ -113,18 +104,10 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
 }
 
 // Parametrizations made by solvers, as many constraints on each as in Table 3.
-void test_files(const std::filesystem::path& folder)
+void test_files()
 {
-  std::vector<std::filesystem::path> paths;
-  if(std::filesystem::is_directory(folder / "uv"))
-    for(const auto& entry : std::filesystem::directory_iterator(folder / "uv"))
-      if(entry.path().extension() == ".obj")
-        paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  for(const std::filesystem::path& path : paths)
+  for(const std::filesystem::path& path : test_data::further_files("uv", ".obj"))
     test_random_constraints(path, 1, 100, 10);
-  if(paths.empty())
-    std::cout << "files skipped: no folder with data" << std::endl;
 }
 
 double rounded_to_sixteenths(double x)
@@ -154,7 +137,7 @@ Corner pin(Halfedge corner, int component, const Rational& value, const Rational
 
 void test_corner_constraints(const std::string& name)
 {
-  Model model(data_file(name));
+  Model model(test_data::package_file(name));
   const Halfedge a = model.mesh.halfedge(model.singular[0]), b = model.mesh.halfedge(model.singular[1]);
   const double at_a = rounded_to_sixteenths(model.uv[a].x());
   const Corner pin_a = pin(a, 0, Rational(at_a));
@@ -201,7 +184,7 @@ double drift(const Model& model, const std::vector<Halfedge>& path, Halfedge cor
 // corner r, and p - r = 1: no three of these contradict each other.
 void test_contradiction(const std::string& name, std::uint64_t seed)
 {
-  Model model(data_file(name));
+  Model model(test_data::package_file(name));
   random_constraints::Generator<Mesh> random(model.mesh, model.transitions, seed);
   Halfedge p;
   for(const Mesh::Edge_index e : model.mesh.edges())
@@ -244,7 +227,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
 
   // Each three of them have a solution.
   for(std::size_t left_out = 0; left_out < 4; ++left_out) {
-    Model three(data_file(name));
+    Model three(test_data::package_file(name));
     if(left_out == 3)
       for(const Mesh::Edge_index e : three.mesh.edges())
         three.is_aligned[e] = false;
@@ -259,7 +242,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
 
 void test_invalid_paths(const std::string& name)
 {
-  Model model(data_file(name));
+  Model model(test_data::package_file(name));
   random_constraints::Generator<Mesh> random(model.mesh, model.transitions, 1);
   Connection good = random.connection();
   while(good.path.size() < 4)
@@ -287,7 +270,7 @@ void test_invalid_paths(const std::string& name)
 // Halfedges without a face begin and end no path.
 void test_paths_on_border(const std::string& name)
 {
-  Model model(data_file(name));
+  Model model(test_data::package_file(name));
   std::size_t count = 0;
   for(const Halfedge h : model.mesh.halfedges()) {
     if(!model.mesh.is_border(h))
@@ -342,8 +325,8 @@ int main()
   for(const std::string name : { "genus0", "genus1", "genus2", "genus3", "genus0_border",
                                  "genus2_features", "genus2_features_border" })
     for(std::uint64_t seed = 1; seed <= 3; ++seed)
-      test_random_constraints(data_file(name), seed, 20, 4);
-  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+      test_random_constraints(test_data::package_file(name), seed, 20, 4);
+  test_files();
   test_corner_constraints("genus0");
   test_corner_constraints("genus2");
   for(std::uint64_t seed = 1; seed <= 10; ++seed)

@@ -4,10 +4,11 @@
 #include "surface_checks.h"
 
 #include "Height_field_surface.h"
+#include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Timer.h>
 
 #include <filesystem>
@@ -15,25 +16,25 @@
 #include <iomanip>
 #include <sstream>
 
-#ifndef SEAMLESS_SNAPPING_DATA_DIR
-#define SEAMLESS_SNAPPING_DATA_DIR ""
-#endif
-
 using namespace surface_checks;
 
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-// The orientations of all faces, by exact predicates that are not those of the package.
+// The orientations of all faces: signs of determinants in rational numbers, while the package asks
+// the predicates of a kernel.
 std::vector<CGAL::Orientation> orientations(const Mesh& mesh, const UV_map& uv)
 {
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto point = [&](auto h) { return Exact::Point_2(uv[h].x(), uv[h].y()); };
+  using Number = CGAL::Exact_rational;
   std::vector<CGAL::Orientation> result;
   for(const auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    result.push_back(CGAL::orientation(point(mesh.prev(h)), point(h), point(mesh.next(h))));
+    const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
+    const Number bx = Number(b.x()) - Number(a.x()), by = Number(b.y()) - Number(a.y());
+    const Number cx = Number(c.x()) - Number(a.x()), cy = Number(c.y()) - Number(a.y());
+    const Number left(bx * cy), right(by * cx);
+    result.push_back(CGAL::compare(left, right));
   }
   return result;
 }
@@ -202,13 +203,13 @@ void test_refused_file(const std::filesystem::path& path)
   std::cout << name << ": " << report << std::endl;
 }
 
-void test_files(const std::filesystem::path& folder)
+void test_files()
 {
-  if(!std::filesystem::is_directory(folder / "uv")) {
-    std::cout << "files skipped: no folder with data" << std::endl;
+  const auto table_path = test_data::further_data("README.md", "maps with known figures");
+  if(table_path.empty())
     return;
-  }
-  const std::map<std::string, Row> table = read_table(folder / "README.md");
+  const std::filesystem::path folder = table_path.parent_path();
+  const std::map<std::string, Row> table = read_table(table_path);
   std::cout << std::left << std::setw(40) << "file" << "  violation   change     cut merged losses"
             << " ms" << std::endl;
   std::size_t files = 0;
@@ -269,7 +270,7 @@ void test_height_field(unsigned int seed, double relative)
 int main()
 {
   std::cout.precision(3);
-  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+  test_files();
   for(unsigned int seed = 1; seed <= 16; ++seed)
     test_height_field(seed, seed % 3 == 0 ? 1e-6 : 1e-10);
   return report_checks();

@@ -2,6 +2,7 @@
 // data folder; what random changes make of a file is refused or valid, and does no harm.
 
 #include "obj_models.h"
+#include "test_data.h"
 
 #include <CGAL/FPU.h>
 
@@ -146,31 +147,27 @@ Content plainly_read(const std::string& filename)
   return result;
 }
 
-void test_data_folder(const std::filesystem::path& folder)
+void test_file(const std::string& filename)
 {
-  if(!std::filesystem::is_directory(folder / "uv")) {
-    std::cout << "skipped: the data folder, which is not there" << std::endl;
-    return;
-  }
-  std::size_t number_of_files = 0;
-  for(const auto& entry : std::filesystem::directory_iterator(folder / "uv")) {
-    const std::string filename = entry.path().string();
-    Surface_model model, again;
-    const SS::IO::OBJ_status status =
-      SS::IO::read_OBJ(filename, model.mesh, model.uv_map,
-                       SS::parameters::edge_is_constrained_map(model.feature_map));
-    bool good = CHECK(status);
-    good = CHECK(content(model) == plainly_read(filename)) && good;
-    good = CHECK(again.read(model.write())) && good;
-    good = CHECK(content(again) == content(model)) && good;
-    if(!good)
-      std::cerr << "    " << filename << ": " << status << std::endl;
-    ++number_of_files;
-  }
-  std::cout << number_of_files << " files of the data folder" << std::endl;
+  Surface_model model, again;
+  const SS::IO::OBJ_status status =
+    SS::IO::read_OBJ(filename, model.mesh, model.uv_map,
+                     SS::parameters::edge_is_constrained_map(model.feature_map));
+  bool good = CHECK(status);
+  good = CHECK(content(model) == plainly_read(filename)) && good;
+  good = CHECK(again.read(model.write())) && good;
+  good = CHECK(content(again) == content(model)) && good;
+  if(!good)
+    std::cerr << "    " << filename << ": " << status << std::endl;
+}
 
-  // made of quadrangles; once they are split, its surface is the reason
-  std::ifstream is(folder / "refused" / "gc_moebius_nonorientable.obj");
+// A strip that is made of quadrangles; once they are split, its surface is the reason.
+void test_quadrangles()
+{
+  const auto path = test_data::further_data("refused/gc_moebius_nonorientable.obj", "a Moebius strip");
+  if(path.empty())
+    return;
+  std::ifstream is(path);
   std::string text, triangles;
   for(std::string line; std::getline(is, line); text += line + "\n") {
     std::istringstream tokens(line);
@@ -252,11 +249,11 @@ int main(int argc, char** argv)
     test_random_numbers<float, Float_model>(random);
   }
   test_rounding(random);
-#ifdef SEAMLESS_SNAPPING_DATA_DIR
-  test_data_folder(SEAMLESS_SNAPPING_DATA_DIR);
-#else
-  test_data_folder("");
-#endif
+  for(const auto& path : test_data::package_files())
+    test_file(path.string());
+  for(const auto& path : test_data::further_files("uv", ".obj"))
+    test_file(path.string());
+  test_quadrangles();
   test_mutations<Surface_model>(random, 20000);
   test_mutations<Polyhedron_model>(random, 5000);
   return report_checks();

@@ -9,6 +9,7 @@
 #include "lattice_reference.h"
 #include "random_systems.h"
 #include "snap_in_any_form.h"
+#include "test_data.h"
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/SparseExtra>
@@ -679,27 +680,11 @@ bool needs_fplll(const std::string& path)
 
 void test_files()
 {
-#ifdef SEAMLESS_SNAPPING_DATA_DIR
-  const std::filesystem::path folder =
-    std::filesystem::path(SEAMLESS_SNAPPING_DATA_DIR) / "systems";
-  std::vector<std::string> paths;
-  if(std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      if(entry.path().extension() == ".mtx")
-        paths.push_back(entry.path().string());
-  std::sort(paths.begin(), paths.end());
-  std::size_t number_of_skipped_files = 0;
-  for(const std::string& path : paths)
-    if(needs_fplll(path))
-      ++number_of_skipped_files;
+  for(const auto& path : test_data::further_files("systems", ".mtx"))
+    if(needs_fplll(path.string()))
+      checking::skip(path.filename().string() + ", without fplll");
     else
-      test_file(path);
-  if(number_of_skipped_files > 0)
-    std::cout << number_of_skipped_files << " system(s) skipped: without fplll" << std::endl;
-  if(!paths.empty())
-    return;
-#endif
-  std::cout << "systems of the data folder: skipped, there are none" << std::endl;
+      test_file(path.string());
 }
 
 int main(int argc, char** argv)

@@ -10,6 +10,7 @@
 #include "random_systems.h"
 #include "reduced_seamless_system.h"
 #include "snap_in_any_form.h"
+#include "test_data.h"
 #include "textbook_method.h"
 
 #include <algorithm>
@@ -235,7 +236,7 @@ double violation_by_naive_method(const System& system, std::vector<double> x)
 // Returns the violation by the naive method.
 double test_reduced_system(const std::string& name, std::size_t connections)
 {
-  const Parametrized_model model("../../data/" + name + ".obj");
+  const Parametrized_model model(test_data::package_file(name));
   CHECK(bool(model.status));
   const auto transitions = CGAL::Seamless_snapping::seam_transitions(model.mesh, model.uv);
   random_constraints::Generator<Parametrized_model::Mesh> random(model.mesh, transitions, 1);

@@ -2,6 +2,7 @@
 // backwards, to the last bit, in all data structures, with one thread and with several.
 
 #include "Polyhedron_copy.h"
+#include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
@@ -265,9 +266,8 @@ void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact)
   test_threads(mesh, uv);
 }
 
-void test_files(const std::filesystem::path& folder)
+void test_files(const std::vector<std::filesystem::path>& files)
 {
-  const std::vector<std::filesystem::path> files = files_in(folder);
   Counts naive, exact;
   for(const auto& file : files)
     test_file(file, naive, exact);
@@ -287,7 +287,7 @@ int main()
   test_floats();
   for(const auto& named : test_meshes::all_meshes<Kernel>())
     test_polyhedron(named);
-  test_files(SEAMLESS_SNAPPING_PACKAGE_DATA_DIR);
-  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+  test_files(test_data::package_files());
+  test_files(test_data::further_files("uv", ".obj"));
   return report_checks();
 }

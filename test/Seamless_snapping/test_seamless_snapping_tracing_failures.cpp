@@ -7,6 +7,7 @@
 // pass near a singular vertex, or near their start. A first snapping moves the map to where they
 // meet it. Those that do must do so again after noise and another snapping.
 
+#include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_candidates.h"
 
@@ -69,7 +70,7 @@ void test_failures()
 void test_failures_of_computed_maps()
 {
   Counts naive;
-  for(const auto& file : files_in(SEAMLESS_SNAPPING_PACKAGE_DATA_DIR)) {
+  for(const auto& file : test_data::package_files()) {
     Mesh mesh;
     UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
     CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
@@ -256,9 +257,8 @@ struct Totals
   Results connections, cycles;
 };
 
-Totals test_files(const std::filesystem::path& folder)
+Totals test_files(const std::vector<std::filesystem::path>& files)
 {
-  const std::vector<std::filesystem::path> files = files_in(folder);
   Totals totals;
   for(const auto& file : files) {
     Model model;
@@ -282,10 +282,10 @@ int main()
   test_failures();
   test_failures_of_computed_maps();
   std::cout << "random seed 1" << std::endl;
-  const Totals totals = test_files(SEAMLESS_SNAPPING_PACKAGE_DATA_DIR);
+  const Totals totals = test_files(test_data::package_files());
   // that much is there to be tested
   CHECK(totals.connections.possible >= 1000 && totals.cycles.possible >= 50);
   CHECK(totals.connections.failed_naively >= 900 && totals.cycles.failed_naively >= 50);
-  test_files(SEAMLESS_SNAPPING_DATA_DIR);
+  test_files(test_data::further_files("uv", ".obj"));
   return report_checks();
 }

@@ -15,19 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
-
-#ifndef SEAMLESS_SNAPPING_DATA_DIR
-#define SEAMLESS_SNAPPING_DATA_DIR ""
-#endif
-#ifndef SEAMLESS_SNAPPING_PACKAGE_DATA_DIR
-#define SEAMLESS_SNAPPING_PACKAGE_DATA_DIR ""
-#endif
 
 namespace tracing_checks {
 
@@ -187,18 +179,6 @@ void perturb_other_charts(Graph& mesh, UVMap uv, const double size, const unsign
   uv_noise::perturb(mesh, uv, size, seed);
   for(const auto& entry : kept)
     put(uv, entry.first, entry.second);
-}
-
-// The parametrizations of a folder that are meant to be snapped; none if there is no such folder.
-inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
-{
-  std::vector<std::filesystem::path> files;
-  if(!folder.empty() && std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if(entry.path().extension() == ".obj" && entry.path().parent_path().filename() != "refused")
-        files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 } // namespace tracing_checks

@@ -1,0 +1,1 @@
+data/genus3_features.obj -o traced

@@ -1,0 +1,67 @@
+// Where the tests find their files: those of the package in data/, next to the programs, and further
+// parametrizations in a folder that the environment variable SEAMLESS_SNAPPING_DATA_DIR names. These
+// are not part of the package; tests of them are skipped where there are none, and say so.
+
+#ifndef SEAMLESS_SNAPPING_TEST_TEST_DATA_H
+#define SEAMLESS_SNAPPING_TEST_TEST_DATA_H
+
+#include "checking.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace test_data {
+
+// The files of a folder with the given suffix, by name.
+inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                                   const std::string& suffix)
+{
+  std::vector<std::filesystem::path> files;
+  if(std::filesystem::is_directory(folder))
+    for(const auto& entry : std::filesystem::directory_iterator(folder))
+      if(entry.path().extension() == suffix)
+        files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// A parametrization of the package.
+inline std::string package_file(const std::string& name)
+{
+  return "data/" + name + ".obj";
+}
+
+inline std::vector<std::filesystem::path> package_files()
+{
+  const auto files = files_in("data", ".obj");
+  if(!CHECK(!files.empty()))
+    std::cerr << "  run this program in the folder of its source, where data/ is" << std::endl;
+  return files;
+}
+
+// A part of the further data: a path to nowhere, and `what` counted as skipped, if it is not there.
+inline std::filesystem::path further_data(const std::string& part, const std::string& what)
+{
+  const char* const folder = std::getenv("SEAMLESS_SNAPPING_DATA_DIR");
+  const auto path = std::filesystem::path(folder != nullptr ? folder : "") / part;
+  if(folder != nullptr && *folder != 0 && std::filesystem::exists(path))
+    return path;
+  checking::skip(what + ", as SEAMLESS_SNAPPING_DATA_DIR names no folder with " + part);
+  return std::filesystem::path();
+}
+
+inline std::vector<std::filesystem::path> further_files(const std::string& part,
+                                                        const std::string& suffix)
+{
+  const auto folder = further_data(part, "files of " + part + "/");
+  const auto files = folder.empty() ? std::vector<std::filesystem::path>() : files_in(folder, suffix);
+  CHECK(folder.empty() || !files.empty());
+  return files;
+}
+
+} // namespace test_data
+
+#endif // SEAMLESS_SNAPPING_TEST_TEST_DATA_H
