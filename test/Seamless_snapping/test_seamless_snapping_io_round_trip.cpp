@@ -13,6 +13,8 @@
 #include <iostream>
 #include <limits>
 #include <random>
+#include <string_view>
+#include <tuple>
 #include <type_traits>
 
 using Random = std::mt19937_64;
@@ -69,6 +71,42 @@ void test_random_numbers(Random& random)
   Surface_model as_double;
   CHECK(as_double.read(text));
   CHECK(content(as_double) == content(model));
+}
+
+// The same by streams, for libraries without conversions of floating point numbers.
+template <typename FT>
+void test_streams(Random& random)
+{
+  namespace internal = SS::internal;
+  const auto read = [](const std::string& text)
+  {
+    FT value = 17;
+    const auto result = internal::read_decimal_by_stream(std::string_view(text), value);
+    return std::make_tuple(value, result.ec, std::size_t(result.ptr - text.data()));
+  };
+  for(int i = 0; i < 5000; ++i) {
+    const FT x = random_number<FT>(random);
+    const std::string text = internal::decimal_by_stream(x);
+    std::string shortest;
+    internal::append_decimal(shortest, double(x));
+    for(const std::string& decimal : { text, shortest }) {
+      const auto [value, error, length] = read(decimal + "x");
+      CHECK_EQUAL(bits(value), bits(x));
+      CHECK(error == std::errc() && length == decimal.size());
+    }
+  }
+  const std::errc good = std::errc(), bad = std::errc::invalid_argument;
+  const std::errc beyond = std::errc::result_out_of_range;
+  for(const char* text : { "", "-", ".", "+1", "e5", "-.e5", "nan", "inf", "x1" })
+    CHECK(std::get<1>(read(text)) == bad);
+  for(const char* text : { "1e999", "-1e999", "123456789e400" })
+    CHECK(std::get<1>(read(text)) == beyond);
+  CHECK(read("1e-999") == std::make_tuple(FT(0), good, std::size_t(6)));
+  CHECK(read("-5.") == std::make_tuple(FT(-5), good, std::size_t(3)));
+  CHECK(read(".25e1") == std::make_tuple(FT(2.5), good, std::size_t(5)));
+  CHECK(read("2e") == std::make_tuple(FT(2), good, std::size_t(1)));
+  CHECK(read("2e+/3") == std::make_tuple(FT(2), good, std::size_t(1)));
+  CHECK(read("1,5") == std::make_tuple(FT(1), good, std::size_t(1)));
 }
 
 // Decimals with few digits, where readers take a fast path, under all rounding modes of an interval
@@ -248,6 +286,8 @@ int main(int argc, char** argv)
     test_random_numbers<double, Polyhedron_model>(random);
     test_random_numbers<float, Float_model>(random);
   }
+  test_streams<double>(random);
+  test_streams<float>(random);
   test_rounding(random);
   for(const auto& path : test_data::package_files())
     test_file(path.string());

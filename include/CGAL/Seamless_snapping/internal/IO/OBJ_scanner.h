@@ -17,6 +17,8 @@
 // The text of an OBJ file as statements and tokens, and tokens as numbers. Knows where lines end,
 // and nothing of what the statements mean.
 
+#include <CGAL/Seamless_snapping/internal/IO/locale_free_decimals.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
@@ -190,7 +192,7 @@ Number parse_number(const OBJ_scanner& scanner, const std::string_view token)
 
   Number value = 0;
   const char* const end = number.data() + number.size();
-  const std::from_chars_result result = std::from_chars(number.data(), end, value);
+  const std::from_chars_result result = read_decimal(number, value);
   if(result.ptr != end || result.ec == std::errc::invalid_argument)
     scanner.refuse(quoted(token) + " is not a number");
   if(result.ec == std::errc::result_out_of_range) {

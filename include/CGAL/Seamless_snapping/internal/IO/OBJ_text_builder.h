@@ -17,6 +17,7 @@
 // From a mesh with its property maps to the text of an OBJ file: the steps of `write_OBJ()`.
 
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/IO/locale_free_decimals.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -25,7 +26,6 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -63,10 +63,8 @@ public:
   {
     if(!std::isfinite(x))
       throw OBJ_refusal(0, "a coordinate is not finite; nothing is written");
-    std::array<char, 32> buffer; // 24 are enough for the shortest form of a double
     m_text += ' ';
-    m_text.append(buffer.data(),
-                  std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr);
+    append_decimal(m_text, x);
   }
 
   // `i` counts from 0
