@@ -5,17 +5,17 @@
 #ifndef SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H
 #define SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H
 
-#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <vector>
 
 // The boundary of 2 g + 1 by 3 unit cubes, without those in the g holes, as quadrangles.
@@ -62,6 +62,70 @@ void add_box_with_holes(const int genus, Mesh& mesh)
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, quads, mesh);
 }
 
+// Splits each face with four corners.
+template <typename Mesh>
+void split_quads(Mesh& mesh)
+{
+  const std::vector<typename Mesh::Face_index> quads(mesh.faces().begin(), mesh.faces().end());
+  for(const auto f : quads) {
+    const auto h = mesh.halfedge(f);
+    if(mesh.next(mesh.next(mesh.next(h))) != h)
+      CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+  }
+}
+
+// Removes what lies on the positive side of a plane that goes through no vertex: the faces that it
+// crosses are split along it.
+template <typename Mesh, typename Plane>
+void cut_off(const Plane& plane, Mesh& mesh)
+{
+  using Halfedge = typename Mesh::Halfedge_index;
+  const auto is_positive = [&](const typename Mesh::Vertex_index v)
+  { return plane.has_on_positive_side(mesh.point(v)); };
+  const auto height = [&](const typename Mesh::Vertex_index v)
+  {
+    const auto& p = mesh.point(v);
+    return plane.a() * p.x() + plane.b() * p.y() + plane.c() * p.z() + plane.d();
+  };
+
+  // Each crossed edge gets a vertex, to which the first of the two halfedges then leads.
+  std::vector<Halfedge> crossed;
+  for(const auto e : mesh.edges())
+    if(is_positive(mesh.vertex(e, 0)) != is_positive(mesh.vertex(e, 1)))
+      crossed.push_back(mesh.halfedge(e));
+  std::vector<typename Mesh::Face_index> crossed_faces;
+  std::set<typename Mesh::Vertex_index> on_plane;
+  for(const Halfedge h : crossed) {
+    for(const Halfedge side : {h, mesh.opposite(h)})
+      if(!mesh.is_border(side))
+        crossed_faces.push_back(mesh.face(side));
+    const auto u = mesh.source(h), v = mesh.target(h);
+    const auto a = mesh.point(u), b = mesh.point(v);
+    const double at = height(u) / (height(u) - height(v));
+    const auto middle = mesh.target(CGAL::Euler::split_edge(h, mesh));
+    mesh.point(middle) = a + at * (b - a);
+    on_plane.insert(middle);
+  }
+
+  for(const auto f : std::set<typename Mesh::Face_index>(crossed_faces.begin(), crossed_faces.end())) {
+    Halfedge h = mesh.halfedge(f);
+    while(on_plane.count(mesh.target(h)) == 0)
+      h = mesh.next(h);
+    Halfedge other = mesh.next(h);
+    while(on_plane.count(mesh.target(other)) == 0)
+      other = mesh.next(other);
+    CGAL::Euler::split_face(h, other, mesh);
+  }
+  split_quads(mesh);
+  const std::vector<typename Mesh::Face_index> all(mesh.faces().begin(), mesh.faces().end());
+  for(const auto f : all)
+    for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      if(on_plane.count(v) == 0 && is_positive(v)) {
+        CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+        break;
+      }
+}
+
 struct Handle_body_options
 {
   int genus = 2;
@@ -79,14 +143,14 @@ void make_handle_body(const Handle_body_options& options, Mesh& mesh)
   if(!options.is_sharp)
     CGAL::Subdivision_method_3::CatmullClark_subdivision(
       mesh, CGAL::parameters::number_of_iterations(3));
-  PMP::triangulate_faces(mesh);
+  split_quads(mesh);
 
   // Off the vertices of the box, and not along its edges.
   const double length = 2 * options.genus + 1;
   if(options.number_of_borders > 0)
-    PMP::clip(mesh, Plane(1, 0.03, 0, 0.37 - length));
+    cut_off(Plane(1, 0.03, 0, 0.37 - length), mesh);
   if(options.number_of_borders > 1)
-    PMP::clip(mesh, Plane(-1, 0.05, 0, 0.36));
+    cut_off(Plane(-1, 0.05, 0, 0.36), mesh);
 
   auto is_feature = mesh.template add_property_map<typename Mesh::Edge_index, bool>(
     "e:feature", false).first;
