@@ -1,8 +1,9 @@
-# What most programs include, precompiled, and the solver, which is the same in all of them, compiled
-# once.
+# What most programs include, precompiled; and compiled once, the solver, which is the same in all of
+# them, and the functions on surfaces for the types that most of them use.
 
 add_library(seamless_snapping_precompiled OBJECT
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp")
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
 target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <CGAL/Exact_integer.h>
@@ -21,7 +22,8 @@ target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <sstream>
   <string>
   <vector>
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.h")
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.h"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.h")
 
 function(seamless_snapping_use_precompiled target)
   target_precompile_headers(${target} REUSE_FROM seamless_snapping_precompiled)
