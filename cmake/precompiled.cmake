@@ -1,5 +1,5 @@
-# What most programs include, precompiled; and compiled once, the solver, which is the same in all of
-# them, and the functions on surfaces for the types that most of them use.
+# What most programs include, precompiled; and compiled once, the solver, which is the same in all
+# of them, and the functions on surfaces for the types that most of them use.
 
 add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"

@@ -82,7 +82,8 @@ if(SHELL AND MKFIFO)
 
   # a name that is not UTF-8
   execute_process(
-    COMMAND "${SHELL}" -c "'${SNAP_OBJ}' \"$(printf 'missing_\\351.obj')\" new.obj --report bad.json"
+    COMMAND "${SHELL}" -c
+      "'${SNAP_OBJ}' \"$(printf 'missing_\\351.obj')\" new.obj --report bad.json"
     WORKING_DIRECTORY "${WORK_DIR}" RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
   expect("snap_obj of a missing file: ${status}" status EQUAL 3)
   expect("no report on a name that is not UTF-8" EXISTS ${WORK_DIR}/bad.json)

@@ -1,5 +1,5 @@
-// The solver does not know the mesh, and is the same in all programs: declared here, it is compiled once,
-// in solver.cpp.
+// The solver does not know the mesh, and is the same in all programs: declared here, it is compiled
+// once, in solver.cpp.
 
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H

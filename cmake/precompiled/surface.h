@@ -23,7 +23,8 @@ namespace SS = CGAL::Seamless_snapping;
 // Without parameters, with features, and with features and borders.
 using Plain = CGAL::parameters::Default_named_parameters;
 using Features = decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()));
-using Aligned = decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()).align_border(true));
+using Aligned =
+    decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()).align_border(true));
 
 } // namespace seamless_snapping_precompiled
 
