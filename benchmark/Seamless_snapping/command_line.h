@@ -14,8 +14,8 @@ namespace benchmark {
 
 namespace options = boost::program_options;
 
-// Reads the options; values without the name of an option are those of `positional`. Returns the exit
-// code if the program has nothing left to do: after --help, and for what is wrong or missing.
+// Reads the options; values without the name of an option are those of `positional`. Returns the
+// exit code if the program has nothing left to do: after --help, and for what is wrong or missing.
 inline std::optional<int> read_command_line(int argc, char** argv, const std::string& usage,
                                             options::options_description& description,
                                             const char* positional)

@@ -119,11 +119,12 @@ Measurement measure(const std::string& file, std::size_t number_of_connections,
 
 void print_head(const Settings& settings)
 {
-  std::printf("Seed %llu, %zu random cycles. For each number of connections: the largest "
-              "coefficient that occurs%s, the largest pivot (number of pivots other than 1 and -1), "
-              "and the milliseconds of the elimination.\n\n| model | nodes |",
-              static_cast<unsigned long long>(settings.seed), settings.cycles,
-              settings.with_textbook ? " (in the textbook method's final matrix)" : "");
+  std::printf(
+      "Seed %llu, %zu random cycles. For each number of connections: the largest "
+      "coefficient that occurs%s, the largest pivot (number of pivots other than 1 and -1), "
+      "and the milliseconds of the elimination.\n\n| model | nodes |",
+      static_cast<unsigned long long>(settings.seed), settings.cycles,
+      settings.with_textbook ? " (in the textbook method's final matrix)" : "");
   for(const std::size_t n : settings.connections)
     std::printf(" %zu |", n);
   std::printf(" exact |\n|---|--:|");
@@ -137,8 +138,8 @@ void print_cell(const Measurement& m, const Settings& settings)
   std::printf(" %.0f", m.report.linear_solver.largest_coefficient);
   if(settings.with_textbook)
     std::printf(" (%.0f)", CGAL::to_double(m.largest_of_textbook));
-  std::printf(", %.0f (%zu), %.3f |", m.report.linear_solver.largest_pivot, m.report.linear_solver.number_of_non_unit_pivots,
-              1e3 * m.seconds);
+  std::printf(", %.0f (%zu), %.3f |", m.report.linear_solver.largest_pivot,
+              m.report.linear_solver.number_of_non_unit_pivots, 1e3 * m.seconds);
 }
 
 // Returns whether all results are exact.

@@ -1,10 +1,11 @@
-// What snap_to_seamless() does on all OBJ files of a folder, as in Tables 1 and 2 of the paper: size, time
-// of each step, density of the constraint matrix, violation, change, and orientation. Prints a table in
-// Markdown, with the averages of the data set, and writes CSV where asked to.
+// What snap_to_seamless() does on all OBJ files of a folder, as in Tables 1 and 2 of the paper:
+// size, time of each step, density of the constraint matrix, violation, change, and orientation.
+// Prints a table in Markdown, with the averages of the data set, and writes CSV where asked to.
 //
 //   dataset_statistics FOLDER [--noise X --seed S] [--features] [--align-border] [--csv FILE]
 //
-// With --noise, every sector beside a cut is first moved by up to X times the extent, in both coordinates.
+// With --noise, every sector beside a cut is first moved by up to X times the extent, in both
+// coordinates.
 
 #include "benchmark_tools.h"
 #include "command_line.h"
@@ -82,9 +83,11 @@ struct Column
 };
 
 const std::vector<Column> columns = {
-  {"#F", 0}, {"#N", 0}, {"#B", 0}, {"elimination ms", 2}, {"target ms", 2}, {"evaluation ms", 2}, {"total ms", 2},
+  {"#F", 0}, {"#N", 0}, {"#B", 0},
+  {"elimination ms", 2}, {"target ms", 2}, {"evaluation ms", 2}, {"total ms", 2},
   {"density %", 4}, {"after %", 4}, {"violation", -1}, {"mean change", -1}, {"rms / optimum", 6},
-  {"largest change", -1}, {"/ unrepaired", 4}, {"flips", 1}, {"lost", 1}, {"still lost", 1}, {"flips after", 1}};
+  {"largest change", -1}, {"/ unrepaired", 4},
+  {"flips", 1}, {"lost", 1}, {"still lost", 1}, {"flips after", 1}};
 
 // Returns no values if the model can't be read or snapped.
 std::vector<double> measure(const std::filesystem::path& file, const Settings& settings)
@@ -92,7 +95,8 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
   Mesh mesh;
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  const auto read = SS::IO::read_OBJ(file.string(), mesh, uv, CGAL::parameters::edge_is_constrained_map(is_feature));
+  const auto read = SS::IO::read_OBJ(file.string(), mesh, uv,
+                                     CGAL::parameters::edge_is_constrained_map(is_feature));
   if(!read) {
     std::cerr << file.filename().string() << ": " << read << std::endl;
     return {};
@@ -117,18 +121,22 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
   const auto after = SS::measure_seamlessness(mesh, uv);
   benchmark::Step_times times = benchmark::summed(report.run.step_times);
   const auto ms = [&](const char* step) { return 1e3 * benchmark::time_of(step, times); };
-  const double cells = double(report.linear_solver.number_of_constraints) * double(report.linear_solver.number_of_unknowns);
-  const auto density = [&](const std::size_t entries) { return cells > 0 ? 100 * double(entries) / cells : 0; };
+  const SS::Linear_solver_figures& system = report.linear_solver;
+  const double cells = double(system.number_of_constraints) * double(system.number_of_unknowns);
+  const auto density = [&](const std::size_t entries)
+  { return cells > 0 ? 100 * double(entries) / cells : 0; };
+  const double unrepaired = report.run.largest_change_before_repair;
   return {double(report.run.number_of_faces), double(report.run.number_of_nodes),
           double(report.run.number_of_cut_branches + report.run.number_of_align_branches),
           ms("elimination"), ms("least-squares target"), ms("evaluation"), 1e3 * total,
-          density(report.linear_solver.number_of_coefficients), density(report.linear_solver.number_of_eliminated_coefficients),
+          density(system.number_of_coefficients), density(system.number_of_eliminated_coefficients),
           report.violation_before / extent, report.mean_change / extent,
           report.optimal_rms_change > 0 ? report.rms_change / report.optimal_rms_change : 1,
           report.largest_change / extent,
-          report.run.largest_change_before_repair > 0 ? report.largest_change / report.run.largest_change_before_repair : 1,
+          unrepaired > 0 ? report.largest_change / unrepaired : 1,
           double(before.number_of_flipped_faces),
-          double(report.run.number_of_lost_faces), double(report.lost_faces.size()), double(after.number_of_flipped_faces)};
+          double(report.run.number_of_lost_faces), double(report.lost_faces.size()),
+          double(after.number_of_flipped_faces)};
 }
 
 // --- the table -----------------------------------------------------------------------------------
@@ -141,7 +149,9 @@ void print_row(std::ostream& os, const std::string& name, const std::vector<doub
     if(columns[i].digits < 0)
       cell << std::scientific << std::setprecision(1) << values[i];
     else
-      cell << std::fixed << std::setprecision(values[i] == std::size_t(values[i]) ? 0 : columns[i].digits) << values[i];
+      cell << std::fixed
+           << std::setprecision(values[i] == std::size_t(values[i]) ? 0 : columns[i].digits)
+           << values[i];
     os << ' ' << cell.str() << " |";
   }
   os << std::endl;
@@ -195,9 +205,9 @@ int run(const Settings& settings)
   for(double& sum : sums)
     sum /= double(number);
   print_row(std::cout, "average of " + std::to_string(number), sums);
-  std::cout << "\nviolation and change relative to the extent; noise " << settings.noise << ", seed "
-            << settings.seed << "; " << files.size() - number << " of " << files.size() << " files refused"
-            << std::endl;
+  std::cout << "\nviolation and change relative to the extent; noise "
+            << settings.noise << ", seed " << settings.seed << "; " << files.size() - number
+            << " of " << files.size() << " files refused" << std::endl;
   return settings.csv.empty() || csv.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
@@ -209,7 +219,8 @@ int main(int argc, char** argv)
     ("folder", options::value(&settings.folder)->required(), "OBJ files, also in folders below")
     ("noise", options::value(&settings.noise)->default_value(0), "relative to the extent")
     ("seed", options::value(&settings.seed)->default_value(1), "of the noise")
-    ("features", options::bool_switch(&settings.features), "keep feature edges (OBJ l) on isocurves")
+    ("features", options::bool_switch(&settings.features),
+     "keep feature edges (OBJ l) on isocurves")
     ("align-border", options::bool_switch(&settings.align_border), "and the border too")
     ("csv", options::value(&settings.csv), "file to write the table to");
   if(const auto exit_code = benchmark::read_command_line(

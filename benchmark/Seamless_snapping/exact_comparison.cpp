@@ -282,7 +282,8 @@ std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
     options::value(&settings.systems)
       ->multitoken()
       ->default_value({ "reduced", "sectors" }, "reduced sectors")
-      ->notifier([](const auto& names) { check_names(names, { "reduced", "sectors", "corners" }); }),
+      ->notifier([](const auto& names)
+                 { check_names(names, { "reduced", "sectors", "corners" }); }),
     "some of these, or corners")(
     "time-limit", options::value(&settings.limits.seconds)->default_value(600), "seconds a run")(
     "memory-limit", options::value(&settings.limits.megabytes)->default_value(8000),

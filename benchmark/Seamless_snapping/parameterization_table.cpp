@@ -1,6 +1,6 @@
-// One table of what approximate_seamless_parameterization() does on the given meshes: topology, cones,
-// cuts, flips, violation, and time, in total and in the sparse solvers; and whether snap_to_seamless()
-// makes the result exact.
+// One table of what approximate_seamless_parameterization() does on the given meshes: topology,
+// cones, cuts, flips, violation, and time, in total and in the sparse solvers; and whether
+// snap_to_seamless() makes the result exact.
 //
 //   parameterization_table [--subdivide N] [--align-border] MESH...
 //
@@ -41,7 +41,9 @@ void print_header()
                "|---|---|---|---|---|---|---|---|---|---|---|---|---|" << std::endl;
 }
 
-void print_row(const std::string& filename, const unsigned int subdivisions, const bool align_border)
+void print_row(const std::string& filename,
+               const unsigned int subdivisions,
+               const bool align_border)
 {
   const std::string name = std::filesystem::path(filename).filename().string();
   Mesh mesh;

@@ -1,6 +1,6 @@
 // Closed and open surfaces of any genus to try a parametrization on: a flat box with a row of
-// holes, as it is (with sharp edges) or rounded, meshed by CGAL. The result depends on the arguments
-// alone.
+// holes, as it is (with sharp edges) or rounded, meshed by CGAL. The result depends on the
+// arguments alone.
 
 #ifndef SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H
 #define SEAMLESS_SNAPPING_EXAMPLES_HANDLE_BODY_H
@@ -107,7 +107,8 @@ void cut_off(const Plane& plane, Mesh& mesh)
     on_plane.insert(middle);
   }
 
-  for(const auto f : std::set<typename Mesh::Face_index>(crossed_faces.begin(), crossed_faces.end())) {
+  for(const auto f :
+      std::set<typename Mesh::Face_index>(crossed_faces.begin(), crossed_faces.end())) {
     Halfedge h = mesh.halfedge(f);
     while(on_plane.count(mesh.target(h)) == 0)
       h = mesh.next(h);

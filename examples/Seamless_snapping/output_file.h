@@ -1,5 +1,5 @@
-// The files that snap_obj.cpp writes: each appears under its name when it is complete, and not at all
-// otherwise; and no file is two of them.
+// The files that snap_obj.cpp writes: each appears under its name when it is complete, and not at
+// all otherwise; and no file is two of them.
 
 #ifndef SEAMLESS_SNAPPING_EXAMPLES_OUTPUT_FILE_H
 #define SEAMLESS_SNAPPING_EXAMPLES_OUTPUT_FILE_H
@@ -45,9 +45,9 @@ inline bool are_same_file(const std::string& a, const std::string& b)
   return std::filesystem::equivalent(a, b, error) || resolved(a) == resolved(b);
 }
 
-// Calls `write(os, name)` with the name under which the text can be read back, once `os` is flushed.
-// It is empty for devices and pipes, which are written to directly: to rename a file to them would
-// replace them.
+// Calls `write(os, name)` with the name under which the text can be read back, once `os` is
+// flushed. It is empty for devices and pipes, which are written to directly: to rename a file to
+// them would replace them.
 template <typename Write>
 void write_file(const std::string& filename, const Write& write)
 {

@@ -60,8 +60,9 @@ inline std::ostream& operator<<(std::ostream& os, const Summary& s)
   const auto& r = s.report;
   os << s.faces << " faces, " << s.vertices << " vertices, " << s.border_edges
      << " border edges, " << s.features << " feature edges\n"
-     << r.run.number_of_cut_edges << " cut edges in " << r.run.number_of_cut_branches << " branches, "
-     << r.run.number_of_nodes << " nodes, " << r.run.number_of_singular_vertices << " singular vertices\n";
+     << r.run.number_of_cut_edges << " cut edges in " << r.run.number_of_cut_branches
+     << " branches, " << r.run.number_of_nodes << " nodes, " << r.run.number_of_singular_vertices
+     << " singular vertices\n";
   if(s.split_vertices > 0)
     os << "note: " << s.split_vertices
        << " vertices were added where the faces around a vertex form several fans\n";
@@ -123,9 +124,11 @@ inline nlohmann::json to_json(const Summary& s, bool success, const std::string&
           {"seams", {{"cut_edges", r.run.number_of_cut_edges},
                      {"merged_edges", r.run.number_of_merged_edges},
                      {"cut_branches", r.run.number_of_cut_branches},
-                     {"align_branches", r.run.number_of_align_branches}, {"nodes", r.run.number_of_nodes},
+                     {"align_branches", r.run.number_of_align_branches},
+                     {"nodes", r.run.number_of_nodes},
                      {"singular_vertices", r.run.number_of_singular_vertices}}},
-          {"system", {{"unknowns", r.linear_solver.number_of_unknowns}, {"constraints", r.linear_solver.number_of_constraints},
+          {"system", {{"unknowns", r.linear_solver.number_of_unknowns},
+                      {"constraints", r.linear_solver.number_of_constraints},
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
                       {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
                       {"multiprecision", r.linear_solver.multiprecision}}},

@@ -1,6 +1,6 @@
 // The checking macros of all test programs: they work in Release builds, print the values that
-// differ, and count, so that a program can close with the number of checks it made, and of tests that
-// it had to leave out. A program that has checked nothing has failed.
+// differ, and count, so that a program can close with the number of checks it made, and of tests
+// that it had to leave out. A program that has checked nothing has failed.
 
 #ifndef SEAMLESS_SNAPPING_TEST_CHECKING_H
 #define SEAMLESS_SNAPPING_TEST_CHECKING_H

@@ -70,15 +70,15 @@ struct Tally
 
   void print(const std::string& name) const
   {
-    std::cout << name << ": " << runs << " runs, " << lost << " faces lost, repaired by moves " << moves
-              << ", by programs " << program << ", remaining "
-              << remaining << "; flips " << flips << ", repaired " << repaired_flips
-              << "; largest change times " << largest_growth << ", rms change times " << rms_growth
-              << std::endl;
+    std::cout << name << ": " << runs << " runs, " << lost << " faces lost, repaired by moves "
+              << moves << ", by programs " << program << ", remaining " << remaining << "; flips "
+              << flips << ", repaired " << repaired_flips << "; largest change times "
+              << largest_growth << ", rms change times " << rms_growth << std::endl;
   }
 };
 
-// Snaps, and checks that the result is exact and that the report tells the truth about orientations.
+// Snaps, and checks that the result is exact and that the report tells the truth about
+// orientations.
 template <typename Graph, typename UVMap, typename NP, typename IsAligned>
 SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned& is_aligned,
                          const std::string& context, bool repair_flips = false)
@@ -91,9 +91,10 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   CHECK_IN(context, exact_check::check_edges(g, uv, is_aligned).is_exact());
   CHECK_IN(context, SS::is_seamless(g, uv, np));
   CHECK_IN(context, report.lost_faces == not_positive(before, after, true));
-  CHECK_IN(context, report.run.number_of_lost_faces
-                      == report.run.number_of_faces_repaired_by_moves
-                           + report.run.number_of_faces_repaired_by_program + report.lost_faces.size());
+  CHECK_IN(context,
+           report.run.number_of_lost_faces == report.run.number_of_faces_repaired_by_moves +
+                                                  report.run.number_of_faces_repaired_by_program +
+                                                  report.lost_faces.size());
   if(repair_flips) {
     CHECK_IN(context, report.remaining_flips == not_positive(before, after, false));
   } else {
@@ -109,8 +110,8 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
 template <typename K>
 using Mesh_of = CGAL::Surface_mesh<typename K::Point_3>;
 template <typename K>
-using UV_map_of =
-  typename Mesh_of<K>::template Property_map<typename Mesh_of<K>::Halfedge_index, typename K::Point_2>;
+using UV_map_of = typename Mesh_of<K>::template Property_map<typename Mesh_of<K>::Halfedge_index,
+                                                             typename K::Point_2>;
 
 using Mesh = Mesh_of<Kernel>;
 using UV_map = UV_map_of<Kernel>;
@@ -154,9 +155,10 @@ struct Known
   typename M::template Property_map<typename M::Halfedge_index, int> rotations;
 
   Known(M& mesh, const UV_map_of<K>& uv)
-    : edge_is_cut(mesh.template add_property_map<typename M::Edge_index, bool>("e:cut", false).first)
+    : edge_is_cut(
+          mesh.template add_property_map<typename M::Edge_index, bool>("e:cut", false).first)
     , rotations(
-        mesh.template add_property_map<typename M::Halfedge_index, int>("h:rotation", 0).first)
+          mesh.template add_property_map<typename M::Halfedge_index, int>("h:rotation", 0).first)
   {
     const Truth<M, UV_map_of<K> > truth(mesh, uv);
     for(const auto h : mesh.halfedges()) {
@@ -166,8 +168,8 @@ struct Known
   }
 };
 
-// Maps whose transitions are translations and half turns stay seamless if one coordinate is scaled: then all
-// faces are slivers, those at cones too, which no vertex can repair by itself.
+// Maps whose transitions are translations and half turns stay seamless if one coordinate is scaled:
+// then all faces are slivers, those at cones too, which no vertex can repair by itself.
 inline bool squash(Named& named, double height)
 {
   const auto uv = test_meshes::uv_map(named.mesh);

@@ -1,5 +1,6 @@
-// Tests of the orientation of faces on parametrizations that solvers made, where there are any: no face may be
-// lost, neither at their own accuracy nor with noise, and the changes must remain those of the closest solution.
+// Tests of the orientation of faces on parametrizations that solvers made, where there are any: no
+// face may be lost, neither at their own accuracy nor with noise, and the changes must remain those
+// of the closest solution.
 
 #ifndef SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H
 #define SEAMLESS_SNAPPING_TEST_ORIENTATION_DATA_H
@@ -20,9 +21,14 @@ namespace orientation_data {
 
 using namespace orientation_checks;
 
-// Moves the corners at all vertices on cuts by up to `size`, those of one sector alike, or each by itself.
-inline void perturb_at_cuts(const Mesh& mesh, UV_map uv, const SS::Seam_transitions<Mesh>& transitions,
-                     double size, uv_noise::Noise kind, unsigned int seed)
+// Moves the corners at all vertices on cuts by up to `size`, those of one sector alike, or each by
+// itself.
+inline void perturb_at_cuts(const Mesh& mesh,
+                            UV_map uv,
+                            const SS::Seam_transitions<Mesh>& transitions,
+                            double size,
+                            uv_noise::Noise kind,
+                            unsigned int seed)
 {
   std::mt19937_64 random(seed);
   for(const auto v : mesh.vertices()) {
@@ -42,7 +48,8 @@ inline void perturb_at_cuts(const Mesh& mesh, UV_map uv, const SS::Seam_transiti
     square_complex::Vector_2 move = { { 0, 0 } };
     for(const auto corner : corners) {
       if(kind == uv_noise::Noise::per_corner || begins_sector(corner))
-        move = { { size * uv_noise::symmetric_random(random), size * uv_noise::symmetric_random(random) } };
+        move = {
+            {size * uv_noise::symmetric_random(random), size * uv_noise::symmetric_random(random)}};
       if(!mesh.is_border(corner))
         uv[corner] = uv_noise::moved(uv[corner], move);
     }
@@ -71,8 +78,12 @@ struct File
   }
 };
 
-inline void test_file(const File& original, const std::string& name, double noise, uv_noise::Noise kind,
-               unsigned int seed, Tally& tally)
+inline void test_file(const File& original,
+                      const std::string& name,
+                      double noise,
+                      uv_noise::Noise kind,
+                      unsigned int seed,
+                      Tally& tally)
 {
   const std::string context = name + ", seed " + std::to_string(seed);
   File file(original);
@@ -111,9 +122,9 @@ inline void test_files()
     const File file(path);
     for(std::size_t i = 0; i < noises.size(); ++i)
       for(unsigned int seed = 1; seed <= (i == 0 ? 2u : 4u); ++seed)
-        test_file(file, path.filename().string() + ", noise " + std::to_string(noises[i]), noises[i],
-                  seed <= 2 ? uv_noise::Noise::per_sector : uv_noise::Noise::per_corner, seed,
-                  tallies[i]);
+        test_file(file, path.filename().string() + ", noise " + std::to_string(noises[i]),
+                  noises[i], seed <= 2 ? uv_noise::Noise::per_sector : uv_noise::Noise::per_corner,
+                  seed, tallies[i]);
   }
   for(std::size_t i = 0; i < noises.size(); ++i)
     tallies[i].print("noise " + std::to_string(1e9 * noises[i]) + "e-9");

@@ -70,8 +70,8 @@ inline void test_mirrored_map()
   for(const auto h : mesh.halfedges())
     uv[h] = Kernel::Point_2(-uv[h].x(), uv[h].y());
   const Bits mirrored = all_bits(mesh, uv);
-  const auto report = snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(),
-                           context, true);
+  const auto report = snap(mesh, uv, SS::parameters::default_values(),
+                           exact_check::No_edge_aligned(), context, true);
   CHECK_IN(context, report.status == SS::Snapping_status::ALREADY_EXACT);
   CHECK_IN(context, report.remaining_flips.size() == mesh.number_of_faces());
   CHECK_IN(context, all_bits(mesh, uv) == mirrored);

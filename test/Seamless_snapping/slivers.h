@@ -1,5 +1,5 @@
-// Makes faces of exactly seamless uv maps thin: what noise of their height then turns over. Cuts stay
-// exact, since a vertex moves alike in all charts that see it.
+// Makes faces of exactly seamless uv maps thin: what noise of their height then turns over. Cuts
+// stay exact, since a vertex moves alike in all charts that see it.
 
 #ifndef SEAMLESS_SNAPPING_TEST_SLIVERS_H
 #define SEAMLESS_SNAPPING_TEST_SLIVERS_H
@@ -16,8 +16,8 @@ namespace slivers {
 
 using square_complex::Vector_2;
 
-// Moves the target of `h` by `move`, as the chart of face(h) sees it. Returns false, with nothing done, at cones
-// and where a face would not be positive any more.
+// Moves the target of `h` by `move`, as the chart of face(h) sees it. Returns false, with nothing
+// done, at cones and where a face would not be positive any more.
 template <typename Graph, typename UVMap>
 bool move_vertex(const Graph& g, UVMap uv, const uv_noise::Cuts<Graph, UVMap>& cuts,
                  typename boost::graph_traits<Graph>::halfedge_descriptor h, const Vector_2& move)
@@ -45,7 +45,8 @@ bool move_vertex(const Graph& g, UVMap uv, const uv_noise::Cuts<Graph, UVMap>& c
   for(std::size_t i = 0; i < corners.size(); ++i)
     if(!is_border(corners[i], g))
       put(uv, corners[i],
-          uv_noise::moved(before[i], square_complex::rotated(move, (turns[i] + 4 - turn_of_h) % 4)));
+          uv_noise::moved(before[i],
+                          square_complex::rotated(move, (turns[i] + 4 - turn_of_h) % 4)));
   for(const Halfedge corner : corners)
     positive = positive && (is_border(corner, g)
                             || exact_check::face_orientation(face(corner, g), g, uv) > 0);
@@ -54,8 +55,9 @@ bool move_vertex(const Graph& g, UVMap uv, const uv_noise::Cuts<Graph, UVMap>& c
   return positive;
 }
 
-// Moves the target of `h` towards the edge opposite to it in face(h), so that its height falls to about
-// `height`, a power of two; by multiples of `height`, and only where `may_move(v, move)` says so.
+// Moves the target of `h` towards the edge opposite to it in face(h), so that its height falls to
+// about `height`, a power of two; by multiples of `height`, and only where `may_move(v, move)` says
+// so.
 template <typename Graph, typename UVMap, typename MayMove>
 bool flatten(const Graph& g, UVMap uv, const uv_noise::Cuts<Graph, UVMap>& cuts,
              typename boost::graph_traits<Graph>::halfedge_descriptor h, double height,

@@ -1,6 +1,7 @@
-// Where the tests find their files: those of the package in data/, next to the programs, and further
-// parametrizations in a folder that the environment variable SEAMLESS_SNAPPING_DATA_DIR names. These
-// are not part of the package; tests of them are skipped where there are none, and say so.
+// Where the tests find their files: those of the package in data/, next to the programs, and
+// further parametrizations in a folder that the environment variable SEAMLESS_SNAPPING_DATA_DIR
+// names. These are not part of the package; tests of them are skipped where there are none, and say
+// so.
 
 #ifndef SEAMLESS_SNAPPING_TEST_TEST_DATA_H
 #define SEAMLESS_SNAPPING_TEST_TEST_DATA_H
@@ -57,7 +58,8 @@ inline std::vector<std::filesystem::path> further_files(const std::string& part,
                                                         const std::string& suffix)
 {
   const auto folder = further_data(part, "files of " + part + "/");
-  const auto files = folder.empty() ? std::vector<std::filesystem::path>() : files_in(folder, suffix);
+  const auto files =
+      folder.empty() ? std::vector<std::filesystem::path>() : files_in(folder, suffix);
   CHECK(folder.empty() || !files.empty());
   return files;
 }

@@ -61,11 +61,12 @@ void check_left_alone(Model& model, const NamedParameters& np)
 {
   CHECK(CS::is_seamless(model.mesh, model.uv, np));
   const auto values = model.values();
-  CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status == CS::Snapping_status::ALREADY_EXACT);
+  CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status ==
+        CS::Snapping_status::ALREADY_EXACT);
   CHECK(model.values() == values);
 }
 
-// --- tests -----------------------------------------------------------------------------------------
+// --- tests ---------------------------------------------------------------------------------------
 
 void test_random_constraints(const std::filesystem::path& path, std::uint64_t seed,
                              std::size_t connections, std::size_t cycles)
@@ -81,8 +82,8 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
   if(!CHECK(bool(report)))
     std::cerr << name << ", seed " << seed << ": " << report << std::endl;
-  const auto check = exact_check::check_edges(model.mesh, model.uv,
-                                              [&](Mesh::Edge_index e) { return model.is_aligned[e]; });
+  const auto check = exact_check::check_edges(
+      model.mesh, model.uv, [&](Mesh::Edge_index e) { return model.is_aligned[e]; });
   CHECK_EQUAL(check.inexact_edges, 0u);
   CHECK_EQUAL(check.inexact_aligned_edges, 0u);
   for(const Connection& c : connection_constraints)
@@ -98,9 +99,10 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   CHECK(is_seamless || model.has_cut_of_no_length());
   CHECK_EQUAL(is_seamless, CS::snap_to_seamless(model.mesh, model.uv, np).status
                              == CS::Snapping_status::ALREADY_EXACT);
-  std::cout << name << ", seed " << seed << ": largest change " << report.largest_change / report.extent
-            << " of the extent, redundant " << report.linear_solver.number_of_redundant_constraints
-            << ", non-unit pivots " << report.linear_solver.number_of_non_unit_pivots << std::endl;
+  std::cout << name << ", seed " << seed << ": largest change "
+            << report.largest_change / report.extent << " of the extent, redundant "
+            << report.linear_solver.number_of_redundant_constraints << ", non-unit pivots "
+            << report.linear_solver.number_of_non_unit_pivots << std::endl;
 }
 
 // Parametrizations made by solvers, as many constraints on each as in Table 3.
@@ -127,7 +129,8 @@ void check_refused(Model& model, const std::vector<Corner>& constraints, CS::Sna
   CHECK(model.values() == values);
 }
 
-Corner pin(Halfedge corner, int component, const Rational& value, const Rational& factor = Rational(1))
+Corner
+pin(Halfedge corner, int component, const Rational& value, const Rational& factor = Rational(1))
 {
   Corner result;
   result.terms.push_back({ corner, component, factor });
@@ -138,20 +141,23 @@ Corner pin(Halfedge corner, int component, const Rational& value, const Rational
 void test_corner_constraints(const std::string& name)
 {
   Model model(test_data::package_file(name));
-  const Halfedge a = model.mesh.halfedge(model.singular[0]), b = model.mesh.halfedge(model.singular[1]);
+  const Halfedge a = model.mesh.halfedge(model.singular[0]),
+                 b = model.mesh.halfedge(model.singular[1]);
   const double at_a = rounded_to_sixteenths(model.uv[a].x());
   const Corner pin_a = pin(a, 0, Rational(at_a));
   // twice the spacing of b from a is a multiple of 1/8, whatever the chart
-  Corner spacing = pin(b, 1, Rational(rounded_to_sixteenths(model.uv[b].y() - model.uv[a].y()) * 2), 2);
+  Corner spacing =
+      pin(b, 1, Rational(rounded_to_sixteenths(model.uv[b].y() - model.uv[a].y()) * 2), 2);
   spacing.terms.push_back({ a, 1, Rational(-2) });
 
   Corner contradiction = pin_a;
   contradiction.right_hand_side += 1;
   check_refused(model, { pin_a, spacing, contradiction }, CS::Snapping_status::INCONSISTENT,
                 "corner constraint 0, corner constraint 2");
-  check_refused(model, { pin(b, 1, Rational(1), Rational(3)) }, CS::Snapping_status::NOT_REPRESENTABLE,
-                "right-hand sides");
-  check_refused(model, { pin(a, 2, Rational(0)) }, CS::Snapping_status::INVALID_ARGUMENT, "component 2");
+  check_refused(model, {pin(b, 1, Rational(1), Rational(3))},
+                CS::Snapping_status::NOT_REPRESENTABLE, "right-hand sides");
+  check_refused(model, {pin(a, 2, Rational(0))}, CS::Snapping_status::INVALID_ARGUMENT,
+                "component 2");
 
   const std::vector<Corner> constraints = { pin_a, spacing, pin_a };
   const auto np = parameters::corner_constraints(constraints);
@@ -276,15 +282,16 @@ void test_paths_on_border(const std::string& name)
     if(!model.mesh.is_border(h))
       continue;
     const Halfedge inner = model.mesh.opposite(h);
-    for(const auto& ends : { std::make_pair(h, inner), std::make_pair(inner, h), std::make_pair(h, h) })
+    for(const auto& ends :
+        {std::make_pair(h, inner), std::make_pair(inner, h), std::make_pair(h, h)})
       CHECK(CS::shortest_face_path(model.mesh, ends.first, ends.second).empty());
     ++count;
   }
   CHECK(count > 0);
 }
 
-// A pinned coordinate that only a fine grid holds concerns no others: neither the second one of the same
-// corners, nor corners that are merged elsewhere.
+// A pinned coordinate that only a fine grid holds concerns no others: neither the second one of the
+// same corners, nor corners that are merged elsewhere.
 void test_fine_pin(double value)
 {
   Mesh mesh;

@@ -1,5 +1,5 @@
-// OBJ files of all kinds come back bit for bit: random numbers of all magnitudes, and the files of the
-// data folder; what random changes make of a file is refused or valid, and does no harm.
+// OBJ files of all kinds come back bit for bit: random numbers of all magnitudes, and the files of
+// the data folder; what random changes make of a file is refused or valid, and does no harm.
 
 #include "obj_models.h"
 #include "test_data.h"
@@ -202,7 +202,8 @@ void test_file(const std::string& filename)
 // A strip that is made of quadrangles; once they are split, its surface is the reason.
 void test_quadrangles()
 {
-  const auto path = test_data::further_data("refused/gc_moebius_nonorientable.obj", "a Moebius strip");
+  const auto path =
+      test_data::further_data("refused/gc_moebius_nonorientable.obj", "a Moebius strip");
   if(path.empty())
     return;
   std::ifstream is(path);

@@ -492,11 +492,14 @@ void test_growth(const unsigned int seed, const std::size_t m, const std::size_t
 
 // ---- reduction of a given basis ----
 
-// The basis vectors (e_i, a_i) tell afterwards by which matrix they were combined: that of their first
-// components. It must be of determinant +-1, and explain the last ones. (Where fplll is there, it reduces the
-// multiprecision bases, and numbers that are long from the start.)
+// The basis vectors (e_i, a_i) tell afterwards by which matrix they were combined: that of their
+// first components. It must be of determinant +-1, and explain the last ones. (Where fplll is
+// there, it reduces the multiprecision bases, and numbers that are long from the start.)
 template <typename Integer>
-void test_basis(const std::size_t size, const int bits, const bool is_weighted, const unsigned int seed)
+void test_basis(const std::size_t size,
+                const int bits,
+                const bool is_weighted,
+                const unsigned int seed)
 {
   std::mt19937_64 random(seed);
   std::vector<Integer> a(size);

@@ -1,7 +1,7 @@
 // Tests of the orientation of faces: none that is positive may lose it by snapping where an exact
-// solution near by keeps it. Small exact maps without flips are made thin in places, and disturbed by about
-// the height of the slivers. The map without noise then is such a solution, for all faces at once, so that
-// whatever is positive in the disturbed map must stay so.
+// solution near by keeps it. Small exact maps without flips are made thin in places, and disturbed
+// by about the height of the slivers. The map without noise then is such a solution, for all faces
+// at once, so that whatever is positive in the disturbed map must stay so.
 
 #include "Polyhedron_copy.h"
 #include "orientation_checks.h"
@@ -21,8 +21,8 @@
 
 using namespace orientation_checks;
 
-// The number of seam vertices that are no node and have moved as a whole: without that, each side takes half
-// of the gap, in opposite directions.
+// The number of seam vertices that are no node and have moved as a whole: without that, each side
+// takes half of the gap, in opposite directions.
 std::size_t moved_seam_vertices(Named& named, const Known<Kernel>& known,
                                 const std::vector<Kernel::Point_2>& before, const UV_map& after,
                                 double precision)
@@ -134,7 +134,8 @@ void test_squashed()
   const double height = 0x1p-16;
   for(Named& named : test_meshes::all_meshes<Kernel>()) {
     test_meshes::warp(named, 1);
-    if(has_aligned(named) || !squash(named, height)) // which coordinate is aligned is lost in the noise
+    if(has_aligned(named) ||
+       !squash(named, height)) // which coordinate is aligned is lost in the noise
       continue;
     for(unsigned int seed = 1; seed <= 8; ++seed)
       for(const double noise : { 0.01, 0.1, 1., 10. }) {
@@ -166,9 +167,10 @@ void test_crowd()
 
 // --- aligned vertices ----------------------------------------------------------------------------
 
-// Two squares beside each other, twice, with the border and the vertical line in the middle aligned. The vertex
-// in the middle lies just above the lower border, which is noisy there: its common level comes out above.
-// All vertices of the faces between are fixed, but the one in the middle can move along its line.
+// Two squares beside each other, twice, with the border and the vertical line in the middle
+// aligned. The vertex in the middle lies just above the lower border, which is noisy there: its
+// common level comes out above. All vertices of the faces between are fixed, but the one in the
+// middle can move along its line.
 void test_move_along_isocurve()
 {
   const std::string context = "move along an isocurve";
@@ -225,7 +227,8 @@ void test_other_types()
   CHECK(tally.lost > 0 && tally.remaining == 0);
 }
 
-// A component whose coordinates are much smaller, down to its slivers, is treated on a grid of its own.
+// A component whose coordinates are much smaller, down to its slivers, is treated on a grid of its
+// own.
 void test_small_component()
 {
   const std::string context = "small component";
@@ -270,7 +273,8 @@ struct Forgetful_map
   }
 };
 
-// All or nothing, whichever of the corners that change is forgotten. Counts those of vertices that are on no cut.
+// All or nothing, whichever of the corners that change is forgotten. Counts those of vertices that
+// are on no cut.
 std::size_t test_forgetful_map(unsigned int seed)
 {
   const std::string context = "forgetful map, seed " + std::to_string(seed);

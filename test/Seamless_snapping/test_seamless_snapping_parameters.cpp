@@ -86,7 +86,8 @@ void test_references()
   const auto np = parameters::value_weights(std::ref(weights)).verbose(false);
   std::vector<double> none;
   const std::vector<double>& read = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter_reference(internal::strip(np), internal_np::value_weights), none);
+      CGAL::parameters::get_parameter_reference(internal::strip(np), internal_np::value_weights),
+      none);
   CHECK(&read == &weights);
 }
 

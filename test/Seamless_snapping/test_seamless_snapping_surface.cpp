@@ -152,8 +152,9 @@ void test_optimality()
             << std::endl;
 }
 
-// A part that nothing links to the rest is snapped on a grid of its own, however small: as if it were alone, but
-// for the last bits, which floating point may choose otherwise. (The common grid is up to 2^12 times as coarse.)
+// A part that nothing links to the rest is snapped on a grid of its own, however small: as if it
+// were alone, but for the last bits, which floating point may choose otherwise. (The common grid is
+// up to 2^12 times as coarse.)
 void test_local_grids()
 {
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -165,7 +166,8 @@ void test_local_grids()
     const Truth<Mesh, std::decay_t<decltype(uv)> > truth(named.mesh, uv);
     uv_noise::perturb(named.mesh, uv, 0x1p-44 * truth.extent, ++seed);
     for(const auto h : named.mesh.halfedges()) // 1 down to 2^-12
-      uv[h] = Kernel::Point_2(std::ldexp(uv[h].x(), -int(4 * (seed % 4))), std::ldexp(uv[h].y(), -int(4 * (seed % 4))));
+      uv[h] = Kernel::Point_2(std::ldexp(uv[h].x(), -int(4 * (seed % 4))),
+                              std::ldexp(uv[h].y(), -int(4 * (seed % 4))));
     inputs.push_back(named.mesh);
     alone.push_back(named.mesh);
     const auto report = SS::snap_to_seamless(alone.back(), test_meshes::uv_map(alone.back()));
@@ -188,11 +190,13 @@ void test_local_grids()
       largest = (std::max)({largest, std::abs(uv[h].x() - p.x()) / steps[part],
                             std::abs(uv[h].y() - p.y()) / steps[part]});
     }
-    CHECK_IN("parts " + std::to_string(i) + ", by " + std::to_string(largest) + " steps", largest <= 64);
+    CHECK_IN("parts " + std::to_string(i) + ", by " + std::to_string(largest) + " steps",
+             largest <= 64);
   }
 }
 
-// Files with 32-bit coordinates keep seams that are exact in float. PLY in binary, with u and v per halfedge.
+// Files with 32-bit coordinates keep seams that are exact in float. PLY in binary, with u and v per
+// halfedge.
 void test_float_files()
 {
   using Mesh = CGAL::Surface_mesh<Float_kernel::Point_3>;
@@ -218,7 +222,8 @@ void test_float_files()
     const auto read_u = read.add_property_map<Mesh::Halfedge_index, float>("h:u");
     const auto read_v = read.add_property_map<Mesh::Halfedge_index, float>("h:v");
     CHECK_IN(named.name, !read_u.second && !read_v.second); // not new
-    const auto read_uv = read.add_property_map<Mesh::Halfedge_index, Float_kernel::Point_2>("h:read").first;
+    const auto read_uv =
+        read.add_property_map<Mesh::Halfedge_index, Float_kernel::Point_2>("h:read").first;
     for(const auto h : read.halfedges())
       read_uv[h] = Float_kernel::Point_2(read_u.first[h], read_v.first[h]);
     CHECK_EQUAL(read.number_of_faces(), mesh.number_of_faces());
@@ -297,7 +302,8 @@ void test_no_values_on_border()
   }
 }
 
-// Keeps the values of corners in places that they may share, and throws after some writing or reading.
+// Keeps the values of corners in places that they may share, and throws after some writing or
+// reading.
 struct Shared_map
 {
   using key_type = Halfedge;
@@ -324,8 +330,8 @@ struct Shared_map
   }
 };
 
-// Two inner vertices of a disc in the same place, each with other noise at all corners but one, that
-// is shared; signs of zeros are mixed.
+// Two inner vertices of a disc in the same place, each with other noise at all corners but one,
+// that is shared; signs of zeros are mixed.
 void test_shared_places()
 {
   Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(6, 6), 1);

@@ -246,7 +246,8 @@ cycles_around_targets(const Mesh& mesh, const std::vector<Halfedge>& halfedges)
   return result;
 }
 
-// The violation is that of the rotations that are read, also where an edge takes that of its branch.
+// The violation is that of the rotations that are read, also where an edge takes that of its
+// branch.
 void check_violation(const Mesh& mesh, const UV_map& uv, const std::string& context)
 {
   const auto transitions = SS::seam_transitions(mesh, uv);
@@ -258,7 +259,7 @@ void check_violation(const Mesh& mesh, const UV_map& uv, const std::string& cont
     if(!is_interior(mesh, h))
       continue;
     const auto edge = uv[h] - uv[mesh.prev(h)], image = uv[mesh.prev(g)] - uv[g];
-    const auto rotated = square_complex::rotated({ { edge.x(), edge.y() } }, transitions.rotation(h));
+    const auto rotated = square_complex::rotated({{edge.x(), edge.y()}}, transitions.rotation(h));
     violation = (std::max)({ violation, std::abs(rotated[0] - image.x()),
                              std::abs(rotated[1] - image.y()) });
   }
@@ -460,8 +461,9 @@ void test_bad_indices()
   const auto refuse_with = [&](const std::string& context, const auto& index_of) {
     for(const auto v : mesh.vertices())
       put(indices, v, index_of(std::size_t(v)));
-    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ARGUMENT, { "vertex_index_map" }, context);
-    CHECK_IN(context, SS::seam_transitions(mesh, uv, np).failure() == Snapping_status::INVALID_ARGUMENT);
+    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ARGUMENT, {"vertex_index_map"}, context);
+    CHECK_IN(context,
+             SS::seam_transitions(mesh, uv, np).failure() == Snapping_status::INVALID_ARGUMENT);
   };
   refuse_with("indices that were not set", [](std::size_t) { return std::size_t(-1); });
   refuse_with("no different indices", [](std::size_t) { return std::size_t(0); });

@@ -66,9 +66,9 @@ double step_of(const double largest, const int digits)
   return std::ldexp(1., exponent - digits);
 }
 
-// The coarsest grid that may be needed: its step is such that the largest value has all p bits. Where
-// the optimum is much smaller than the input, that is the largest value of the output, with 4 bits to
-// spare.
+// The coarsest grid that may be needed: its step is such that the largest value has all p bits.
+// Where the optimum is much smaller than the input, that is the largest value of the output, with 4
+// bits to spare.
 template <typename Number>
 double expected_step(const std::vector<Number>& before, const std::vector<Number>& after,
                      const Optimum& optimum, const std::vector<bool>& used)
@@ -266,9 +266,9 @@ exact_reference::Integer random_long_integer(Random& random, int bits)
   return random() % 2 == 0 ? result : exact_reference::Integer(-result);
 }
 
-// Coefficients and right-hand sides of hundreds of digits, and more rows than unknowns: the one solution
-// must come back from values close to it; with another right-hand side there is none. In `chain` the
-// coefficients get long during the elimination only.
+// Coefficients and right-hand sides of hundreds of digits, and more rows than unknowns: the one
+// solution must come back from values close to it; with another right-hand side there is none. In
+// `chain` the coefficients get long during the elimination only.
 void test_long_numbers(std::uint64_t seed, int bits, bool chain)
 {
   Random random(seed);
@@ -296,13 +296,15 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
   const std::vector<double> before = x;
   const auto snap = [&] {
     x = before;
-    return CS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system), x);
+    return CS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system),
+                                          x);
   };
   const CS::Snapping_report report = snap();
   const std::size_t failed = checking::counts().failed;
   CHECK(bool(report));
   CHECK(report.linear_solver.multiprecision);
-  CHECK(report.linear_solver.coefficient_bits >= std::size_t(chain ? 129 : bits - 30)); // rows may have a common factor
+  CHECK(report.linear_solver.coefficient_bits >=
+        std::size_t(chain ? 129 : bits - 30)); // rows may have a common factor
   CHECK(x == solution);
 
   system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
@@ -318,7 +320,9 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
 // --- particular systems --------------------------------------------------------------------------
 
 template <typename Constraints, typename Values>
-CS::Snapping_report snap_and_check(const std::string& name, const Constraints& constraints, Values& x,
+CS::Snapping_report snap_and_check(const std::string& name,
+                                   const Constraints& constraints,
+                                   Values& x,
                                    const System& system)
 {
   const Values before = x;
@@ -365,17 +369,19 @@ CS::Snapping_report test_rows(const std::string& name, const Rows& rows, std::ve
 void test_right_hand_sides_of_other_sizes()
 {
   const double close = 1e-14;
-  test_rows<double>("two parts", {{{{0, 1}, {1, -1}}, 0x1p-40}, {{{2, 1}, {3, -1}}, 0}}, {1, 2, 3, 4},
-                    {1.5, 1.5, 3.5, 3.5}, 1e-9);
+  test_rows<double>("two parts", {{{{0, 1}, {1, -1}}, 0x1p-40}, {{{2, 1}, {3, -1}}, 0}},
+                    {1, 2, 3, 4}, {1.5, 1.5, 3.5, 3.5}, 1e-9);
   test_rows<double>("small pin", {{{{0, 1}}, 1e-6}}, {0.5}, {1e-6}, 0);
-  test_rows<double>("small difference", {{{{0, 1}, {1, -1}}, 1e-6}}, {0.5, -0.5}, {5e-7, -5e-7}, 1e-9);
+  test_rows<double>("small difference", {{{{0, 1}, {1, -1}}, 1e-6}}, {0.5, -0.5}, {5e-7, -5e-7},
+                    1e-9);
   test_rows<double>("smaller pin", {{{{0, 1}}, 0.1}}, {1000}, {0.1}, 0);
   test_rows<double>("smallest pin", {{{{0, 1}}, 1e-30}}, {1}, {1e-30}, 0);
   test_rows<double>("large pin", {{{{0, 1}}, 1e19}}, {1.1e19}, {1e19}, 0);
   test_rows<double>("larger pin", {{{{0, 1}}, 1e300}}, {1}, {1e300}, 0);
   test_rows<double>("pin of 0", {{{{0, 1}}, 1e300}}, {0}, {1e300}, 0);
   test_rows<float>("float", {{{{0, 1}, {1, -1}}, 1e8}}, {1e8f, 3.f}, {1e8, 1.5}, 4);
-  test_rows<double>("powers", {{{{0, 1}, {1, -1}}, 0x1p60}}, {0x1p60 + 256, 100}, {0x1p60, 178}, 0.5);
+  test_rows<double>("powers", {{{{0, 1}, {1, -1}}, 0x1p60}}, {0x1p60 + 256, 100}, {0x1p60, 178},
+                    0.5);
   test_rows<double>("both", {{{{0, 1}}, 1e-300}, {{{1, 1}}, 1e300}}, {1, 1}, {1e-300, 1e300}, 0);
   test_rows<double>("sum of both", {{{{0, 1}}, 0x1p-30}, {{{0, 1}, {1, 1}}, 0x1p20}}, {1, 1},
                     {0x1p-30, 0x1p20}, close);
@@ -399,7 +405,8 @@ void test_outliers()
   constraints.add_constraint({{0, 1}, {1, -1}});
   std::vector<double> x = {1e20, 1};
   const std::vector<double> weights = {1e-30, 1};
-  CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
+  CHECK(
+      bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
   CHECK(x[0] == x[1] && std::abs(x[0] - (1 + 1e-10)) < close);
 }
 
@@ -477,16 +484,19 @@ void test_figures()
   CS::Snapping_report report =
     test_rows<double>("violation", {{{{0, 0.25}, {1, -0.75}}, 0}}, {3 + 1e-7, 1}, {3, 1}, 1e-6);
   CHECK(report.violation_before > 2.4e-8 && report.violation_before < 2.6e-8);
-  report = test_rows<double>("coefficient", {{{{0, 1}, {1, -1000}}, 0}}, {1000, 1.5}, {1000, 1}, 0.5);
+  report =
+      test_rows<double>("coefficient", {{{{0, 1}, {1, -1000}}, 0}}, {1000, 1.5}, {1000, 1}, 0.5);
   CHECK_EQUAL(report.linear_solver.largest_coefficient, 1000.);
-  CHECK(report.optimal_rms_change > 0 && report.optimal_rms_change <= report.rms_change * (1 + 1e-9));
+  CHECK(report.optimal_rms_change > 0 &&
+        report.optimal_rms_change <= report.rms_change * (1 + 1e-9));
 
   CS::Linear_constraints<> constraints(2);
   constraints.add_constraint({{0, 1}, {1, -1}});
   for(const std::vector<double>& weights :
       {std::vector<double>{1e300, 1e-320}, {1e-320, 1e-320}, {1e308, 1e308}, {1, 1}}) {
     std::vector<double> x = {1, 2};
-    CHECK(bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
+    CHECK(bool(
+        CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
     CHECK(x[0] == x[1] && x[0] == (weights[0] == weights[1] ? 1.5 : 1.));
   }
 }

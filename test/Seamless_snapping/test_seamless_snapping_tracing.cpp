@@ -44,7 +44,8 @@ void test_levels()
         level.transform(sign, SS::internal::Exact_difference(a, b));
         expected = Exact_rational(sign) * expected + Exact_rational(a) - Exact_rational(b);
         const double rounded = CGAL::to_double(expected);
-        for(const double u : {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
+        for(const double u :
+            {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
           all_agree = all_agree &&
                       level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
         all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
@@ -96,7 +97,8 @@ void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer
     index[v] = i;
   std::size_t wrong = 0;
   for(const auto v : mesh.vertices())
-    if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) && is_unfolded(mesh, uv, mesh.halfedge(v))) {
+    if(!mesh.is_isolated(v) && !CGAL::is_border(v, mesh) &&
+       is_unfolded(mesh, uv, mesh.halfedge(v))) {
       const int n = int(tracer.outgoing(v).size());
       wrong += n % 4 != (4 - index[v]) % 4 ? 1 : 0; // whole turns don't show in the rotations
       wrong += tracer.is_singular(v) != (n != 4) ? 1 : 0;

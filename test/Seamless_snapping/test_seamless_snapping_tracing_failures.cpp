@@ -1,7 +1,8 @@
-// What goes wrong with isocurves where seams are inexact (Sec. 6.2 of the paper), on maps with noise
-// and on maps as a solver computed them; none of it is left after snapping. And what constraints add
-// to that: isocurves that connections ask for meet their vertices exactly, those that cycles ask for
-// close exactly; without constraints they pass by, after noise of 1e-10 of the extent.
+// What goes wrong with isocurves where seams are inexact (Sec. 6.2 of the paper), on maps with
+// noise and on maps as a solver computed them; none of it is left after snapping. And what
+// constraints add to that: isocurves that connections ask for meet their vertices exactly, those
+// that cycles ask for close exactly; without constraints they pass by, after noise of 1e-10 of the
+// extent.
 //
 // The constraints are random ones that the shape of a map allows: isocurves are traced until they
 // pass near a singular vertex, or near their start. A first snapping moves the map to where they

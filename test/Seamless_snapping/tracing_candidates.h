@@ -35,7 +35,12 @@ inline int constant_component(const Direction direction) { return int(direction)
 // The first place where a curve passes by a corner for which is_wanted(corner, direction of the
 // curve in its chart) holds, closer than `near`. There the curve gets the status, and ends.
 template <typename IsWanted>
-bool find_near_pass(const Curve& curve, const Mesh& mesh, const UV_map& uv, const double distance, const Status status, const IsWanted& is_wanted,
+bool find_near_pass(const Curve& curve,
+                    const Mesh& mesh,
+                    const UV_map& uv,
+                    const double distance,
+                    const Status status,
+                    const IsWanted& is_wanted,
                     Near_pass& result)
 {
   const auto& points = curve.points;
@@ -172,7 +177,8 @@ struct Connections
   static Vertex target(const Near_pass& pass, const Mesh& mesh) { return mesh.target(pass.corner); }
 
   // A curve from a random end that meets or nearly meets another one.
-  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
+  static bool
+  find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
   {
     const Mesh& mesh = model.mesh;
     const Vertex v = model.ends[random() % model.ends.size()];
@@ -205,7 +211,8 @@ struct Cycles
 
   // A random curve that crosses an edge twice, at about the same place: a curve from an end of this
   // edge may return to it.
-  static bool find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
+  static bool
+  find_candidate(const Model& model, const Tracer& tracer, Random& random, Near_pass& pass)
   {
     const Mesh& mesh = model.mesh;
     const Vertex v(Mesh::size_type(random() % mesh.number_of_vertices()));
@@ -247,8 +254,8 @@ struct Cycles
                                      parameters::maximum_number(maximum_number));
     pass = {curve, curve.points.back().halfedge()};
     return curve.status == Status::CLOSED ||
-           find_near_pass(curve, mesh, model.uv, near_distance * model.edge_length, failure, leads_back,
-                          pass);
+           find_near_pass(curve, mesh, model.uv, near_distance * model.edge_length, failure,
+                          leads_back, pass);
   }
 };
 

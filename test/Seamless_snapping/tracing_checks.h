@@ -53,7 +53,8 @@ SS::Isocurve_start<Graph> start_at(const SS::Isocurve_point<Graph>& point, const
     const auto u = SS::isocurve_uv(point, mesh, uv);
     return SS::Isocurve_start<Graph>::in_face(point.halfedge(), u[0], u[1]);
   }
-  return SS::Isocurve_start<Graph>::on_edge(point.halfedge(), SS::isocurve_parameter(point, mesh, uv));
+  return SS::Isocurve_start<Graph>::on_edge(point.halfedge(),
+                                            SS::isocurve_parameter(point, mesh, uv));
 }
 
 // Whether two points, passed in opposite directions, are the same: by exact parameters on the edge,

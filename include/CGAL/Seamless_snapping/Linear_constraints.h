@@ -101,7 +101,8 @@ public:
 #endif
 
   std::size_t number_of_unknowns() const { return m_number_of_unknowns; } ///< the number of columns
-  std::size_t number_of_constraints() const { return m_right_hand_side.size(); } ///< the number of rows
+  /// the number of rows
+  std::size_t number_of_constraints() const { return m_right_hand_side.size(); }
 
   /// returns the first term of constraint `i`.
   const Term* begin(const std::size_t i) const { return m_terms.data() + m_row_begin[i]; }
@@ -123,7 +124,8 @@ private:
   }
 
   template <typename Iterator>
-  std::size_t add_constraint(const Iterator first, const Iterator last, const CGAL::Exact_rational& b)
+  std::size_t
+  add_constraint(const Iterator first, const Iterator last, const CGAL::Exact_rational& b)
   {
     for(Iterator term = first; term != last; ++term)
       CGAL_precondition(term->first < m_number_of_unknowns);

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Exact verification of a parametrization, and measurement of what it lacks. The decision is exact, at
-// about the price of a floating point pass: see Exact_difference.h.
+// Exact verification of a parametrization, and measurement of what it lacks. The decision is exact,
+// at about the price of a floating point pass: see Exact_difference.h.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
@@ -43,22 +43,25 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-What `measure_seamlessness()` returns. The counts are exact; the violations are computed in floating point
-with an error in the order of their last digit.
+What `measure_seamlessness()` returns. The counts are exact; the violations are computed in floating
+point with an error in the order of their last digit.
 */
 struct Seamlessness
 {
   std::size_t number_of_interior_edges = 0; ///< edges with a face on both sides
   /// interior edges whose sides have different coordinates, or that are given as cuts
   std::size_t number_of_mismatched_edges = 0;
-  std::size_t number_of_inexact_edges = 0;  ///< interior edges for which no transition holds exactly
+  /// interior edges for which no transition holds exactly
+  std::size_t number_of_inexact_edges = 0;
   std::size_t number_of_aligned_edges = 0;  ///< edges that were asked to be aligned
-  std::size_t number_of_misaligned_edges = 0; ///< those of them along which neither coordinate is constant
+  /// those of them along which neither coordinate is constant
+  std::size_t number_of_misaligned_edges = 0;
   std::size_t number_of_flipped_faces = 0;    ///< faces of negative orientation
   std::size_t number_of_degenerate_faces = 0; ///< faces of no area
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< the largest violation of a transition
-  double misalignment = 0; ///< the largest change of the coordinate that changes less along an aligned edge
+  /// the largest change of the coordinate that changes less along an aligned edge
+  double misalignment = 0;
 
   /// returns `true` if and only if all transitions and alignments hold exactly. Connection, cycle,
   /// and corner constraints are not looked at.
@@ -112,7 +115,8 @@ bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np,
   using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
   const auto is_constrained =
     choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
-  const bool align_border = choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  const bool align_border =
+      choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
   if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
     return true;
   for(const Edge e : edges(tmesh)) {
@@ -124,8 +128,8 @@ bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np,
   return true;
 }
 
-// Edges of no length don't tell the rotation of a path that crosses them: as where they are snapped,
-// the branch does.
+// Edges of no length don't tell the rotation of a path that crosses them: as where they are
+// snapped, the branch does.
 // \pre all transitions and alignments hold exactly
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -166,7 +170,8 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
 
 // The sign of the area of a face in the domain, exactly.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Face>
-CGAL::Orientation face_orientation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Face f)
+CGAL::Orientation
+face_orientation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Face f)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto h = halfedge(f, tmesh);
@@ -224,36 +229,38 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-decides whether a parametrization is exactly seamless: whether for each interior edge there is a rotation
-\f$ R \f$ by a multiple of 90 degrees such that
-\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$, where \f$ \mathbf{u} \f$ and
-\f$ \mathbf{u}' \f$ are the coordinates of its ends \f$ a, b \f$ in the charts of its two faces; and whether
-a coordinate is constant along each edge that is to be aligned, and whether further constraints hold if any are
-given. The answer is that of exact arithmetic.
+decides whether a parametrization is exactly seamless: whether for each interior edge there is a
+rotation \f$ R \f$ by a multiple of 90 degrees such that
+\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$, where
+\f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates of its ends \f$ a, b \f$ in the
+charts of its two faces; and whether a coordinate is constant along each edge that is to be aligned,
+and whether further constraints hold if any are given. The answer is that of exact arithmetic.
 
 Where constraints have contracted a cut edge to a point, any rotation satisfies the equation. For
-connection and cycle constraints whose paths cross such an edge, it is taken from the edges where the cut
-goes on. If all of them are contracted, up to vertices where the cut ends or branches, the coordinates do
-not tell which is meant: pass `halfedge_rotation_map` as well.
+connection and cycle constraints whose paths cross such an edge, it is taken from the edges where
+the cut goes on. If all of them are contracted, up to vertices where the cut ends or branches, the
+coordinates do not tell which is meant: pass `halfedge_rotation_map` as well.
 
-\tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`; with connection or cycle constraints, of
-        `FaceListGraph` and `VertexListGraph` too, of which all named parameters are those of
-        `seam_transitions()`
+\tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`; with connection or cycle
+        constraints, of `FaceListGraph` and `VertexListGraph` too, of which all named parameters are
+        those of `seam_transitions()`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
-        with coordinates `x()` and `y()` of type `double` or `float` as value type
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the edges that are to lie on isocurves}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
@@ -262,16 +269,19 @@ not tell which is meant: pass `halfedge_rotation_map` as well.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges; along all others, both sides must have the same coordinates}
+    \cgalParamDescription{the cut edges; along all others, both sides must have the same
+                          coordinates}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{every edge may be a cut}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each halfedge}
+    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
+                          halfedge}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
-                   type as value type}
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+                   integer type as value type}
     \cgalParamDefault{any rotation will do}
   \cgalParamNEnd
   \cgalParamNBegin{connection_constraints}
@@ -291,14 +301,15 @@ not tell which is meant: pass `halfedge_rotation_map` as well.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `false` also if a coordinate of an interior edge or of a further constraint is NaN or infinite,
-        (with connection or cycle constraints also if one is beyond 1e300), or if given rotations of
-        opposite halfedges are not inverse to each other
+\return `false` also if a coordinate of an interior edge or of a further constraint is NaN or
+        infinite, (with connection or cycle constraints also if one is beyond 1e300), or if given
+        rotations of opposite halfedges are not inverse to each other
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \par Complexity
-Linear in the number of edges; about as fast as comparing the coordinates on both sides of each edge.
+Linear in the number of edges; about as fast as comparing the coordinates on both sides of each
+edge.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -313,9 +324,10 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-measures how far a parametrization is from being exactly seamless and aligned, and counts the faces that are
-flipped or degenerate in the domain. Template and named parameters are those of `is_seamless()`, but
-`connection_constraints`, `cycle_constraints`, and `corner_constraints` are ignored.
+measures how far a parametrization is from being exactly seamless and aligned, and counts the faces
+that are flipped or degenerate in the domain. Template and named parameters are those of
+`is_seamless()`, but `connection_constraints`, `cycle_constraints`, and `corner_constraints` are
+ignored.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 

@@ -174,7 +174,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are
  *   traced in floating point, the distance below which a curve is taken to have missed what it
  *   passes by; both relative to the extent of the coordinates (`double`)
- * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept small
+ * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
+ *   small
  *
  * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,
  * `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,

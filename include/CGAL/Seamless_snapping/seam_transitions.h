@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What a uv map says about itself: which edges are cuts, how charts are rotated across them, and which
-// vertices are singular.
+// What a uv map says about itself: which edges are cuts, how charts are rotated across them, and
+// which vertices are singular.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
@@ -41,11 +41,11 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by which
-the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the singular
-vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither
-modified nor destroyed. They must not outlive it: they hold a dynamic property of its edges, which is
-removed from the mesh together with the last copy.
+The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by
+which the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the
+singular vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is
+neither modified nor destroyed. They must not outlive it: they hold a dynamic property of its edges,
+which is removed from the mesh together with the last copy.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 */
@@ -58,14 +58,18 @@ public:
   /// a vertex of the mesh
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// an interior vertex and its index in quarter turns: 1 for a cone of 270 degrees, -1 for one of 450
+  /// an interior vertex and its index in quarter turns: 1 for a cone of 270 degrees, -1 for one of
+  /// 450
   using Singular_vertex = std::pair<vertex_descriptor, int>;
 
   /// \cond SKIP_IN_MANUAL
   template <typename HalfedgeUVMap>
-  Seam_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+  Seam_transitions(const TriangleMesh& tmesh,
+                   const HalfedgeUVMap& uv_map,
                    internal::Transition_data<TriangleMesh>&& data)
-    : m_tmesh(&tmesh), m_index(get(CGAL::dynamic_edge_property_t<int>(), tmesh)), m_data(std::move(data))
+    : m_tmesh(&tmesh)
+    , m_index(get(CGAL::dynamic_edge_property_t<int>(), tmesh))
+    , m_data(std::move(data))
   {
     for(std::size_t i = 0; i < m_data.edges.size(); ++i) {
       const halfedge_descriptor h = m_data.edges[i].halfedge;
@@ -94,8 +98,8 @@ public:
   /// returns the place, the reason, and the remedy in these cases.
   std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
 
-  /// returns the number 0, 1, 2, or 3 of counterclockwise quarter turns of the transition from the chart of
-  /// `face(h)` to the chart of `face(opposite(h))`.
+  /// returns the number 0, 1, 2, or 3 of counterclockwise quarter turns of the transition from the
+  /// chart of `face(h)` to the chart of `face(opposite(h))`.
   int rotation(const halfedge_descriptor h) const
   {
     const int i = index(h);
@@ -112,7 +116,8 @@ public:
     return i >= 0 && m_data.edges[std::size_t(i)].is_cut;
   }
 
-  /// returns one halfedge of each cut edge, in an order that is the same for all mesh data structures.
+  /// returns one halfedge of each cut edge, in an order that is the same for all mesh data
+  /// structures.
   const std::vector<halfedge_descriptor>& cut_halfedges() const { return m_cut_halfedges; }
 
   /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
@@ -130,7 +135,8 @@ public:
   double extent() const { return m_data.extent; }
 
   /// returns the largest violation of a transition, that is the larger component of
-  /// \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) - (\mathbf{u}'(b) - \mathbf{u}'(a)) \f$ over the interior edges \f$ ab \f$.
+  /// \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) - (\mathbf{u}'(b) - \mathbf{u}'(a)) \f$ over the
+  /// interior edges \f$ ab \f$.
   double violation() const { return m_data.violation; }
 
 private:
@@ -153,27 +159,28 @@ private:
 
 reads the transitions off a uv map.
 
-Where the two sides of an edge are the same to the bit, there is no cut. Elsewhere, the rotation is the
-one that fits the edge's vectors on both sides best; an edge too short to tell takes the rotation of
-the branch it lies on. Edges without rotation whose sides are apart by no more than a small multiple
-of the largest violation of the whole map are no cuts either, but noise: their corners belong together
-(they are <em>merged</em>). This is decided per branch.
+Where the two sides of an edge are the same to the bit, there is no cut. Elsewhere, the rotation is
+the one that fits the edge's vectors on both sides best; an edge too short to tell takes the
+rotation of the branch it lies on. Edges without rotation whose sides are apart by no more than a
+small multiple of the largest violation of the whole map are no cuts either, but noise: their
+corners belong together (they are <em>merged</em>). This is decided per branch.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional point
-        with coordinates `x()` and `y()` of type `double` or `float` as value type
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh: any number of components, of any genus, with or without border
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the largest violation of a transition that is taken for inaccuracy, relative to
-                          the extent of the coordinates}
+    \cgalParamDescription{the largest violation of a transition that is taken for inaccuracy,
+                          relative to the extent of the coordinates}
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
@@ -181,25 +188,25 @@ of the largest violation of the whole map are no cuts either, but noise: their c
     \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are
                           merged.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value
-                   type}
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
     \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
                           halfedge, where it is known; modulo 4, and inverse for opposite halfedges}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
-                   type as value type}
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+                   integer type as value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between
-                          `0` and `num_vertices(tmesh) - 1`; the indices appear in messages and
-                          determine the order of processing}
+    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
+                          between `0` and `num_vertices(tmesh) - 1`; the indices appear in messages
+                          and determine the order of processing}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t`
-                   as value type}
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
 \cgalNamedParamsEnd

@@ -78,7 +78,8 @@ std::vector<double> read_weights(const Weights& range, std::size_t)
   return weights;
 }
 
-// Only ratios matter. Their squares must not overflow, so no weight is less than 2^-400 times the largest.
+// Only ratios matter. Their squares must not overflow, so no weight is less than 2^-400 times the
+// largest.
 inline void normalize(std::vector<double>& weights)
 {
   int exponent = (std::numeric_limits<int>::min)();
@@ -114,8 +115,9 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
                    "there are " + std::to_string(x.size()) + " values, but the constraints have " +
                    std::to_string(number_of_columns(c)) + " unknowns");
   if(unbounded != x.size())
-    return refused(Snapping_status::NOT_FINITE, "value " + std::to_string(unbounded) +
-                                                " is NaN or infinite; only finite values can be snapped");
+    return refused(Snapping_status::NOT_FINITE,
+                   "value " + std::to_string(unbounded) +
+                       " is NaN or infinite; only finite values can be snapped");
   if(weights.size() != x.size())
     return refused(Snapping_status::INVALID_ARGUMENT,
                    "there are " + std::to_string(weights.size()) + " weights for " +
@@ -151,39 +153,41 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 
 moves the values `x` to nearby ones that satisfy \f$ C x = b \f$ exactly.
 
-On success, `C x = b` holds in exact arithmetic, not just in floating point, although the new values are
-of the same number type as the old ones: they are chosen from a grid \f$ 2^e \mathbb{Z} \f$ that the
-number type can represent. They approximate the weighted least-squares optimum, that is the real
+On success, `C x = b` holds in exact arithmetic, not just in floating point, although the new values
+are of the same number type as the old ones: they are chosen from a grid \f$ 2^e \mathbb{Z} \f$ that
+the number type can represent. They approximate the weighted least-squares optimum, that is the real
 solution \f$ x^* \f$ that minimizes \f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$. If the values satisfy
 the constraints already, or if there is no solution, they are not touched. Values that occur in no
 constraint are never touched. The result is verified exactly before it is written.
 
-Redundant constraints are welcome. The function handles coefficients of any size: where 64-bit integers
-do not suffice, it changes to multiprecision integers by itself.
+Redundant constraints are welcome. The function handles coefficients of any size: where 64-bit
+integers do not suffice, it changes to multiprecision integers by itself.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
 pivots first, and a least-squares target.
 
-\tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer type,
-        `float`, `double` (each of which is a rational number), `CGAL::Exact_integer`, or
+\tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer
+        type, `float`, `double` (each of which is a rational number), `CGAL::Exact_integer`, or
         `CGAL::Exact_rational`
-\tparam RightHandSide a random access range of numbers that convert exactly to `CGAL::Exact_rational`: integers,
-        `float`, `double`, `CGAL::Exact_integer`, `CGAL::Exact_rational`
+\tparam RightHandSide a random access range of numbers that convert exactly to
+        `CGAL::Exact_rational`: integers, `float`, `double`, `CGAL::Exact_integer`,
+        `CGAL::Exact_rational`
 \tparam Values a random access range of `float` or `double`, for example `std::vector<double>` or
         `Eigen::VectorXd`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param c the matrix \f$ C \f$, with one row per constraint and one column per unknown
-\param b the right-hand side, one number per constraint; if it is omitted, that of a `Linear_constraints`, and zero
-       for a matrix
+\param b the right-hand side, one number per constraint; if it is omitted, that of a
+       `Linear_constraints`, and zero for a matrix
 \param x the values, one per unknown; changed in place
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{value_weights}
     \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
-    \cgalParamType{a random access range of positive numbers of type `double`, one per unknown; ratios
-                   beyond \f$ 2^{400} \f$ count as that}
+    \cgalParamType{a random access range of positive numbers of type `double`, one per unknown;
+                   ratios beyond \f$ 2^{400} \f$ count as that}
     \cgalParamDefault{all 1}
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd
@@ -196,8 +200,8 @@ pivots first, and a least-squares target.
 
 \return the status and figures; converts to `true` if and only if \f$ C x = b \f$ holds exactly. On
         failure, `Snapping_report::status` is
-        - `INVALID_ARGUMENT`: sizes do not match, an index is out of range, a weight is not positive, or a
-          coefficient or right-hand side is not finite;
+        - `INVALID_ARGUMENT`: sizes do not match, an index is out of range, a weight is not
+          positive, or a coefficient or right-hand side is not finite;
         - `NOT_FINITE`: a value is NaN or infinite;
         - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
           that contradict each other;
@@ -213,9 +217,10 @@ Nearly linear in the number of nonzero coefficients for sparse systems such as t
 parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. A
 constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of
 them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a fraction of a second for 10,000
-unknowns, some ten seconds for 100,000. Constraints without a coefficient 1 or -1 take a dense integer
-lattice: time cubic, and memory quadratic, in the number of unknowns that they link. A single constraint with
-arbitrary real coefficients on 1,000 unknowns takes seconds, on 20,000 of them hours.
+unknowns, some ten seconds for 100,000. Constraints without a coefficient 1 or -1 take a dense
+integer lattice: time cubic, and memory quadratic, in the number of unknowns that they link. A
+single constraint with arbitrary real coefficients on 1,000 unknowns takes seconds, on 20,000 of
+them hours.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters
@@ -233,8 +238,8 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-the same with the right-hand side of `c` if that is a `Linear_constraints`, and with \f$ b = 0 \f$ if
-it is a matrix.
+the same with the right-hand side of `c` if that is a `Linear_constraints`, and with \f$ b = 0 \f$
+if it is a matrix.
 */
 template <typename Constraints, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

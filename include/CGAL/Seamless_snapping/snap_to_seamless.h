@@ -34,53 +34,55 @@ namespace Seamless_snapping {
 
 moves an approximately seamless parametrization to a nearby one that is exactly seamless.
 
-A parametrization that was computed by a numerical solver satisfies the conditions at its seams up to a
-small violation only. This function removes it: for each interior edge with ends \f$ a, b \f$,
+A parametrization that was computed by a numerical solver satisfies the conditions at its seams up
+to a small violation only. This function removes it: for each interior edge with ends \f$ a, b \f$,
 \f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
-then holds in exact arithmetic, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in
-the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits the input.
-Along edges with the identity as transition, both sides have the same coordinates to the bit. If asked to,
-the function also makes one coordinate constant along feature or border edges. All coordinates remain
-ordinary floating point numbers.
+then holds in exact arithmetic, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates
+in the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits
+the input. Along edges with the identity as transition, both sides have the same coordinates to the
+bit. If asked to, the function also makes one coordinate constant along feature or border edges. All
+coordinates remain ordinary floating point numbers.
 
 The result approximates the least-squares optimum, that is the exactly seamless parametrization that
 minimizes the sum of squared changes of the sectors at cut vertices. Corners that no constraint
-concerns keep their bits, unless the orientation of a face requires otherwise (and but for signs of zeros,
-where those of several corners in one place differ). A parametrization that is
-exactly seamless already is not touched at all. The result is verified exactly before the function reports
-success; on failure nothing has changed.
+concerns keep their bits, unless the orientation of a face requires otherwise (and but for signs of
+zeros, where those of several corners in one place differ). A parametrization that is
+exactly seamless already is not touched at all. The result is verified exactly before the function
+reports success; on failure nothing has changed.
 
-Faces of positive orientation keep it where an exactly seamless parametrization near by allows this. The
-orientations are decided exactly. If the closest solution turns a face over or makes it degenerate, one of
-its vertices, with all its sectors, is moved into the kernel of its 1-ring; if this is not possible, the
-closest exact solution that keeps the face is searched for. `Snapping_report` counts such faces, and lists
-those that could not be saved.
+Faces of positive orientation keep it where an exactly seamless parametrization near by allows this.
+The orientations are decided exactly. If the closest solution turns a face over or makes it
+degenerate, one of its vertices, with all its sectors, is moved into the kernel of its 1-ring; if
+this is not possible, the closest exact solution that keeps the face is searched for.
+`Snapping_report` counts such faces, and lists those that could not be saved.
 
-Charts may be arranged in any way; cuts, rotations, and singular vertices are read off the coordinates (see
-`seam_transitions()`) unless they are given. The mesh may have any number of components of any genus, with
-or without border.
+Charts may be arranged in any way; cuts, rotations, and singular vertices are read off the
+coordinates (see `seam_transitions()`) unless they are given. The mesh may have any number of
+components of any genus, with or without border.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and as value type a
-        two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which can be
-        constructed from two of them
+        two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which
+        can be constructed from two of them
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex
        may share a place in memory where no cut runs between them; all others need their own.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{edges that are to lie on isocurves, such as features: along each, the coordinate
-                          that changes less in the input is made constant}
+    \cgalParamDescription{edges that are to lie on isocurves, such as features: along each, the
+                          coordinate that changes less in the input is made constant}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
@@ -89,17 +91,19 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are merged.}
+    \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are
+                          merged.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
     \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
                           halfedge, where it is known; modulo 4, and inverse for opposite halfedges}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an integer
-                   type as value type}
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
+                   integer type as value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{connection_constraints}
@@ -118,25 +122,27 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the largest violation of a transition or alignment that is taken for inaccuracy,
-                          relative to the extent of the coordinates. A larger one is an error.}
+    \cgalParamDescription{the largest violation of a transition or alignment that is taken for
+                          inaccuracy, relative to the extent of the coordinates. A larger one is an
+                          error.}
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
-    \cgalParamDescription{whether faces that have negative or no orientation in the input are to become
-                          positive too, where this is possible near by and costs no other face its orientation.
-                          Then a parametrization that is seamless already may be changed as well.}
+    \cgalParamDescription{whether faces that have negative or no orientation in the input are to
+                          become positive too, where this is possible near by and costs no other
+                          face its orientation. Then a parametrization that is seamless already may
+                          be changed as well.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index between
-                          `0` and `num_vertices(tmesh) - 1`; the indices appear in messages and
-                          determine the order of processing}
+    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
+                          between `0` and `num_vertices(tmesh) - 1`; the indices appear in messages
+                          and determine the order of processing}
     \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as
-                   value type}
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
@@ -146,16 +152,17 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures; converts to `true` if and only if the parametrization is exactly seamless
-        and aligned. On failure, `Snapping_report::status` is
+\return the status and figures; converts to `true` if and only if the parametrization is exactly
+        seamless and aligned. On failure, `Snapping_report::status` is
         - `NOT_TRIANGULAR`: a face has more or less than three corners;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
-        - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each other, or an
-          edge that is given as no cut has a rotation;
-        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face, the
-          tolerance is negative, or the given indices of vertices are not unique or out of range;
+        - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
+          other, or an edge that is given as no cut has a rotation;
+        - `INVALID_ARGUMENT`: a path is not connected or crosses the border, a corner has no face,
+          the tolerance is negative, or the given indices of vertices are not unique or out of
+          range;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest
@@ -169,8 +176,9 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \par Complexity
 Linear in the number of faces, with a constant of a few passes over the edges; in addition sparse
-elimination of a system whose size is the number of nodes and branches of the cuts. Orientations take a
-pass over the faces at cut vertices; only faces that are thinner than their vertices move are looked at exactly.
+elimination of a system whose size is the number of nodes and branches of the cuts. Orientations
+take a pass over the faces at cut vertices; only faces that are thinner than their vertices move are
+looked at exactly.
 
 \sa `is_seamless()`
 \sa `seam_transitions()`
@@ -189,8 +197,9 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     return report;
   }
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
-  return internal::Surface_snapper<internal::Quarter_turns, TriangleMesh, HalfedgeUVMap, Parameters>(
-           tmesh, uv_map, internal::strip(np)).run();
+  return internal::Surface_snapper<internal::Quarter_turns, TriangleMesh, HalfedgeUVMap,
+                                   Parameters>(tmesh, uv_map, internal::strip(np))
+      .run();
 }
 
 } // namespace Seamless_snapping

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Further constraints on a parametrization (Sec. 5.1): connections, cycles, and linear equations on the
-// coordinates of corners; and helpers to state them.
+// Further constraints on a parametrization (Sec. 5.1): connections, cycles, and linear equations on
+// the coordinates of corners; and helpers to state them.
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Exact_rational.h>
@@ -36,10 +36,10 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A connection constraint (Eq. (6) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate of
-corner `a` is constant leads, along the path, to corner `b`. With \f$ g \f$ the composition of the
-transitions across the halfedges of the path, \f$ g(\mathbf{u}(a)) \f$ and \f$ \mathbf{u}(b) \f$ agree in
-one component.
+A connection constraint (Eq. (6) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a
+coordinate of corner `a` is constant leads, along the path, to corner `b`. With \f$ g \f$ the
+composition of the transitions across the halfedges of the path, \f$ g(\mathbf{u}(a)) \f$ and \f$
+\mathbf{u}(b) \f$ agree in one component.
 
 A path is a sequence of halfedges: `h` leads from `face(h)` to `face(opposite(h))`. The path of a
 connection begins in `face(a)` and ends in `face(b)`; it is empty if these are the same.
@@ -61,8 +61,8 @@ struct Connection_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A cycle constraint (Eq. (8) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate of a
-corner is constant returns, along a closed path, to that corner, instead of forming a spiral.
+A cycle constraint (Eq. (8) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate
+of a corner is constant returns, along a closed path, to that corner, instead of forming a spiral.
 */
 template <typename TriangleMesh>
 struct Cycle_constraint
@@ -78,8 +78,8 @@ struct Cycle_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A linear equation on the coordinates of corners, with rational coefficients: pinned coordinates, spacings
-of nodes, integer coordinates of quantized parametrizations.
+A linear equation on the coordinates of corners, with rational coefficients: pinned coordinates,
+spacings of nodes, integer coordinates of quantized parametrizations.
 */
 template <typename TriangleMesh>
 struct Corner_constraint
@@ -100,9 +100,9 @@ struct Corner_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-returns a path from `face(a)` to `face(b)` that crosses as few edges as possible. If both are the same face,
-if the faces are not connected, or if one of the halfedges is on the border and has no face, the path is
-empty.
+returns a path from `face(a)` to `face(b)` that crosses as few edges as possible. If both are the
+same face, if the faces are not connected, or if one of the halfedges is on the border and has no
+face, the path is empty.
 
 \tparam TriangleMesh a model of `FaceGraph`
 

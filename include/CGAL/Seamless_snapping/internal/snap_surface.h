@@ -52,12 +52,15 @@ class Surface_snapper
 
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_np(np),
-      m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np)),
-      m_timer(m_report.run, CGAL::parameters::choose_parameter(
-                              CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false)),
-      m_repairs_flips(CGAL::parameters::choose_parameter(
-                        CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
+    : m_tmesh(tmesh)
+    , m_uv_map(uv_map)
+    , m_np(np)
+    , m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np))
+    , m_timer(m_report.run,
+              CGAL::parameters::choose_parameter(
+                  CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
+    , m_repairs_flips(CGAL::parameters::choose_parameter(
+          CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
   { }
 
   Snapping_report run()
@@ -115,8 +118,10 @@ private:
       return std::nullopt; // nothing moves
 
     if(!is_exact(cuts.complex, snapped.coordinates))
-      return Refusal{Snapping_status::INTERNAL_ERROR, "the result failed its exact verification and "
-                     "was discarded; please report this", {}};
+      return Refusal{Snapping_status::INTERNAL_ERROR,
+                     "the result failed its exact verification and "
+                     "was discarded; please report this",
+                     {}};
     m_timer.finish("verification");
     return write(cuts, points, snapped);
   }

@@ -37,8 +37,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the stream
-// would take the end for a failure, for which it may have been asked to throw.
+// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the
+// stream would take the end for a failure, for which it may have been asked to throw.
 inline std::string text_of_stream(std::istream& is)
 {
   if(!is)

@@ -15,8 +15,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Floating point numbers as decimal text, independent of the locale: `std::from_chars` and
-// `std::to_chars`, or streams where the standard library has these for integers only, as libc++ does
-// before version 20.
+// `std::to_chars`, or streams where the standard library has these for integers only, as libc++
+// does before version 20.
 
 #include <charconv>
 #include <cstddef>
@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The end of the decimal number that `text` begins with: digits with at most one point among them, at
-// least one digit, then perhaps an exponent. 0 if there is none.
+// The end of the decimal number that `text` begins with: digits with at most one point among them,
+// at least one digit, then perhaps an exponent. 0 if there is none.
 inline std::size_t end_of_decimal(const std::string_view text)
 {
   const auto skip_digits = [&](std::size_t i)

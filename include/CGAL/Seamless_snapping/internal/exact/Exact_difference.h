@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The difference of two doubles without its rounding error, and comparisons made of it: at about the
-// price of a floating point operation. All need rounding to nearest.
+// The difference of two doubles without its rounding error, and comparisons made of it: at about
+// the price of a floating point operation. All need rounding to nearest.
 
 #include <cmath>
 

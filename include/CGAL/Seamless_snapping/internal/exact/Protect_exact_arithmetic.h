@@ -59,9 +59,9 @@ inline unsigned int control_word() { return 0; }
 inline void set_control_word(unsigned int) { }
 #endif
 
-// As long as an object lives, its thread rounds to nearest and keeps numbers of any size; then it does
-// as before. Callers may sit inside of interval arithmetic, or of a process that flushes to zero.
-// Each public function that computes with coordinates begins with one.
+// As long as an object lives, its thread rounds to nearest and keeps numbers of any size; then it
+// does as before. Callers may sit inside of interval arithmetic, or of a process that flushes to
+// zero. Each public function that computes with coordinates begins with one.
 class Protect_exact_arithmetic
 {
 public:
@@ -96,10 +96,10 @@ inline double error_of_difference(const double a, const double b)
 }
 
 // Whether a few operations give what they should. They fail where the compiler reorders sums, keeps
-// intermediate results in registers of more bits (-mfpmath=387), or assumes that no number is NaN; and
-// where small numbers are flushed to zero on a processor whose bits for that are not known. The
-// numbers are volatile, so that the operations take place at run time. To be called while arithmetic
-// is protected.
+// intermediate results in registers of more bits (-mfpmath=387), or assumes that no number is NaN;
+// and where small numbers are flushed to zero on a processor whose bits for that are not known. The
+// numbers are volatile, so that the operations take place at run time. To be called while
+// arithmetic is protected.
 inline bool is_arithmetic_exact()
 {
   volatile double large = 1, tie = 0x1p-53, above_tie = 0x1.001p-53, smallest = 0x1p-1074;
@@ -118,8 +118,9 @@ inline bool is_arithmetic_exact()
 // For messages.
 inline const char* inexact_arithmetic_message()
 {
-  return "this program computes sums of floating point numbers otherwise than IEEE 754 defines them; "
-         "compile it without options like -ffast-math, -funsafe-math-optimizations and -mfpmath=387";
+  return "this program does not compute with floating point numbers as IEEE 754 defines it; "
+         "compile it without options like -ffast-math, -funsafe-math-optimizations and "
+         "-mfpmath=387";
 }
 
 // For functions that return no status.

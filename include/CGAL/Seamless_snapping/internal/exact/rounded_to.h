@@ -24,8 +24,8 @@ namespace internal {
 
 // The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
 // roundings go through here: from -O2 on, the vectorizer of g++ 12 takes the conversions of two
-// neighboring doubles to float and back for nothing, and drops them. A volatile number keeps it from
-// that.
+// neighboring doubles to float and back for nothing, and drops them. A volatile number keeps it
+// from that.
 template <typename Number>
 double rounded_to(const double x)
 {

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The two sides of an edge, and which transition takes the one to the other: Eq. (4), exactly. The rest
-// is floating point: how far a transition misses, and which misses least.
+// The two sides of an edge, and which transition takes the one to the other: Eq. (4), exactly. The
+// rest is floating point: how far a transition misses, and which misses least.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/exact_sum.h>
@@ -88,7 +88,8 @@ public:
     }
   }
 
-  // The larger coordinate of the difference, times `scale`: a power of two that brings lengths near 1.
+  // The larger coordinate of the difference, times `scale`: a power of two that brings lengths near
+  // 1.
   template <typename Group>
   double residual(const typename Group::Element g, const double scale) const
   {

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The rotations of transitions, as groups of integer matrices: models of the concept `TransitionGroup`
-// for rotational symmetries of order N = 1, 2, 4 in Cartesian coordinates, and N = 3, 6 in coordinates
-// of the lattice basis u = a + b w, where w is the unit vector at 60 degrees. In Cartesian
-// coordinates no rotation by 60 degrees is exact: sqrt(3) is irrational.
+// The rotations of transitions, as groups of integer matrices: models of the concept
+// `TransitionGroup` for rotational symmetries of order N = 1, 2, 4 in Cartesian coordinates, and N
+// = 3, 6 in coordinates of the lattice basis u = a + b w, where w is the unit vector at 60 degrees.
+// In Cartesian coordinates no rotation by 60 degrees is exact: sqrt(3) is irrational.
 
 #include <array>
 #include <cstddef>
@@ -41,8 +41,8 @@ struct Signed_functional
   int sign;
 };
 
-// The cyclic group of rotations by multiples of 360 / N degrees. Elements are numbers of turns from 0
-// to N - 1: only this class knows that; all others compose them.
+// The cyclic group of rotations by multiples of 360 / N degrees. Elements are numbers of turns from
+// 0 to N - 1: only this class knows that; all others compose them.
 template <int N>
 class Rotation_group
 {
@@ -95,7 +95,8 @@ public:
   }
 
   // f g, as a linear form.
-  static constexpr Functional<dimension> times_matrix(const Functional<dimension>& f, const Element g)
+  static constexpr Functional<dimension> times_matrix(const Functional<dimension>& f,
+                                                      const Element g)
   {
     const Matrix& m = matrix(g);
     return {{f[0] * m[0][0] + f[1] * m[1][0], f[0] * m[0][1] + f[1] * m[1][1]}};
