@@ -1,6 +1,6 @@
-// Random cut complexes with coordinates that are exact solutions, for any transition group; and whether
-// coordinates are exact solutions of one, in rationals. Knows nothing of how the package turns vectors:
-// lattice coordinates are complex numbers here.
+// Random cut complexes with coordinates that are exact solutions, for any transition group; and
+// whether coordinates are exact solutions of one, in rationals. Knows nothing of how the package
+// turns vectors: lattice coordinates are complex numbers here.
 
 #ifndef SEAMLESS_SNAPPING_TEST_RANDOM_COMPLEXES_H
 #define SEAMLESS_SNAPPING_TEST_RANDOM_COMPLEXES_H
@@ -50,15 +50,16 @@ Number value(const int functional, const std::array<Number, 2>& u)
   return functional == 0 ? u[0] : functional == 1 ? u[1] : Number(u[0] + u[1]);
 }
 
-// The functional that is constant along an isocurve behind a number of turns: that whose absolute value
-// is the same for all vectors. Two of them decide.
+// The functional that is constant along an isocurve behind a number of turns: that whose absolute
+// value is the same for all vectors. Two of them decide.
 template <int N>
 int functional_behind(const int turns, const int functional)
 {
   for(int f = 0; f < (N == 3 || N == 6 ? 3 : 2); ++f) {
     bool is_same = true;
     for(const std::array<int, 2> u : {std::array<int, 2>{{5, 2}}, std::array<int, 2>{{-1, 7}}})
-      is_same = is_same && std::abs(value(f, turned<N>(turns, u))) == std::abs(value(functional, u));
+      is_same =
+          is_same && std::abs(value(f, turned<N>(turns, u))) == std::abs(value(functional, u));
     if(is_same)
       return f;
   }

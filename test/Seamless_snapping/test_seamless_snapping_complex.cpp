@@ -1,5 +1,6 @@
 // The mesh-free middle for all five transition groups: group laws; random complexes with noise are
-// solved, expanded, and verified, and an independent check in rationals agrees with the verification.
+// solved, expanded, and verified, and an independent check in rationals agrees with the
+// verification.
 
 #include "checking.h"
 #include "random_complexes.h"
@@ -66,7 +67,10 @@ struct Totals
 };
 
 template <typename Complex>
-void add_noise(Complex& complex, const double noise, const bool rounds_to_float, std::mt19937& random)
+void add_noise(Complex& complex,
+               const double noise,
+               const bool rounds_to_float,
+               std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-noise, noise);
   for(Vector& u : complex.coordinates)

@@ -678,7 +678,8 @@ void test_file(const std::string& path)
             << report.linear_solver.coefficient_bits << " bits" << std::endl;
 }
 
-// Lattices of a hundred dimensions, made of numbers that exceed 64 bits, take minutes without fplll.
+// Lattices of a hundred dimensions, made of numbers that exceed 64 bits, take minutes without
+// fplll.
 bool needs_fplll(const std::string& path)
 {
 #ifdef CGAL_USE_FPLLL

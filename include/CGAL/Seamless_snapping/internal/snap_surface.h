@@ -151,7 +151,7 @@ private:
   std::optional<Refusal> write(const Cuts& cuts, const Points& points,
                                const Snapped_coordinates<Group>& snapped)
   {
-    Change_figures figures(snapped.unit);
+    Corner_changes figures(snapped.unit);
     Coordinate_writer<Group, TriangleMesh, HalfedgeUVMap, Points> writer(cuts, points, m_uv_map);
     if(!writer.write(snapped.coordinates, figures))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the uv map does not keep what is written to "

@@ -34,10 +34,10 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Figures of the changes of all coordinates, in units that keep squares in range.
-class Change_figures
+class Corner_changes
 {
 public:
-  explicit Change_figures(const double unit) : m_unit(unit) { }
+  explicit Corner_changes(const double unit) : m_unit(unit) { }
 
   // Each sector counts once; its corners, where they differed, share its weight.
   void add(const Uv& before, const Uv& after, const double weight = 1)
@@ -86,7 +86,7 @@ public:
   // Returns false if the map does not keep what is written to it. Then, and if the map throws, it
   // has what it had before.
   // \param uv per point
-  bool write(const std::vector<Uv>& uv, Change_figures& figures)
+  bool write(const std::vector<Uv>& uv, Corner_changes& figures)
   {
     try {
       write_free_points(uv, figures);
@@ -116,7 +116,7 @@ private:
     return uv;
   }
 
-  void write_free_points(const std::vector<Uv>& uv, Change_figures& figures)
+  void write_free_points(const std::vector<Uv>& uv, Corner_changes& figures)
   {
     for(std::size_t i = number_of_sectors(); i < uv.size(); ++i) {
       double count = 0;
@@ -132,7 +132,7 @@ private:
     }
   }
 
-  void write_sectors(const std::vector<Uv>& new_uv, Change_figures& figures)
+  void write_sectors(const std::vector<Uv>& new_uv, Corner_changes& figures)
   {
     for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
       const Uv& before = m_cuts.complex.coordinates[std::size_t(s)];
