@@ -1,9 +1,11 @@
 // Tests of the surface function: the same surface must come out the same to the bit in all mesh
-// data structures and rounding modes, and exact in all ranges of numbers.
+// data structures and modes of the processor, and exact in all ranges of numbers.
 
 #include "surface_checks.h"
 
 #include "Polyhedron_copy.h"
+
+#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Polyhedron_3.h>
@@ -11,11 +13,14 @@
 
 #include <array>
 #include <cfenv>
-#include <functional>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <random>
+#include <string>
 #include <utility>
+#include <vector>
 
 using namespace surface_checks;
 using test_meshes::Named_mesh;
@@ -224,49 +229,7 @@ void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
   }
 }
 
-// --- rounding modes ------------------------------------------------------------------------------
-
-void test_rounding_modes(const Named_mesh<Kernel>& original, unsigned int seed)
-{
-  const std::string context = original.name + " in other rounding modes";
-  Named_mesh<Kernel> input = disturbed(original, seed);
-  const bool is_seamless_in_fact = exact_check::check_edges(
-    input.mesh, test_meshes::uv_map(input.mesh),
-    is_aligned(input.mesh, test_meshes::feature_map(input.mesh), input.align_border)).is_exact();
-  Named_mesh<Kernel> result = snapped(input, context);
-  const Bits expected = all_bits(result.mesh, test_meshes::uv_map(result.mesh));
-
-  const auto try_in_this_mode = [&](const std::function<bool()>& is_restored) {
-    Named_mesh<Kernel> named = input;
-    const auto uv = test_meshes::uv_map(named.mesh);
-    const auto np = SS::parameters::edge_is_constrained_map(test_meshes::feature_map(named.mesh))
-                      .align_border(named.align_border);
-    const bool is_right = SS::is_seamless(named.mesh, uv, np) == is_seamless_in_fact;
-    const bool transitions = bool(SS::seam_transitions(named.mesh, uv, np)) && is_restored();
-    const SS::Snapping_report report = SS::snap_to_seamless(named.mesh, uv, np);
-    const bool restored = is_restored();
-    const bool is_seamless = SS::is_seamless(named.mesh, uv, np) && is_restored();
-    const Bits found = all_bits(named.mesh, uv);
-    std::fesetround(FE_TONEAREST);
-    CHECK_IN(context, is_right && transitions && is_seamless);
-    CHECK_IN(context, restored);
-    CHECK_IN(context, bool(report));
-    CHECK_IN(context, found == expected);
-  };
-  for(const int mode : { FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
-    std::fesetround(mode);
-    try_in_this_mode([&]() { return std::fegetround() == mode; });
-  }
-  for(const int mode :
-      { int(CGAL_FE_UPWARD), int(CGAL_FE_DOWNWARD), int(CGAL_FE_TOWARDZERO) }) {
-    CGAL::FPU_set_cw(CGAL::FPU_CW_t(mode));
-    const auto word = CGAL::FPU_get_cw();
-    try_in_this_mode([&]() { return CGAL::FPU_get_cw() == word; });
-    CGAL::FPU_set_cw(CGAL_FE_TONEAREST);
-  }
-}
-
-// --- ranges of numbers ---------------------------------------------------------------------------
+// --- modes of the processor ----------------------------------------------------------------------
 
 template <typename F>
 Named_mesh<Kernel> transformed(Named_mesh<Kernel> named, const F& f)
@@ -276,6 +239,100 @@ Named_mesh<Kernel> transformed(Named_mesh<Kernel> named, const F& f)
     uv[h] = Point_2(f(uv[h].x()), f(uv[h].y()));
   return named;
 }
+
+// Nothing depends on the mode of the caller, which each function leaves as it was.
+class Mode_tester
+{
+public:
+  Mode_tester(const Named_mesh<Kernel>& input, const std::string& context)
+    : m_context(context), m_input(input), m_expected(all_bits_of(snapped(input, context)))
+  {
+    m_is_seamless = exact_check::check_edges(
+      m_input.mesh, test_meshes::uv_map(m_input.mesh),
+      is_aligned(m_input.mesh, test_meshes::feature_map(m_input.mesh), m_input.align_border))
+        .is_exact();
+  }
+
+  // Runs in the mode that is set, of which `is_restored` tells whether it still is; `reset` ends it.
+  template <typename IsRestored, typename Reset>
+  void run(const IsRestored& is_restored, const Reset& reset) const
+  {
+    Named_mesh<Kernel> named = m_input;
+    const auto uv = test_meshes::uv_map(named.mesh);
+    const auto np = SS::parameters::edge_is_constrained_map(test_meshes::feature_map(named.mesh))
+                      .align_border(named.align_border);
+    const bool is_right = SS::is_seamless(named.mesh, uv, np) == m_is_seamless && is_restored();
+    const bool measured =
+      SS::measure_seamlessness(named.mesh, uv, np).is_exact() == m_is_seamless && is_restored();
+    const bool transitions = bool(SS::seam_transitions(named.mesh, uv, np)) && is_restored();
+    const SS::Snapping_report report = SS::snap_to_seamless(named.mesh, uv, np);
+    const bool restored = is_restored();
+    const bool is_seamless = SS::is_seamless(named.mesh, uv, np) && is_restored();
+    reset();
+    CHECK_IN(m_context, is_right && measured && transitions && is_seamless);
+    CHECK_IN(m_context, restored);
+    CHECK_IN(m_context, bool(report));
+    CHECK_IN(m_context, all_bits_of(named) == m_expected);
+  }
+
+private:
+  static Bits all_bits_of(Named_mesh<Kernel> named)
+  { return all_bits(named.mesh, test_meshes::uv_map(named.mesh)); }
+
+  std::string m_context;
+  Named_mesh<Kernel> m_input;
+  Bits m_expected;
+  bool m_is_seamless = false;
+};
+
+void test_rounding_modes(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+  const Mode_tester tester(disturbed(original, seed), original.name + " in other rounding modes");
+  for(const int mode : { FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    std::fesetround(mode);
+    tester.run([&]() { return std::fegetround() == mode; },
+               []() { std::fesetround(FE_TONEAREST); });
+  }
+  for(const int mode :
+      { int(CGAL_FE_UPWARD), int(CGAL_FE_DOWNWARD), int(CGAL_FE_TOWARDZERO) }) {
+    CGAL::FPU_set_cw(CGAL::FPU_CW_t(mode));
+    const auto word = CGAL::FPU_get_cw();
+    tester.run([&]() { return CGAL::FPU_get_cw() == word; },
+               []() { CGAL::FPU_set_cw(CGAL_FE_TONEAREST); });
+  }
+}
+
+// Libraries that are linked with -ffast-math let the processor take the smallest numbers for zero.
+void test_flushing_to_zero(const Named_mesh<Kernel>& original, unsigned int seed)
+{
+#ifdef CGAL_HAS_SSE2
+  constexpr unsigned int flushing = 0x8040;
+  const unsigned int normal = _mm_getcsr() & 0xffc0u;
+  const auto is_restored = [&]() { return (_mm_getcsr() & 0xffc0u) == (normal | flushing); };
+  const auto reset = [&]() { _mm_setcsr(normal); };
+
+  const Named_mesh<Kernel> input = disturbed(original, seed);
+  for(const int exponent : { 0, -1020, -1040 }) {
+    const Mode_tester tester(transformed(input, [&](double x) { return std::ldexp(x, exponent); }),
+                             original.name + " times 2^" + std::to_string(exponent) + ", flushed");
+    _mm_setcsr(normal | flushing);
+    tester.run(is_restored, reset);
+  }
+
+  std::vector<double> x = { std::numeric_limits<double>::denorm_min() };
+  SS::Linear_constraints<> constraints(1);
+  constraints.add_constraint({{0, 1}});
+  _mm_setcsr(normal | flushing);
+  const SS::Snapping_report report = SS::snap_to_linear_constraints(constraints, x);
+  const bool restored = is_restored();
+  reset();
+  CHECK(report.status == SS::Snapping_status::SNAPPED && x[0] == 0 && restored);
+#else
+  checking::skip("flushing to zero, as it is not known how to set it on this processor");
+#endif
+}
+
+// --- ranges of numbers ---------------------------------------------------------------------------
 
 void test_scales(const Named_mesh<Kernel>& original, unsigned int seed)
 {
@@ -346,6 +403,7 @@ int main()
     for(int round = 0; round < 20; ++round)
       test_data_structures(named, ++seed);
     test_rounding_modes(named, seed);
+    test_flushing_to_zero(named, seed);
     test_scales(named, ++seed);
     test_offsets(named, ++seed);
     test_exact_input(named, ++seed);

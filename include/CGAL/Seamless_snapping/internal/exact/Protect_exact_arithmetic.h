@@ -112,7 +112,8 @@ inline bool is_arithmetic_exact()
   const double sum = one + more;
   const bool is_rounded_once = sum == 0x1.0000000000001p0;
   const double less = normal - tiny;
-  return errors_are_kept && is_rounded_once && tiny > 0 && less < normal && nan != nan;
+  const bool is_nothing_flushed = tiny > 0 && 0 < less && less < normal;
+  return errors_are_kept && is_rounded_once && is_nothing_flushed && nan != nan;
 }
 
 // For messages.
