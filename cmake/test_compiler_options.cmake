@@ -1,7 +1,8 @@
-# Compiles and runs what depends on the compiler's options most, with each compiler. Run by ctest, with
-# the variables that package_tests.cmake passes.
+# Compiles and runs what depends on the compiler's options most, with each compiler. Run by ctest,
+# with the variables that package_tests.cmake passes.
 
-# Sets `result` to how the program ended: PASSED, FAILED, or REFUSED, by the compiler or at run time.
+# Sets `result` to how the program ended: PASSED, FAILED, or REFUSED, by the compiler or at run
+# time.
 function(try program result compiler)
   set(executable "${WORK_DIR}/compiler_options_${program}")
   execute_process(

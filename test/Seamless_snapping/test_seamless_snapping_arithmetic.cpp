@@ -1,7 +1,7 @@
-// The guard of floating point arithmetic: rounding modes and flushing to zero are set aside and come
-// back, and a program that was compiled with options that break exact differences is told from one
-// that was not. package_tests.cmake compiles this file with many options; it returns 3 where the
-// arithmetic is refused.
+// The guard of floating point arithmetic: rounding modes and flushing to zero are set aside and
+// come back, and a program that was compiled with options that break exact differences is told from
+// one that was not. package_tests.cmake compiles this file with many options; it returns 3 where
+// the arithmetic is refused.
 
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 

@@ -253,7 +253,8 @@ public:
         .is_exact();
   }
 
-  // Runs in the mode that is set, of which `is_restored` tells whether it still is; `reset` ends it.
+  // Runs in the mode that is set, of which `is_restored` tells whether it still is; `reset` ends
+  // it.
   template <typename IsRestored, typename Reset>
   void run(const IsRestored& is_restored, const Reset& reset) const
   {
