@@ -62,10 +62,13 @@ class Buffer:
         shown = self.face >= 0
         return np.einsum("ni,nik->nk", self.weights[shown], per_corner[self.face[shown]])
 
-    def image(self, colors, background=(1, 1, 1)):
+    def image(self, colors, background=(1, 1, 1), is_smooth=True):
         """Shaded, and averaged over the samples of each pixel. `colors`: of the shown samples."""
         shown = self.face >= 0
-        normals = self.interpolated(self.mesh.vertex_normals()[self.mesh.faces])
+        if is_smooth:
+            normals = self.interpolated(self.mesh.vertex_normals()[self.mesh.faces])
+        else:
+            normals = self.mesh.face_normals()[self.face[shown]]
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
         c = self.camera
         light = c.back + 0.9 * c.up - 0.5 * c.right

@@ -5,6 +5,7 @@
 # mesh is built; `with_uv` gives the same mesh with other coordinates.
 
 import copy
+import sys
 
 import numpy as np
 
@@ -116,9 +117,13 @@ class Uv_mesh:
             follow(h)
         return result
 
-    def vertex_normals(self):
+    def face_normals(self):
+        """As long as twice the area."""
         p = self.points[self.faces]
-        normal = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+        return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+
+    def vertex_normals(self):
+        normal = self.face_normals()
         result = np.zeros_like(self.points)
         for i in range(3):
             np.add.at(result, self.faces[:, i], normal)
@@ -146,12 +151,27 @@ def read_obj(filename, tolerance=1e-6):
                    tolerance)
 
 
+def with_noise(mesh, size):
+    """The same for all corners of a vertex that have the same coordinates."""
+    random = np.random.default_rng(1)
+    keys = np.column_stack([mesh.faces.reshape(-1, 1), mesh.uv.reshape(-1, 2)])
+    _, index = np.unique(keys, axis=0, return_inverse=True)
+    noise = size * random.uniform(-1, 1, (index.max() + 1, 2))
+    return mesh.with_uv(mesh.uv + noise[index.reshape(-1)].reshape(-1, 3, 2))
+
+
 def write_obj(filename, mesh):
     with open(filename, "w", encoding="utf-8") as out:
         for p in mesh.points:
-            out.write("v %r %r %r\n" % tuple(map(float, p)))
+            out.write("v %.17g %.17g %.17g\n" % tuple(p))
         for u in mesh.uv.reshape(-1, 2):
-            out.write("vt %r %r\n" % tuple(map(float, u)))
+            out.write("vt %.17g %.17g\n" % tuple(u))
         for f, face in enumerate(mesh.faces):
             out.write("f " + " ".join("%d/%d" % (v + 1, 3 * f + i + 1)
                                       for i, v in enumerate(face)) + "\n")
+        for edge in sorted(sorted(edge) for edge in mesh.features):
+            out.write("l %d %d\n" % (edge[0] + 1, edge[1] + 1))
+
+
+if __name__ == "__main__":  # uv_mesh.py IN.obj OUT.obj NOISE
+    write_obj(sys.argv[2], with_noise(read_obj(sys.argv[1]), float(sys.argv[3])))
