@@ -36,20 +36,20 @@ public:
   void write(std::ostream& os, char letter, double y) const
   {
     const Window shown = window();
-    write_window(os, m_old_uv_map, m_old_gaps, shown, {1035, y}, "#d9473f", "#a3150f");
-    write_window(os, m_uv_map, m_gaps, shown, {1305, y}, "#3fae5f", "#11652c");
+    write_window(os, m_old_uv_map, m_old_gaps, shown, {1035, y}, "#e8965a", "#a84400");
+    write_window(os, m_uv_map, m_gaps, shown, {1305, y}, "#4dbb9d", "#00664b");
 
     const auto largest = [](const Branch_gaps& gaps) {
       return gaps.largest == 0 ? "largest gap: 0 (exact)"
                                : "largest gap: " + scientific(gaps.largest);
     };
-    os << "<text x=\"1160\" y=\"" << y + 270 << "\" font-size=\"15\" text-anchor=\"middle\">"
-       << largest(m_old_gaps) << "</text><text x=\"1430\" y=\"" << y + 270
-       << "\" font-size=\"15\" text-anchor=\"middle\">" << largest(m_gaps) << "</text>\n"
-       << "<text x=\"1295\" y=\"" << y + 289 << "\" font-size=\"13\" text-anchor=\"middle\" "
+    os << "<text x=\"1160\" y=\"" << y + 274 << "\" font-size=\"20\" text-anchor=\"middle\">"
+       << largest(m_old_gaps) << "</text><text x=\"1430\" y=\"" << y + 274
+       << "\" font-size=\"20\" text-anchor=\"middle\">" << largest(m_gaps) << "</text>\n"
+       << "<text x=\"1295\" y=\"" << y + 297 << "\" font-size=\"18\" text-anchor=\"middle\" "
           "fill=\"#777\">" << (m_old_gaps.largest == 0 ? std::string() : "gaps drawn "
        + scientific(shown.factor) + " times as large") << "</text>\n"
-       << "<text x=\"1010\" y=\"" << y + 25 << "\" font-size=\"22\">" << letter
+       << "<text x=\"1010\" y=\"" << y + 25 << "\" font-size=\"26\">" << letter
        << "</text>\n";
   }
 

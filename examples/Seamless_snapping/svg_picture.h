@@ -10,6 +10,7 @@
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
@@ -47,13 +48,13 @@ public:
   {
     os << std::fixed << std::setprecision(1)
        << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1600 1080\" "
-          "font-family=\"sans-serif\" font-size=\"17\" fill=\"#333\">\n"
+          "font-family=\"sans-serif\" font-size=\"21\" fill=\"#333\">\n"
           "<rect width=\"1600\" height=\"1080\" fill=\"#fff\"/>\n"
           "<text x=\"40\" y=\"52\" font-size=\"26\">" << escaped(title) << "</text>\n";
     write_domain(os);
     write_legend(os);
-    os << "<text x=\"1160\" y=\"100\" text-anchor=\"middle\" fill=\"#b3261e\">before</text>\n"
-          "<text x=\"1430\" y=\"100\" text-anchor=\"middle\" fill=\"#1b7f3b\">after</text>\n";
+    os << "<text x=\"1160\" y=\"100\" text-anchor=\"middle\" fill=\"#d55e00\">before</text>\n"
+          "<text x=\"1430\" y=\"100\" text-anchor=\"middle\" fill=\"#009e73\">after</text>\n";
     for(std::size_t i = 0; i < m_shown.size(); ++i)
       Svg_gap_row<TriangleMesh, HalfedgeUVMap, OldHalfedgeUVMap>(
         m_mesh, m_old_uv_map, m_uv_map, m_transitions, m_branches[m_shown[i]],
@@ -62,10 +63,15 @@ public:
   }
 
 private:
-  static std::string color(std::size_t branch) // neighbors in the list get hues far apart
+  // Colors that color-blind readers can tell apart, in turn with ways to dash the line.
+  static std::string stroke(std::size_t branch)
   {
-    return "hsl(" + std::to_string(branch * 137 % 360) + ",70%,"
-           + std::to_string(36 + branch % 3 * 8) + "%)";
+    static const char* const colors[] = {"#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7",
+                                         "#56b4e9", "#444444"};
+    static const char* const dashes[] = {"", "8 4", "2 4"};
+    const std::string dash = dashes[branch / 7 % 3];
+    return "stroke=\"" + std::string(colors[branch % 7]) + "\""
+           + (dash.empty() ? "" : " stroke-dasharray=\"" + dash + "\"");
   }
 
   bool is_boundary(Halfedge h) const
@@ -84,7 +90,7 @@ private:
     const double width = box.xmax() - box.xmin();
     const double height = box.ymax() - box.ymin();
     const double scale = (std::min)(900 / (std::max)(width, 1e-300),
-                                    850 / (std::max)(height, 1e-300));
+                                    830 / (std::max)(height, 1e-300));
     return View{{box.xmin() + width / 2, box.ymin() + height / 2}, scale, {500, 565}};
   }
 
@@ -96,8 +102,8 @@ private:
       write_edges(os, view);
 
     for(std::size_t i = 0; i < m_branches.size(); ++i) {
-      os << "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke=\"" << color(i)
-         << "\" d=\"";
+      os << "<path fill=\"none\" stroke-width=\"2.6\" stroke-linejoin=\"round\" " << stroke(i)
+         << " d=\"";
       std::vector<Vector_uv> side, other_side;
       for(const Halfedge h : m_branches[i].halfedges) {
         const Halfedge o = opposite(h, m_mesh);
@@ -113,8 +119,9 @@ private:
       os << "\"/>\n";
     }
     write_singular_vertices(os, view);
+    std::vector<Vector_uv> taken;
     for(std::size_t i = 0; i < m_shown.size(); ++i)
-      write_place(os, view, i);
+      write_place(os, view, i, taken);
   }
 
   // The charts as what their boundaries enclose: a path much shorter than that of all triangles.
@@ -149,7 +156,7 @@ private:
     os << "\"/>\n";
   }
 
-  static std::string singular_color(int index) { return index > 0 ? "#1f5fd0" : "#d0461f"; }
+  static std::string singular_color(int index) { return index > 0 ? "#0072b2" : "#d55e00"; }
 
   void write_singular_vertices(std::ostream& os, const View& view) const
   {
@@ -159,23 +166,35 @@ private:
         copies.insert(uv(m_uv_map, h));
       for(const Vector_uv& copy : copies) {
         const Vector_uv p = view(copy);
-        os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" r=\"4\" stroke=\"#fff\" fill=\""
+        os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" r=\"5\" stroke=\"#fff\" fill=\""
            << singular_color(index) << "\"/>\n";
       }
     }
   }
 
-  // The letter of a row of the right half, at both sides of the cut.
-  void write_place(std::ostream& os, const View& view, std::size_t row) const
+  // The letter of a row of the right half, at both sides of the cut; beside it, where another letter
+  // stands there already.
+  void write_place(std::ostream& os, const View& view, std::size_t row,
+                   std::vector<Vector_uv>& taken) const
   {
     const std::size_t b = m_shown[row];
     const Halfedge h = m_branches[b].halfedges[m_old_gaps[b].edge_of_largest];
     for(const Halfedge corner : {h, prev(opposite(h, m_mesh), m_mesh)}) {
-      const Vector_uv p = view(uv(m_uv_map, corner));
-      os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1]
-         << "\" r=\"11\" fill=\"#fff\" fill-opacity=\"0.85\" stroke=\"#333\"/><text x=\"" << p[0]
-         << "\" y=\"" << p[1] + 5 << "\" font-size=\"14\" text-anchor=\"middle\">"
-         << char('A' + row) << "</text>\n";
+      const Vector_uv place = view(uv(m_uv_map, corner));
+      Vector_uv p = place;
+      const auto is_taken = [&](const Vector_uv& q) {
+        return std::hypot(p[0] - q[0], p[1] - q[1]) < 29;
+      };
+      for(int i = 0; i < 32 && std::any_of(taken.begin(), taken.end(), is_taken); ++i) {
+        const double angle = 0.785 * i, distance = 32 * (1 + i / 8);
+        p = {place[0] + distance * std::cos(angle), place[1] - distance * std::sin(angle)};
+      }
+      taken.push_back(p);
+      os << "<path stroke=\"#333\" d=\"M" << place[0] << ' ' << place[1] << 'L' << p[0] << ' '
+         << p[1] << "\"/><circle cx=\"" << p[0] << "\" cy=\"" << p[1]
+         << "\" r=\"13\" fill=\"#fff\" stroke=\"#333\"/><text x=\"" << p[0] << "\" y=\""
+         << p[1] + 6.5 << "\" font-size=\"18\" text-anchor=\"middle\">" << char('A' + row)
+         << "</text>\n";
     }
   }
 
@@ -184,13 +203,13 @@ private:
     os << "<text x=\"40\" y=\"82\">" << faces(m_mesh).size() << " faces, "
        << m_transitions.cut_halfedges().size() << " cut edges in " << m_branches.size()
        << " branches, " << m_transitions.singular_vertices().size() << " singular vertices</text>\n"
-       << "<g font-size=\"15\"><path stroke-width=\"3\" stroke=\"" << color(0)
-       << "\" d=\"M40 1038H64\"/><path stroke-width=\"3\" stroke=\"" << color(1)
-       << "\" d=\"M70 1038H94\"/><text x=\"104\" y=\"1043\">cut, one color per branch, the same on "
-          "both sides</text>\n<circle cx=\"532\" cy=\"1038\" r=\"5\" fill=\"" << singular_color(1)
-       << "\"/><text x=\"544\" y=\"1043\">singular vertex of positive,</text>"
-          "<circle cx=\"762\" cy=\"1038\" r=\"5\" fill=\"" << singular_color(-1)
-       << "\"/><text x=\"774\" y=\"1043\">of negative index</text></g>\n";
+       << "<g font-size=\"20\"><path stroke-width=\"3\" " << stroke(0)
+       << " d=\"M40 1014H70\"/><path stroke-width=\"3\" " << stroke(8)
+       << " d=\"M78 1014H108\"/><text x=\"120\" y=\"1021\">cut: one line style per branch, the same "
+          "on both sides</text>\n<circle cx=\"55\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(1)
+       << "\"/><text x=\"70\" y=\"1060\">singular vertex of positive,</text>"
+          "<circle cx=\"362\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(-1)
+       << "\"/><text x=\"377\" y=\"1060\">of negative index</text></g>\n";
   }
 
   const TriangleMesh& m_mesh;

@@ -54,8 +54,8 @@ void write_overview(const std::string& filename, const Overview& before, const O
   after.write_domain(os, 920, 350, 540);
   before.write_projection(os, 320, 950, 540);
   after.write_projection(os, 920, 950, 540);
-  os << "<path stroke-width=\"3\" stroke=\"#1f4fd0\" d=\"M60 1275H90\"/>"
-        "<path stroke-width=\"3\" stroke=\"#c62828\" d=\"M420 1275H450\"/>\n";
+  os << "<path stroke-width=\"3\" stroke=\"#0072b2\" d=\"M60 1275H90\"/>"
+        "<path stroke-width=\"3\" stroke=\"#d55e00\" d=\"M420 1275H450\"/>\n";
   write_text(os, 100, 1281, "isocurves that end as they should", "");
   write_text(os, 460, 1281, "isocurves that fail, and where", "");
   os << "</svg>\n";

@@ -69,15 +69,15 @@ public:
     for(const Vector& e : m_edges)
       line(os, x, y, x + 2 * radius * e[0], y - 2 * radius * e[1], "#9aa7b5", 1.2);
     if(starts_here)
-      line(os, x, y, x + radius, y, "#1f4fd0", 3);
+      line(os, x, y, x + radius, y, "#0072b2", 3);
     for(std::size_t i = 0; i < (std::min)(m_heights.size(), std::size_t(3)); ++i) {
       const double height = y - scale * m_heights[i];
       const bool misses = m_heights[i] != 0;
-      line(os, x - radius, height, x, height, "#1f4fd0", 3);
+      line(os, x - radius, height, x, height, "#0072b2", 3);
       if(misses)
-        line(os, x, height, x + radius, height, "#c62828", 3);
+        line(os, x, height, x + radius, height, "#d55e00", 3);
     }
-    os << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"6\" fill=\"#1b7f3b\"/></g>\n"
+    os << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"6\" fill=\"#009e73\"/></g>\n"
        << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"" << radius
        << "\" fill=\"none\" stroke=\"#666\" stroke-width=\"1.5\"/>\n";
   }
@@ -139,10 +139,10 @@ public:
   // Of each kind the curve that can be seen best, among those that go right on the exact map.
   void write(const std::vector<Curve>& failures)
   {
-    write_head(m_os, 1400, 1080);
+    write_head(m_os, 1400, 1110);
     const std::string style = "font-size=\"22\" text-anchor=\"middle\" fill=";
-    write_text(m_os, 360, 44, "inexact", style + "\"#b3261e\"");
-    write_text(m_os, 1040, 44, "exact", style + "\"#1b7f3b\"");
+    write_text(m_os, 360, 44, "inexact", style + "\"#d55e00\"");
+    write_text(m_os, 1040, 44, "exact", style + "\"#009e73\"");
     double y = 90;
     for(const SS::Isocurve_status status :
         {SS::Isocurve_status::MISSED_TARGET, SS::Isocurve_status::SPIRALS}) {
@@ -157,11 +157,24 @@ public:
         write_row(*best, y);
       y += 500;
     }
+    write_legend();
     m_os << "</svg>\n";
   }
 
 private:
   using Overview = Tracing_overview<Mesh, UV_map>;
+
+  void write_legend()
+  {
+    m_os << "<circle cx=\"50\" cy=\"1080\" r=\"6\" fill=\"#222\"/>"
+            "<circle cx=\"250\" cy=\"1080\" r=\"6\" fill=\"#009e73\"/>"
+            "<path stroke-width=\"3\" stroke=\"#0072b2\" d=\"M470 1080h30\"/>"
+            "<path stroke-width=\"3\" stroke=\"#d55e00\" d=\"M640 1080h30\"/>\n";
+    write_text(m_os, 66, 1086, "start of the curve", "");
+    write_text(m_os, 266, 1086, "vertex to be met", "");
+    write_text(m_os, 510, 1086, "isocurve", "");
+    write_text(m_os, 680, 1086, "its way on, after it has missed the vertex", "");
+  }
 
   // On faces turned to the viewer; 0 for curves whose start or end is out of sight, and for those
   // along edges of the mesh.
@@ -252,7 +265,7 @@ private:
     const Overview overview(m_maps.mesh, uv_map, curves, 2.6);
     overview.write_projection(m_os, x, y + 200, 600);
     overview.write_vertex(m_os, start, "r=\"6\" fill=\"#222\"", x, y + 200, 600);
-    overview.write_vertex(m_os, end, "r=\"6\" fill=\"#1b7f3b\"", x, y + 200, 600);
+    overview.write_vertex(m_os, end, "r=\"6\" fill=\"#009e73\"", x, y + 200, 600);
   }
 
   std::ofstream m_os;

@@ -58,12 +58,12 @@ inline void write_failure(std::ostream& os, const Pair_of_maps& maps, const Curv
 
 inline void write_legend(std::ostream& os, const double y)
 {
-  os << "<path stroke-width=\"3\" stroke=\"#1f4fd0\" d=\"M40 " << y
-     << "h26\"/><path stroke-width=\"3\" stroke=\"#e08a00\" d=\"M190 " << y
+  os << "<path stroke-width=\"3\" stroke=\"#0072b2\" d=\"M40 " << y
+     << "h26\"/><path stroke-width=\"3\" stroke=\"#e69f00\" d=\"M190 " << y
      << "h26\"/><path stroke-width=\"3\" stroke=\"#222\" d=\"M390 " << y
-     << "h26\"/><circle cx=\"516\" cy=\"" << y << "\" r=\"6\" fill=\"#1b7f3b\"/>"
+     << "h26\"/><circle cx=\"516\" cy=\"" << y << "\" r=\"6\" fill=\"#009e73\"/>"
      << "<circle cx=\"716\" cy=\"" << y
-     << "\" r=\"5\" fill=\"#fff\" stroke=\"#c62828\" stroke-width=\"2.5\"/>\n";
+     << "\" r=\"5\" fill=\"#fff\" stroke=\"#d55e00\" stroke-width=\"2.5\"/>\n";
   write_text(os, 76, y + 6, "isocurve", "");
   write_text(os, 226, y + 6, "cut, both sides", "");
   write_text(os, 426, y + 6, "border", "");
@@ -87,8 +87,8 @@ inline void write_failures(const std::string& filename, const Pair_of_maps& maps
   write_head(os, 1400, height + 130);
   for(const double x : {40., 740.}) {
     const std::string style = "font-size=\"22\" text-anchor=\"middle\" fill=";
-    write_text(os, x + 150, 44, "inexact", style + "\"#b3261e\"");
-    write_text(os, x + 470, 44, "exact", style + "\"#1b7f3b\"");
+    write_text(os, x + 150, 44, "inexact", style + "\"#d55e00\"");
+    write_text(os, x + 470, 44, "exact", style + "\"#009e73\"");
   }
   std::size_t i = 0;
   for(const auto& [status, curve] : shortest) {

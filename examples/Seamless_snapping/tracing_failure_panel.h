@@ -157,7 +157,7 @@ private:
       if(at_border || m_transitions.is_cut(h))
         write_line(os, here(uv(prev(h, m_mesh))), here(uv(h)),
                    at_border ? "stroke=\"#222\" stroke-width=\"3\""
-                             : "stroke=\"#e08a00\" stroke-width=\"2.2\"");
+                             : "stroke=\"#e69f00\" stroke-width=\"2.2\"");
     }
   }
 
@@ -167,7 +167,7 @@ private:
       if(is_border(h, m_mesh) || m_placements.count(face(h, m_mesh)) == 0)
         continue;
       const Vector p = on_panel(m_placements.at(face(h, m_mesh))(uv(h)));
-      os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" r=\"6\" fill=\"#1b7f3b\"/>\n";
+      os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" r=\"6\" fill=\"#009e73\"/>\n";
     }
   }
 
@@ -179,7 +179,7 @@ private:
     const Placement& here = placed->second;
     const Uv_segment piece = curve_piece(from, to, m_mesh, m_uv_map);
     write_line(os, here(piece.first), here(piece.second),
-               "stroke=\"#1f4fd0\" stroke-width=\"3\"");
+               "stroke=\"#0072b2\" stroke-width=\"3\"");
   }
 
   // The end, and where the curve should go on.
@@ -190,11 +190,11 @@ private:
     const Vector d = Placement::rotated({{0.45 * m_radius, 0}}, int(end.direction()));
     const Vector tip{{p[0] + d[0], p[1] + d[1]}};
     write_line(os, here(p), here(tip),
-               "stroke=\"#c62828\" stroke-width=\"2.5\" stroke-dasharray=\"6 5\" "
+               "stroke=\"#d55e00\" stroke-width=\"2.5\" stroke-dasharray=\"6 5\" "
                "marker-end=\"url(#arrow)\"");
     const Vector q = on_panel(here(p));
     os << "<circle cx=\"" << q[0] << "\" cy=\"" << q[1]
-       << "\" r=\"5\" fill=\"#fff\" stroke=\"#c62828\" stroke-width=\"2.5\"/>\n";
+       << "\" r=\"5\" fill=\"#fff\" stroke=\"#d55e00\" stroke-width=\"2.5\"/>\n";
   }
 
   const TriangleMesh& m_mesh;

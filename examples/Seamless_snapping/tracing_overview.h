@@ -3,6 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
 #define SEAMLESS_SNAPPING_EXAMPLES_TRACING_OVERVIEW_H
 
+#include "depth_buffer.h"
 #include "tracing_pieces.h"
 
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -27,7 +27,6 @@ class Tracing_overview
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using Curve = CGAL::Seamless_snapping::Isocurve<Mesh>;
   using Vector = Uv_vector;
-  using Segment = Uv_segment;
 
 public:
   Tracing_overview(const Mesh& mesh, UVMap uv_map, const std::vector<Curve>& curves,
@@ -60,18 +59,11 @@ public:
           write_curve_in_domain(os, curve, failed, place);
   }
 
-  // Faces from back to front, each with the pieces of curves that lie in it.
+  // Faces from back to front, and the parts of the curves that no face hides.
   void write_projection(std::ostream& os, double x, double y, double size) const
   {
-    const auto points = get(CGAL::vertex_point, m_mesh);
-    std::map<Face, std::vector<std::pair<Segment, bool> > > pieces;
-    for(const Curve& curve : m_curves)
-      for(std::size_t i = 1; i < curve.points.size(); ++i) {
-        const auto a = space(curve.points[i - 1]), b = space(curve.points[i]);
-        pieces[face(curve.points[i].halfedge(), m_mesh)].push_back(
-          {{flat(a), flat(b)}, CGAL::Seamless_snapping::is_failure(curve.status)});
-      }
     std::vector<std::pair<double, Face> > order;
+    const auto points = get(CGAL::vertex_point, m_mesh);
     const bool is_closed = CGAL::is_closed(m_mesh);
     for(const Face f : faces(m_mesh)) {
       if(is_closed && !is_visible(halfedge(f, m_mesh)))
@@ -83,10 +75,15 @@ public:
     }
     std::sort(order.begin(), order.end());
     const auto place = fit(projected_box(), x, y, size);
+    Depth_buffer buffer(x - size / 2, y - size / 2, std::size_t(size));
     os << "<g stroke=\"#aeb8c3\" stroke-width=\"0.4\">\n";
     for(const auto& [unused, f] : order)
-      write_face(os, f, pieces[f], place);
+      write_face(os, f, place, buffer);
     os << "</g>\n";
+    for(const bool failed : {false, true})
+      for(const Curve& curve : m_curves)
+        if(CGAL::Seamless_snapping::is_failure(curve.status) == failed)
+          write_curve_in_space(os, curve, failed, place, buffer);
   }
 
   // Whether the face of a halfedge is turned to the viewer.
@@ -193,7 +190,7 @@ private:
     };
   }
 
-  static const char* color(bool failed) { return failed ? "#c62828" : "#1f4fd0"; }
+  static const char* color(bool failed) { return failed ? "#d55e00" : "#0072b2"; }
 
   template <typename Place>
   void write_curve_in_domain(std::ostream& os, const Curve& curve, bool failed,
@@ -211,26 +208,57 @@ private:
     const Vector end =
       place(CGAL::Seamless_snapping::isocurve_uv(curve.points.back(), m_mesh, m_uv_map));
     os << "<circle cx=\"" << end[0] << "\" cy=\"" << end[1]
-       << "\" r=\"3.5\" fill=\"#fff\" stroke=\"#c62828\" stroke-width=\"1.6\"/>\n";
+       << "\" r=\"3.5\" fill=\"#fff\" stroke=\"#d55e00\" stroke-width=\"1.6\"/>\n";
   }
 
-  template <typename Pieces, typename Place>
-  void write_face(std::ostream& os, Face f, const Pieces& pieces, const Place& place) const
+  template <typename Point_3, typename Place>
+  static Depth_buffer::Point pixel(const Point_3& p, const Place& place)
+  {
+    const Vector q = place(flat(p));
+    return {q[0], q[1], depth(p)};
+  }
+
+  template <typename Place>
+  void write_face(std::ostream& os, Face f, const Place& place, Depth_buffer& buffer) const
   {
     const auto points = get(CGAL::vertex_point, m_mesh);
-    std::vector<Vector> corners;
+    std::array<Depth_buffer::Point, 3> corners;
+    std::size_t i = 0;
     for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-      corners.push_back(place(flat(get(points, target(h, m_mesh)))));
+      corners[i++] = pixel(get(points, target(h, m_mesh)), place);
+    buffer.add(corners);
     const int gray = brightness(f);
     os << "<path fill=\"#" << std::hex << gray - 8 << gray - 4 << gray << std::dec << "\" d=\"M"
-       << corners[0][0] << ' ' << corners[0][1] << 'L' << corners[1][0] << ' ' << corners[1][1]
-       << 'L' << corners[2][0] << ' ' << corners[2][1] << "Z\"/>\n";
-    for(const auto& [segment, failed] : pieces) {
-      const Vector p = place(segment.first), q = place(segment.second);
-      os << "<path stroke-width=\"" << m_line_width << "\" stroke-linecap=\"round\" stroke=\""
-         << color(failed) << "\" d=\"M" << p[0] << ' ' << p[1] << 'L' << q[0] << ' ' << q[1]
-         << "\"/>\n";
+       << corners[0].x << ' ' << corners[0].y << 'L' << corners[1].x << ' ' << corners[1].y << 'L'
+       << corners[2].x << ' ' << corners[2].y << "Z\"/>\n";
+  }
+
+  template <typename Place>
+  void write_curve_in_space(std::ostream& os, const Curve& curve, const bool failed,
+                            const Place& place, const Depth_buffer& buffer) const
+  {
+    const CGAL::Bbox_2 box = projected_box();
+    const double slack = 0.01 * (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    os << "<path fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\""
+       << m_line_width << "\" stroke=\"" << color(failed) << "\" d=\"";
+    bool is_drawn = false;
+    for(std::size_t i = 1; i < curve.points.size(); ++i) {
+      const auto a = space(curve.points[i - 1]), b = space(curve.points[i]);
+      const std::size_t n = 4; // parts of a piece that are hidden or seen by themselves
+      for(std::size_t k = 0; k < n; ++k) {
+        const auto at = [&](const double t) { return pixel(a + t / double(n) * (b - a), place); };
+        if(!buffer.is_visible(at(double(k) + 0.5), slack)) {
+          is_drawn = false;
+          continue;
+        }
+        const auto p = at(double(k)), q = at(double(k + 1));
+        if(!is_drawn)
+          os << 'M' << p.x << ' ' << p.y;
+        os << 'L' << q.x << ' ' << q.y;
+        is_drawn = true;
+      }
     }
+    os << "\"/>\n";
   }
 
   const Mesh& m_mesh;

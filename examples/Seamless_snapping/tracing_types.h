@@ -38,7 +38,7 @@ inline void write_head(std::ostream& os, double width, double height)
      << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' '
      << height << "\" font-family=\"sans-serif\" font-size=\"17\" fill=\"#333\">\n"
         "<defs><marker id=\"arrow\" viewBox=\"0 0 10 10\" refX=\"8\" refY=\"5\" markerWidth=\"6\" "
-        "markerHeight=\"6\" orient=\"auto\"><path d=\"M0 0L10 5L0 10Z\" fill=\"#c62828\"/></marker>"
+        "markerHeight=\"6\" orient=\"auto\"><path d=\"M0 0L10 5L0 10Z\" fill=\"#d55e00\"/></marker>"
         "</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
 }
 
