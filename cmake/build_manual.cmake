@@ -5,6 +5,12 @@ if(NOT DOXYGEN)
   return()
 endif()
 
+find_program(PERL perl) # runs outside_of_CGAL.pl
+if(NOT PERL)
+  message("SKIPPED: perl is not installed")
+  return()
+endif()
+
 file(MAKE_DIRECTORY "${OUTPUT_DIR}")
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -E env "SEAMLESS_SNAPPING_MANUAL_DIR=${OUTPUT_DIR}" "${DOXYGEN}"

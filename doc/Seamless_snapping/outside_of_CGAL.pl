@@ -33,7 +33,7 @@ sub html
     } elsif($tex =~ /\G\\(mathbf|mathbb|bar) ?/gc) {
       my $font = $1;
       my $what = html(argument(\$tex));
-      $html .= $font eq 'mathbf' ? "<b>$what</b>" : $font eq 'bar' ? "$what&#772;" : 'ℤ';
+      $html .= $font eq 'mathbf' ? "<b>$what</b>" : $font eq 'bar' ? "$what\x{0304}" : 'ℤ';
     } elsif($tex =~ /\G\\([a-z]+)/gc) {
       die "unknown: \\$1\n" unless defined $symbols{$1};
       $html .= $symbols{$1};

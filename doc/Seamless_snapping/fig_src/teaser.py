@@ -1,7 +1,7 @@
 # The picture that opens the manual: a surface of genus 2 with the grid of its map, and a seam,
-# enlarged, before and after snapping.
+# enlarged, before and after snapping; and a small picture of the surface alone.
 #
-#   teaser.py COMPUTED.obj SNAPPED.obj OUT.png
+#   teaser.py COMPUTED.obj SNAPPED.obj OUT.png SMALL.png
 
 import sys
 
@@ -211,8 +211,18 @@ def draw_close_ups(figure, mesh, camera, change, place):
                     axesA=figure.axes[0], axesB=panel, color=BLACK, lw=1.5))
 
 
-def main(computed_name, snapped_name, out):
+def draw_small(mesh, out):
+    """The surface alone, as a picture of the package."""
+    figure = plt.figure(figsize=(1.6, 1.15))
+    camera = Camera((0.3, 1, -1.1), (0, 0, 1), mesh.points.mean(axis=0), 5.5, (176, 126))
+    buffer = Buffer(mesh, camera, samples=8)
+    show(figure.add_axes([0, 0, 1, 1]), buffer.image(grid_colors(buffer, mesh.uv, 0.05)))
+    save(figure, out)
+
+
+def main(computed_name, snapped_name, out, small_out):
     exact, computed = read_obj(snapped_name), read_obj(computed_name)
+    draw_small(exact, small_out)
     figure = plt.figure(figsize=(14, 6.7))
     camera = Camera((0.3, 1, -1.1), (0, 0, 1), exact.points.mean(axis=0), 5.5, (860, 620))
     axes = figure.add_axes([0, 0.05, 0.56, 0.84])
