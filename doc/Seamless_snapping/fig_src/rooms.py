@@ -13,6 +13,7 @@ from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 from style import BLACK, PALE, PALE_BLUE, PALE_GREEN, PALE_ORANGE, plt, save
 
 PACKAGE = "CGAL/Seamless_snapping"
+WIDTH, HEIGHT = 3.1, 1.25
 WORDS = {  # what a room is for, and the color of its kind
     "public functions": ("what callers include", PALE_ORANGE),
     "public values": ("parameters, reports, statuses, constraints", PALE_ORANGE),
@@ -32,7 +33,7 @@ WORDS = {  # what a room is for, and the color of its kind
 
 
 def read_rooms(include):
-    """Room -> the rooms it includes, without itself; and header counts."""
+    """Room -> the rooms it includes, without itself."""
     root = pathlib.Path(include) / PACKAGE
     includes = {}
     for header in sorted(root.rglob("*.h")):
@@ -51,14 +52,13 @@ def read_rooms(include):
             return "IO"
         return "public values" if name in used_inside else "public functions"
 
-    uses, sizes = {}, {}
+    uses = {}
     for header, names in includes.items():
         here = room(header)
         if here is None:
             continue
-        sizes[here] = sizes.get(here, 0) + 1
         uses.setdefault(here, set()).update(room(n) for n in names)
-    return {r: {o for o in others if o not in (None, r)} for r, others in uses.items()}, sizes
+    return {r: {o for o in others if o not in (None, r)} for r, others in uses.items()}
 
 
 def reachable(uses, start):
@@ -88,53 +88,104 @@ def levels(uses):
 
 
 def without_detours(uses):
-    """Arrows that are not implied by a way over a third room."""
-    return {(a, b) for a in uses for b in uses[a]
-            if not any(b in reachable(uses, c) and a not in reachable(uses, c)
-                       for c in uses[a] if c != b)}
+    """Enough arrows that all others follow from them."""
+    kept = {room: set(others) for room, others in uses.items()}
+    for a in sorted(kept):
+        for b in sorted(kept[a]):
+            kept[a].remove(b)
+            if b not in reachable(kept, a):
+                kept[a].add(b)
+    return {(a, b) for a, others in kept.items() for b in others}
+
+
+class Layout:
+    """Floors of rooms; arrows across several floors pass them through gaps between the rooms."""
+
+    def __init__(self, uses):
+        level = levels(uses)
+        self.floors = [sorted(r for r in level if level[r] == i)
+                       for i in range(max(level.values()) + 1)]
+        self.arrows = []  # lists of places, from the user to the used
+        for a, b in sorted(without_detours(uses)):
+            between = range(level[a] - 1, level[b], -1) if level[a] > level[b] else ()
+            gaps = [(a, b, i) for i in between]
+            for i, gap in zip(between, gaps):
+                self.floors[i].append(gap)
+            self.arrows.append([a] + gaps + [b])
+        self.x = {p: float(k) for floor in self.floors for k, p in enumerate(floor)}
+        for sweep in range(30):
+            for floor in (self.floors if sweep % 2 == 0 else self.floors[::-1]):
+                self._order(floor)
+
+    def _order(self, floor):
+        """By the mean of the places that arrows connect them to; then apart, and in the middle."""
+        neighbors = {p: [] for p in floor}
+        for way in self.arrows:
+            for p, q in zip(way, way[1:]):
+                if p in neighbors:
+                    neighbors[p].append(self.x[q])
+                if q in neighbors:
+                    neighbors[q].append(self.x[p])
+        wish = {p: sum(n) / len(n) if n else self.x[p] for p, n in neighbors.items()}
+        floor.sort(key=lambda p: (wish[p], str(p)))
+        at = 0.0
+        for p, q in zip([None] + floor, floor):
+            at += 0 if p is None else (self._width(p) + self._width(q)) / 2
+            self.x[q] = at
+        shift = sum(wish.values()) / len(wish) - sum(self.x[p] for p in floor) / len(floor)
+        for p in floor:
+            self.x[p] += shift
+
+    @staticmethod
+    def _width(place):
+        return WIDTH + 0.35 if isinstance(place, str) else 0.7
+
+
+def draw_room(axes, room, x, y):
+    words, color = WORDS.get(room, ("", PALE))
+    axes.add_patch(FancyBboxPatch((x - WIDTH / 2, y - HEIGHT / 2), WIDTH, HEIGHT, fc=color, ec=BLACK,
+                                  boxstyle="round,pad=0,rounding_size=0.12", lw=1.4, zorder=3))
+    axes.text(x, y + 0.33, room if room.startswith("public") else room + "/", weight="bold",
+              fontsize=14, ha="center", va="center", zorder=4)
+    axes.text(x, y - 0.17, textwrap.fill(words, 27), fontsize=12, ha="center", va="center", zorder=4,
+              linespacing=1.2)
+
+
+def draw_arrow(axes, points):
+    """Through the middle of each gap between rooms; from the bottom of a room to the top of another."""
+    down = 1 if points[-1][1] < points[0][1] else -1
+    lean = [max(-1.1, min(1.1, 0.2 * (q[0] - p[0])))
+            for p, q in ((points[0], points[1]), (points[-1], points[-2]))]
+    way = [(points[0][0] + lean[0], points[0][1] - down * HEIGHT / 2)]
+    for x, y in points[1:-1]:
+        way += [(x, y + HEIGHT / 2), (x, y - HEIGHT / 2)]
+    way.append((points[-1][0] + lean[1], points[-1][1] + down * HEIGHT / 2))
+    axes.plot(*zip(*way[:-1]), color="#555555", lw=1.5, zorder=2)
+    axes.add_patch(FancyArrowPatch(way[-2], way[-1], arrowstyle="-|>", mutation_scale=15, lw=1.5,
+                                   color="#555555", zorder=2, shrinkA=0, shrinkB=0))
 
 
 def main(include, out):
-    uses, sizes = read_rooms(include)
+    uses = read_rooms(include)
     for room in uses:
         for other in uses[room]:
             if room in reachable(uses, other):
                 print("a cycle of rooms:", room, "->", other)
-    level = levels(uses)
-    floors = [sorted(r for r in level if level[r] == i) for i in range(max(level.values()) + 1)]
-    width, height, gap = 3.1, 1.25, 0.7
-    figure = plt.figure(figsize=(14, 1.95 * len(floors)))
+    layout = Layout(uses)
+    center = {p: (layout.x[p], 1.95 * i) for i, floor in enumerate(layout.floors) for p in floor}
+    left, right = (f(x for (x, _), p in zip(center.values(), center)) for f in (min, max))
+    figure = plt.figure(figsize=(14, 1.95 * len(layout.floors)))
     axes = figure.add_axes([0, 0, 1, 1])
-    axes.set_xlim(0, 14)
-    axes.set_ylim(-0.3, (height + gap) * len(floors) - gap + 0.3)
+    span = max(14, right - left + WIDTH + 0.2)
+    axes.set_xlim((left + right - span) / 2, (left + right + span) / 2)
+    axes.set_ylim(-HEIGHT / 2 - 0.1, 1.95 * len(layout.floors) - 1.95 + HEIGHT / 2 + 0.1)
     axes.axis("off")
-    center = {}
-    for i, rooms in enumerate(floors):
-        # A room stands near the middle of what it uses.
-        def wish(room):
-            below = [center[o][0] for o in uses[room] if o in center]
-            return sum(below) / len(below) if below else 7
-        rooms.sort(key=lambda r: (wish(r), r))
-        for k, room in enumerate(rooms):
-            x = 7 + (k - (len(rooms) - 1) / 2) * (width + 0.35)
-            center[room] = (x, (height + gap) * i + height / 2)
-            words, color = WORDS.get(room, ("", PALE))
-            axes.add_patch(FancyBboxPatch((x - width / 2, center[room][1] - height / 2), width, height,
-                                          boxstyle="round,pad=0,rounding_size=0.12", fc=color,
-                                          ec=BLACK, lw=1.4, zorder=3))
-            name = room if room.startswith("public") else room + "/"
-            axes.text(x, center[room][1] + 0.33, name, weight="bold", fontsize=14, ha="center",
-                      va="center", zorder=4)
-            axes.text(x, center[room][1] - 0.17, textwrap.fill(words, 27), fontsize=12, ha="center",
-                      va="center", zorder=4, linespacing=1.2)
-    for a, b in sorted(without_detours(uses)):
-        (x0, y0), (x1, y1) = center[a], center[b]
-        down = -1 if y1 < y0 else 1
-        shift = max(-1.1, min(1.1, 0.18 * (x1 - x0)))
-        axes.add_patch(FancyArrowPatch((x0 + shift, y0 + down * height / 2),
-                                       (x1 - shift, y1 - down * height / 2), arrowstyle="-|>",
-                                       mutation_scale=15, lw=1.5, color="#555555", zorder=2,
-                                       shrinkA=0, shrinkB=0))
+    for way in layout.arrows:
+        draw_arrow(axes, [center[p] for p in way])
+    for floor in layout.floors:
+        for room in floor:
+            if isinstance(room, str):
+                draw_room(axes, room, *center[room])
     save(figure, out)
 
 
