@@ -1,7 +1,7 @@
-# Prints a source file as doxygen is to read it where CGAL's tools for its documentation are missing:
-# formulas as HTML, so that they need neither LaTeX nor a network; citations and the bibliography from
-# ../biblio.bib; figures with numbers. A formula with a command that is not known here is left alone;
-# doxygen then complains.
+# Prints a source file as doxygen is to read it where CGAL's tools for its documentation are
+# missing: formulas as HTML, so that they need neither LaTeX nor a network; citations and the
+# bibliography from ../biblio.bib; figures with numbers. A formula with a command that is not known
+# here is left alone; doxygen then complains.
 
 use strict;
 use warnings;
@@ -9,8 +9,8 @@ use utf8;
 use open qw(:std :encoding(UTF-8));
 
 my %symbols = (
-  pm => '±', ne => '≠', le => '≤', ge => '≥', approx => '≈', cdot => '·', ldots => '…', circ => '°',
-  chi => 'χ', sum => '∑', in => '∈', to => '→', log => 'log', times => '×');
+  pm => '±', ne => '≠', le => '≤', ge => '≥', approx => '≈', cdot => '·', ldots => '…',
+  circ => '°', chi => 'χ', sum => '∑', in => '∈', to => '→', log => 'log', times => '×');
 
 # What TeX takes as one argument at the place reached: a group in braces, a command, or a character.
 sub argument
@@ -66,7 +66,8 @@ sub read_bibliography
     $entry{$1} = $2 while $body =~ /(\w+)\s*=\s*[{"](.*?)["}]\s*,?\s*(?:\n|$)/g;
     s/[{}]//g for values %entry;
     my @names = map { /([^\s,]+)\s*,/ ? $1 : (split)[-1] } split / and /, $entry{author};
-    my $initials = @names == 1 ? substr($names[0], 0, 3) : join '', map { substr $_, 0, 1 } @names;
+    my $initials = join '', map { substr $_, 0, 1 } @names > 4 ? @names[0 .. 2] : @names;
+    $initials .= '+' if @names > 4;
     $entry{label} = $initials . substr $entry{year}, 2;
     $entries{$key} = \%entry;
   }
@@ -88,7 +89,8 @@ sub bibliography
     (my $anchor = $key) =~ s/\W/_/g;
     (my $authors = $e{author}) =~ s/ and /, /g;
     my $where = $e{journal} || $e{booktitle} || $e{howpublished} || '';
-    $result .= "<dt><a name=\"$anchor\"></a>[$e{label}]</dt>\n<dd>$authors. $e{title}.\n<em>$where</em>";
+    $result .= "<dt><a name=\"$anchor\"></a>[$e{label}]</dt>\n<dd>$authors. $e{title}.\n";
+    $result .= "<em>$where</em>";
     $result .= " $e{volume}" if $e{volume};
     $result .= "($e{number})" if $e{number};
     $result .= ", $e{year}.";
@@ -105,9 +107,11 @@ read_bibliography() if $text =~ /\\cgalCite|\\bibliography/;
 my %figures;
 $text =~ s/\\cgalFigureBegin\{(\w+),([^}]*)\}/
   $figures{$1} = 1 + keys %figures;
-  "<div class=\"figure\"> \\anchor $1\n\\image html $2\n<div class=\"caption\"><b>Figure $figures{$1}.<\/b>"/gex;
+  "<div class=\"figure\"> \\anchor $1\n\\image html $2\n"
+  . "<div class=\"caption\"><b>Figure $figures{$1}.<\/b>"/gex;
 $text =~ s/\\cgalFigureEnd/<\/div><\/div>/g;
-$text =~ s/\\cgalFigureRef\{(\w+)\}/"\\ref $1 \"Figure " . ($figures{$1} || die "no figure $1\n") . '"'/ge;
+$text =~ s/\\cgalFigureRef\{(\w+)\}/
+  "\\ref $1 \"Figure " . ($figures{$1} || die "no figure $1\n") . '"'/gex;
 $text =~ s/(\\f\$(.*?)\\f\$)/formula_or_source($1, $2)/gse;
 $text =~ s/(\\f\[(.*?)\\f\])/'<center>' . formula_or_source($1, $2) . '<\/center>'/gse;
 $text =~ s/\\cgalCite\{([^}]*)\}/cite($1)/ge;

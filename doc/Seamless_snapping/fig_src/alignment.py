@@ -29,9 +29,12 @@ def longest_chain(mesh, features):
     after = {}
     for h in features:
         for g in features:
-            if (mesh.source[g] == mesh.target[h] and g != mesh.opposite[h]
-                    and features[g] == features[h]
-                    and np.array_equal(flat[g], flat[next_of(h)])):
+            if (
+                mesh.source[g] == mesh.target[h]
+                and g != mesh.opposite[h]
+                and features[g] == features[h]
+                and np.array_equal(flat[g], flat[next_of(h)])
+            ):
                 after[h] = g
     chains = []
     for h in set(after) - set(after.values()):
@@ -47,13 +50,20 @@ def draw_body(axes, mesh, features, chain):
     buffer = Buffer(mesh, camera)
     show(axes, buffer.image(np.full(((buffer.face >= 0).sum(), 3), 0.93), is_smooth=False))
     for h in features:
-        for piece in visible_pieces(buffer, mesh.points[[mesh.source[h], mesh.target[h]]], 0.02, 0.04):
+        for piece in visible_pieces(
+            buffer, mesh.points[[mesh.source[h], mesh.target[h]]], 0.02, 0.04
+        ):
             axes.plot(*piece.T, color=BLUE, lw=4)
     line = camera.project(mesh.points[[mesh.source[h] for h in chain] + [mesh.target[chain[-1]]]])
     axes.plot(*line[:, :2].T, color=ORANGE, lw=3, ls=(0, (2, 2)))
-    axes.legend([Line2D([], [], color=BLUE, lw=4), Line2D([], [], color=ORANGE, lw=3, ls=(0, (2, 2)))],
-                ["feature edges", "those drawn at the right"], loc="upper center",
-                bbox_to_anchor=(0.5, 0.02), ncol=2, frameon=False)
+    axes.legend(
+        [Line2D([], [], color=BLUE, lw=4), Line2D([], [], color=ORANGE, lw=3, ls=(0, (2, 2)))],
+        ["feature edges", "those drawn at the right"],
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.02),
+        ncol=2,
+        frameon=False,
+    )
 
 
 def draw_chain(axes, along, across, factor, color):
@@ -77,12 +87,22 @@ def main(computed_name, snapped_name, out):
     print(len(chain), "edges, largest deviation", largest)
     name = "$%s$" % "uv"[k]
     exponent = int(np.floor(np.log10(largest)))
-    size = r"$%.0f\cdot 10^{%d}$" % (largest / 10 ** exponent, exponent)
-    for row, (uv, color, text) in enumerate((
-            (before, VERMILLION, "Given: along the feature, " + name + " differs\nfrom a constant by up to "
-             + size),
-            (after, GREEN, "Snapped with alignment: " + name + " is the same double\nat all vertices of "
-             "the feature"))):
+    size = r"$%.0f\cdot 10^{%d}$" % (largest / 10**exponent, exponent)
+    for row, (uv, color, text) in enumerate(
+        (
+            (
+                before,
+                VERMILLION,
+                "Given: along the feature, " + name + " differs\nfrom a constant by up to " + size,
+            ),
+            (
+                after,
+                GREEN,
+                "Snapped with alignment: " + name + " is the same double\nat all vertices of "
+                "the feature",
+            ),
+        )
+    ):
         axes = figure.add_axes([0.59, 0.55 - 0.48 * row, 0.39, 0.27])
         draw_chain(axes, uv[:, 1 - k], uv[:, k] - after[0, k], 1 / largest, color)
         figure.text(0.59, 0.84 - 0.48 * row, text, color=color, va="bottom", linespacing=1.3)

@@ -1,6 +1,6 @@
 # Rounds the translations of a seamless map to integers, so that a grid drawn on the surface goes on
-# across the cuts. Only for pictures: a least-squares problem in floating point, with the constraints
-# as heavy weights, where one translation after the other is fixed to the nearest integer.
+# across the cuts. Only for pictures: a least-squares problem in floating point, with constraints as
+# heavy weights, where one translation after the other is fixed to the nearest integer.
 
 import sys
 
@@ -52,7 +52,7 @@ class Rows:
 
 
 def integer_map(mesh, scale):
-    """The map, times `scale`, changed as little as integer translations allow (in its gradients)."""
+    """The map, times `scale`, with gradients changed as little as integer translations allow."""
     sector, count = sectors(mesh)
     branches = mesh.branches()
     n = 2 * count + 2 * len(branches)
@@ -65,29 +65,41 @@ def integer_map(mesh, scale):
             difference = scale * (mesh.uv[f, (i + 1) % 3] - mesh.uv[f, i])
             length = np.linalg.norm(p[f, (i + 1) % 3] - p[f, i])
             for k in range(2):
-                rows.add([(2 * sector[b] + k, 1), (2 * sector[a] + k, -1)], difference[k],
-                         np.sqrt(area[f]) / length)
+                rows.add(
+                    [(2 * sector[b] + k, 1), (2 * sector[a] + k, -1)],
+                    difference[k],
+                    np.sqrt(area[f]) / length,
+                )
     for k in range(2):
         rows.add([(2 * sector[0] + k, 1)], 0, 1)
     for b, branch in enumerate(branches):
         for h in branch:
             o = mesh.opposite[h]
             for here, there in ((h, next_of(o)), (next_of(h), o)):
-                m = np.array([rotated((1, 0), mesh.rotation[h]), rotated((0, 1), mesh.rotation[h])]).T
+                m = np.array(
+                    [rotated((1, 0), mesh.rotation[h]), rotated((0, 1), mesh.rotation[h])]
+                ).T
                 for k in range(2):
-                    rows.add([(2 * sector[there] + k, 1), (2 * sector[here], -m[k, 0]),
-                              (2 * sector[here] + 1, -m[k, 1]), (2 * count + 2 * b + k, -1)], 0,
-                             HEAVY)
+                    rows.add(
+                        [
+                            (2 * sector[there] + k, 1),
+                            (2 * sector[here], -m[k, 0]),
+                            (2 * sector[here] + 1, -m[k, 1]),
+                            (2 * count + 2 * b + k, -1),
+                        ],
+                        0,
+                        HEAVY,
+                    )
     fixed = set()
     while True:
         x = rows.solution(n)
-        t = x[2 * count:]
+        t = x[2 * count :]
         off = np.abs(t - np.rint(t))
         fixed.update(np.nonzero(off < 1e-4)[0])
         open_ones = [j for j in range(len(t)) if j not in fixed]
         if not open_ones:
-            return mesh.with_uv(x[:2 * count].reshape(-1, 2)[sector].reshape(-1, 3, 2))
-        nearest = sorted(open_ones, key=lambda j: off[j])[:max(1, len(open_ones) // 6)]
+            return mesh.with_uv(x[: 2 * count].reshape(-1, 2)[sector].reshape(-1, 3, 2))
+        nearest = sorted(open_ones, key=lambda j: off[j])[: max(1, len(open_ones) // 6)]
         for j in nearest:
             rows.add([(2 * count + j, 1)], np.rint(t[j]), HEAVY)
             fixed.add(j)

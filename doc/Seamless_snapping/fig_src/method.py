@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from integer_map import sectors
 from renderer import Buffer, Camera, visible_pieces
 from style import BLACK, BLUE, GRAY, GREEN, ORANGE, PURPLE, VERMILLION, np, plt, save, show
-from uv_mesh import next_of, previous_of, read_obj, rotated
+from uv_mesh import next_of, read_obj, rotated
 
 
 def reduced_rows(mesh):
@@ -23,9 +23,12 @@ def reduced_rows(mesh):
         for here, there in ends:
             for k in range(2):
                 row = {}
-                for name, entry in ((("t", b, k), -1), (("u", sector[there], k), 1),
-                                    (("u", sector[here], 0), -int(m[0, k])),
-                                    (("u", sector[here], 1), -int(m[1, k]))):
+                for name, entry in (
+                    (("t", b, k), -1),
+                    (("u", sector[there], k), 1),
+                    (("u", sector[here], 0), -int(m[0, k])),
+                    (("u", sector[here], 1), -int(m[1, k])),
+                ):
                     column = columns.setdefault(name, len(columns))
                     row[column] = row.get(column, 0) + entry
                 row = {c: x for c, x in row.items() if x != 0}
@@ -43,8 +46,12 @@ def eliminated(rows):
         for row in rows:
             for c in row:
                 count[c] = count.get(c, 0) + 1
-        candidates = [((len(row) - 1) * (count[c] - 1), i, c)
-                      for i, row in enumerate(rows) for c, x in row.items() if abs(x) == 1]
+        candidates = [
+            ((len(row) - 1) * (count[c] - 1), i, c)
+            for i, row in enumerate(rows)
+            for c, x in row.items()
+            if abs(x) == 1
+        ]
         if not candidates:
             return result
         _, i, c = min(candidates)
@@ -66,7 +73,9 @@ def draw_matrix(axes, rows, order, free):
     if free:
         axes.axvspan(len(order) - free - 0.5, len(order) - 0.5, color="#d5efe5", lw=0)
     for sign, color in ((1, BLUE), (-1, ORANGE)):
-        points = [(place[c], i) for i, row in enumerate(rows) for c, x in row.items() if x * sign > 0]
+        points = [
+            (place[c], i) for i, row in enumerate(rows) for c, x in row.items() if x * sign > 0
+        ]
         axes.plot(*np.array(points).T, "s", color=color, ms=2.6, mew=0)
     axes.set_xlim(-1, len(order))
     axes.set_ylim(len(rows), -1)
@@ -107,8 +116,17 @@ TARGET = GIVEN - np.array([1, -2]) * (GIVEN @ (1, -2) + 1) / 5  # on x - 2 y + 1
 
 def labelled(axes, p, text, color, offset):
     axes.plot(*p, "o", color=color, ms=11, mec="white", mew=1.4, zorder=5)
-    axes.text(p[0] + offset[0], p[1] + offset[1], text, color=color, fontsize=15, zorder=6,
-              ha="center", va="center", bbox={"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.85})
+    axes.text(
+        p[0] + offset[0],
+        p[1] + offset[1],
+        text,
+        color=color,
+        fontsize=15,
+        zorder=6,
+        ha="center",
+        va="center",
+        bbox={"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.85},
+    )
 
 
 def target(axes):
@@ -126,8 +144,12 @@ def evaluation(axes):
     axes.plot(*exact.T, "o", color=GREEN, ms=8)
     result = np.array([5, 3])
     labelled(axes, TARGET, "$x^*$", BLUE, (-0.45, 0.45))
-    axes.annotate("", result, TARGET, arrowprops={"arrowstyle": "-|>", "lw": 2, "color": BLUE,
-                                                  "shrinkA": 7, "shrinkB": 6})
+    axes.annotate(
+        "",
+        result,
+        TARGET,
+        arrowprops={"arrowstyle": "-|>", "lw": 2, "color": BLUE, "shrinkA": 7, "shrinkB": 6},
+    )
     labelled(axes, result, "$x$  exact, in doubles", GREEN, (1.5, -0.65))
 
 
@@ -144,32 +166,76 @@ def main(mesh_name, out):
     figure = plt.figure(figsize=(14, 11.5))
     axes = panel(figure, 0, 0, "1  Reduction", "")
     counts = reduction(axes, mesh)
-    figure.text(0.01, 0.585, "Only the %d nodes and one translation for each of the %d branches\n"
-                "enter the system; the %d cut edges follow from them." % counts, fontsize=12.5,
-                va="top", linespacing=1.25)
+    figure.text(
+        0.01,
+        0.585,
+        "Only the %d nodes and one translation for each of the %d branches\n"
+        "enter the system; the %d cut edges follow from them." % counts,
+        fontsize=12.5,
+        va="top",
+        linespacing=1.25,
+    )
 
     rows, n = reduced_rows(mesh)
     pivots = eliminated(rows)
     order = [c for c, _ in pivots]
     free = [c for c in range(n) if c not in set(order)]
-    before = panel(figure, 1, 0, "2  Elimination", "Integer rows, brought to echelon form with pivots "
-                   "of 1 and −1. The free\nunknowns, at the right, can be chosen; the others follow.")
+    before = panel(
+        figure,
+        1,
+        0,
+        "2  Elimination",
+        "Integer rows, brought to echelon form with pivots "
+        "of 1 and −1. The free\nunknowns, at the right, can be chosen; the others follow.",
+    )
     box = before.get_position()
     before.set_position([box.x0, box.y0, box.width * 0.47, box.height])
     after = figure.add_axes([box.x0 + box.width * 0.53, box.y0, box.width * 0.47, box.height])
     draw_matrix(before, rows, list(range(n)), 0)
     draw_matrix(after, [row for _, row in pivots], order + free, len(free))
-    before.legend([Line2D([], [], marker="s", color="white", mfc=c, mew=0, ms=8)
-                   for c in (BLUE, ORANGE)] + [plt.Rectangle((0, 0), 1, 1, color="#d5efe5")],
-                  ["positive", "negative", "free unknowns"], ncol=3, fontsize=12, frameon=False,
-                  loc="lower left", bbox_to_anchor=(0.35, 1.0), handletextpad=0.3, borderpad=0)
+    before.legend(
+        [Line2D([], [], marker="s", color="white", mfc=c, mew=0, ms=8) for c in (BLUE, ORANGE)]
+        + [plt.Rectangle((0, 0), 1, 1, color="#d5efe5")],
+        ["positive", "negative", "free unknowns"],
+        ncol=3,
+        fontsize=12,
+        frameon=False,
+        loc="lower left",
+        bbox_to_anchor=(0.35, 1.0),
+        handletextpad=0.3,
+        borderpad=0,
+    )
 
-    target(panel(figure, 0, 1, "3  Target", "The nearest solution in real numbers, by least squares, "
-                 "in floating point.\nIt is not exact, and need not be."))
-    evaluation(panel(figure, 1, 1, "4  Evaluation", "The free unknowns of the target are rounded to a "
-                     "grid. The others follow\nin integers, and are points of the grid as well."))
-    print("unknowns", n, "rows", len(rows), "pivots", len(pivots), "largest",
-          max(abs(x) for _, row in pivots for x in row.values()))
+    target(
+        panel(
+            figure,
+            0,
+            1,
+            "3  Target",
+            "The nearest solution in real numbers, by least squares, "
+            "in floating point.\nIt is not exact, and need not be.",
+        )
+    )
+    evaluation(
+        panel(
+            figure,
+            1,
+            1,
+            "4  Evaluation",
+            "The free unknowns of the target are rounded to a "
+            "grid. The others follow\nin integers, and are points of the grid as well.",
+        )
+    )
+    print(
+        "unknowns",
+        n,
+        "rows",
+        len(rows),
+        "pivots",
+        len(pivots),
+        "largest",
+        max(abs(x) for _, row in pivots for x in row.values()),
+    )
     save(figure, out)
 
 

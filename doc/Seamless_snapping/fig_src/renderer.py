@@ -20,9 +20,14 @@ class Camera:
     def project(self, points):
         """Pixel coordinates (x to the right, y downwards) and depth (larger is nearer)."""
         d = np.asarray(points, float) - self.center
-        return np.stack([d @ self.right * self.scale + self.pixels[0] / 2,
-                         self.pixels[1] / 2 - d @ self.up * self.scale,
-                         d @ self.back], axis=-1)
+        return np.stack(
+            [
+                d @ self.right * self.scale + self.pixels[0] / 2,
+                self.pixels[1] / 2 - d @ self.up * self.scale,
+                d @ self.back,
+            ],
+            axis=-1,
+        )
 
 
 class Buffer:
@@ -41,8 +46,12 @@ class Buffer:
     def _draw(self, f, triangle):
         (x0, y0), (x1, y1), (x2, y2) = triangle[:, :2]
         area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
-        left, right = int(max(triangle[:, 0].min(), 0)), int(min(triangle[:, 0].max() + 1, self.width))
-        top, bottom = int(max(triangle[:, 1].min(), 0)), int(min(triangle[:, 1].max() + 1, self.height))
+        left, right = int(max(triangle[:, 0].min(), 0)), int(
+            min(triangle[:, 0].max() + 1, self.width)
+        )
+        top, bottom = int(max(triangle[:, 1].min(), 0)), int(
+            min(triangle[:, 1].max() + 1, self.height)
+        )
         if area == 0 or left >= right or top >= bottom:
             return
         x = np.arange(left, right)[None, :] + 0.5
@@ -77,8 +86,9 @@ class Buffer:
         shine = np.clip(normals @ (half / np.linalg.norm(half)), 0, 1) ** 40
         samples = np.empty((self.height, self.width, 3))
         samples[:] = background
-        samples[shown] = np.clip(colors * (0.42 + 0.6 * diffuse)[:, None] + 0.12 * shine[:, None],
-                                 0, 1)
+        samples[shown] = np.clip(
+            colors * (0.42 + 0.6 * diffuse)[:, None] + 0.12 * shine[:, None], 0, 1
+        )
         n = self.samples
         return samples.reshape(self.height // n, n, self.width // n, n, 3).mean(axis=(1, 3))
 
@@ -118,7 +128,7 @@ def gradient_lengths(mesh):
     e1, e2 = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
     d1, d2 = mesh.uv[:, 1] - mesh.uv[:, 0], mesh.uv[:, 2] - mesh.uv[:, 0]
     g11, g12, g22 = ((a * b).sum(axis=1)[:, None] for a, b in ((e1, e1), (e1, e2), (e2, e2)))
-    square = (g22 * d1 ** 2 - 2 * g12 * d1 * d2 + g11 * d2 ** 2) / (g11 * g22 - g12 ** 2)
+    square = (g22 * d1**2 - 2 * g12 * d1 * d2 + g11 * d2**2) / (g11 * g22 - g12**2)
     return np.sqrt(np.maximum(square, 1e-300))
 
 

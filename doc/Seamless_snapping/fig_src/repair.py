@@ -4,11 +4,12 @@
 
 import sys
 
-from style import BLACK, BLUE, GRAY, GREEN, ORANGE, VERMILLION, np, plt, save
+from style import BLACK, BLUE, GREEN, VERMILLION, np, plt, save
 
-RING = np.array([(-2.6, -1.1), (-1.5, -1.3), (0.5, -0.95), (2.6, -1.3), (2.4, 1.7), (-0.2, 2.3),
-                 (-2.5, 1.5)])
-GIVEN = np.array([0.2, -0.62])        # just above the cut
+RING = np.array(
+    [(-2.6, -1.1), (-1.5, -1.3), (0.5, -0.95), (2.6, -1.3), (2.4, 1.7), (-0.2, 2.3), (-2.5, 1.5)]
+)
+GIVEN = np.array([0.2, -0.62])  # just above the cut
 SNAPPED_END = np.array([0.5, -0.15])  # where the vertex of the cut, RING[2], has moved to
 
 
@@ -19,8 +20,9 @@ def kernel(ring):
         normal = np.array([a[1] - b[1], b[0] - a[0]])
         heights = [normal @ (p - a) for p in polygon]
         clipped = []
-        for (p, x), (q, y) in zip(zip(polygon, heights),
-                                  zip(polygon[1:] + polygon[:1], heights[1:] + heights[:1])):
+        for (p, x), (q, y) in zip(
+            zip(polygon, heights), zip(polygon[1:] + polygon[:1], heights[1:] + heights[:1])
+        ):
             if x >= 0:
                 clipped.append(p)
             if (x >= 0) != (y >= 0):
@@ -36,9 +38,14 @@ def area(a, b, c):
 def draw(axes, ring, center):
     for a, b in zip(ring, np.roll(ring, -1, axis=0)):
         is_turned = area(a, b, center) < 0
-        axes.fill(*np.array([a, b, center]).T, facecolor="#f3c9a8" if is_turned else "#f2f2f2",
-                  edgecolor=VERMILLION if is_turned else "#999999", lw=2 if is_turned else 1.1,
-                  zorder=3 if is_turned else 2, hatch="///" if is_turned else None)
+        axes.fill(
+            *np.array([a, b, center]).T,
+            facecolor="#f3c9a8" if is_turned else "#f2f2f2",
+            edgecolor=VERMILLION if is_turned else "#999999",
+            lw=2 if is_turned else 1.1,
+            zorder=3 if is_turned else 2,
+            hatch="///" if is_turned else None
+        )
     axes.plot(*ring[[1, 2, 3]].T, color=BLACK, lw=4, zorder=4)
     axes.plot(*center, "o", color=BLUE, ms=12, mec="white", mew=1.5, zorder=6)
     axes.set_aspect("equal")
@@ -53,27 +60,64 @@ def main(out):
     ring[2] = SNAPPED_END
     inside = kernel(ring)
     moved = SNAPPED_END + (-0.12, 0.42)
-    texts = (("Given", "Thin faces between a vertex\nand a cut."),
-             ("Snapped", "A vertex of the cut has moved:\ntwo faces are turned over."),
-             ("Repaired", "The vertex moves into the kernel\nof its ring, in whole grid steps."))
+    texts = (
+        ("Given", "Thin faces between a vertex\nand a cut."),
+        ("Snapped", "A vertex of the cut has moved:\ntwo faces are turned over."),
+        ("Repaired", "The vertex moves into the kernel\nof its ring, in whole grid steps."),
+    )
     for i, (title, text) in enumerate(texts):
         axes = figure.add_axes([0.01 + 0.33 * i, 0.2, 0.31, 0.7])
         draw(axes, RING if i == 0 else ring, moved if i == 2 else GIVEN)
         figure.text(0.01 + 0.33 * i, 0.985, title, weight="bold", fontsize=15, va="top")
         figure.text(0.01 + 0.33 * i, 0.165, text, fontsize=12.5, va="top", linespacing=1.25)
         if i == 1:
-            axes.annotate("", SNAPPED_END, RING[2], zorder=7, arrowprops={
-                "arrowstyle": "-|>", "lw": 2.2, "color": VERMILLION, "mutation_scale": 20})
+            axes.annotate(
+                "",
+                SNAPPED_END,
+                RING[2],
+                zorder=7,
+                arrowprops={
+                    "arrowstyle": "-|>",
+                    "lw": 2.2,
+                    "color": VERMILLION,
+                    "mutation_scale": 20,
+                },
+            )
         if i == 2:
             axes.fill(*inside.T, facecolor=GREEN, alpha=0.35, edgecolor=GREEN, lw=2, zorder=3)
-            axes.annotate("", moved, GIVEN, zorder=7, arrowprops={
-                "arrowstyle": "-|>", "lw": 2.2, "color": BLUE, "mutation_scale": 20, "shrinkB": 7})
-            axes.text(*(inside.mean(axis=0) + (0.1, 0.35)), "kernel", color="#00664b", ha="center",
-                      fontsize=13, zorder=5)
-    handles = [plt.Line2D([], [], color=BLACK, lw=4),
-               plt.Rectangle((0, 0), 1, 1, fc="#f3c9a8", ec=VERMILLION, hatch="///")]
-    figure.legend(handles, ["cut", "face turned over"], ncol=2, frameon=False, loc="upper right",
-                  bbox_to_anchor=(1, 1.02))
+            axes.annotate(
+                "",
+                moved,
+                GIVEN,
+                zorder=7,
+                arrowprops={
+                    "arrowstyle": "-|>",
+                    "lw": 2.2,
+                    "color": BLUE,
+                    "mutation_scale": 20,
+                    "shrinkB": 7,
+                },
+            )
+            axes.text(
+                *(inside.mean(axis=0) + (0.1, 0.35)),
+                "kernel",
+                color="#00664b",
+                ha="center",
+                fontsize=13,
+                zorder=5
+            )
+    handles = [
+        plt.Line2D([], [], color=BLACK, lw=4),
+        plt.Rectangle((0, 0), 1, 1, fc="#f3c9a8", ec=VERMILLION, hatch="///"),
+    ]
+    figure.legend(
+        handles,
+        ["cut", "face turned over"],
+        ncol=2,
+        frameon=False,
+        loc="upper right",
+        bbox_to_anchor=(1, 1.02),
+    )
     save(figure, out)
 
 

@@ -41,8 +41,9 @@ def read_rooms(include):
         names = re.findall(r"#\s*include <%s/([^>]+)>" % PACKAGE, text)
         includes[str(header.relative_to(root))] = [n for n in names if (root / n).exists()]
 
-    used_inside = {n for header, names in includes.items() for n in names
-                   if header.startswith("internal/")}
+    used_inside = {
+        n for header, names in includes.items() for n in names if header.startswith("internal/")
+    }
 
     def room(name):
         parts = name.split("/")
@@ -103,8 +104,9 @@ class Layout:
 
     def __init__(self, uses):
         level = levels(uses)
-        self.floors = [sorted(r for r in level if level[r] == i)
-                       for i in range(max(level.values()) + 1)]
+        self.floors = [
+            sorted(r for r in level if level[r] == i) for i in range(max(level.values()) + 1)
+        ]
         self.arrows = []  # lists of places, from the user to the used
         for a, b in sorted(without_detours(uses)):
             between = range(level[a] - 1, level[b], -1) if level[a] > level[b] else ()
@@ -114,7 +116,7 @@ class Layout:
             self.arrows.append([a] + gaps + [b])
         self.x = {p: float(k) for floor in self.floors for k, p in enumerate(floor)}
         for sweep in range(30):
-            for floor in (self.floors if sweep % 2 == 0 else self.floors[::-1]):
+            for floor in self.floors if sweep % 2 == 0 else self.floors[::-1]:
                 self._order(floor)
 
     def _order(self, floor):
@@ -143,26 +145,65 @@ class Layout:
 
 def draw_room(axes, room, x, y):
     words, color = WORDS.get(room, ("", PALE))
-    axes.add_patch(FancyBboxPatch((x - WIDTH / 2, y - HEIGHT / 2), WIDTH, HEIGHT, fc=color, ec=BLACK,
-                                  boxstyle="round,pad=0,rounding_size=0.12", lw=1.4, zorder=3))
-    axes.text(x, y + 0.33, room if room.startswith("public") else room + "/", weight="bold",
-              fontsize=14, ha="center", va="center", zorder=4)
-    axes.text(x, y - 0.17, textwrap.fill(words, 27), fontsize=12, ha="center", va="center", zorder=4,
-              linespacing=1.2)
+    axes.add_patch(
+        FancyBboxPatch(
+            (x - WIDTH / 2, y - HEIGHT / 2),
+            WIDTH,
+            HEIGHT,
+            fc=color,
+            ec=BLACK,
+            boxstyle="round,pad=0,rounding_size=0.12",
+            lw=1.4,
+            zorder=3,
+        )
+    )
+    axes.text(
+        x,
+        y + 0.33,
+        room if room.startswith("public") else room + "/",
+        weight="bold",
+        fontsize=14,
+        ha="center",
+        va="center",
+        zorder=4,
+    )
+    axes.text(
+        x,
+        y - 0.17,
+        textwrap.fill(words, 27),
+        fontsize=12,
+        ha="center",
+        va="center",
+        zorder=4,
+        linespacing=1.2,
+    )
 
 
 def draw_arrow(axes, points):
-    """Through the middle of each gap between rooms; from the bottom of a room to the top of another."""
+    """From the bottom of a room to the top of another, through gaps between rooms."""
     down = 1 if points[-1][1] < points[0][1] else -1
-    lean = [max(-1.1, min(1.1, 0.2 * (q[0] - p[0])))
-            for p, q in ((points[0], points[1]), (points[-1], points[-2]))]
+    lean = [
+        max(-1.1, min(1.1, 0.2 * (q[0] - p[0])))
+        for p, q in ((points[0], points[1]), (points[-1], points[-2]))
+    ]
     way = [(points[0][0] + lean[0], points[0][1] - down * HEIGHT / 2)]
     for x, y in points[1:-1]:
         way += [(x, y + HEIGHT / 2), (x, y - HEIGHT / 2)]
     way.append((points[-1][0] + lean[1], points[-1][1] + down * HEIGHT / 2))
     axes.plot(*zip(*way[:-1]), color="#555555", lw=1.5, zorder=2)
-    axes.add_patch(FancyArrowPatch(way[-2], way[-1], arrowstyle="-|>", mutation_scale=15, lw=1.5,
-                                   color="#555555", zorder=2, shrinkA=0, shrinkB=0))
+    axes.add_patch(
+        FancyArrowPatch(
+            way[-2],
+            way[-1],
+            arrowstyle="-|>",
+            mutation_scale=15,
+            lw=1.5,
+            color="#555555",
+            zorder=2,
+            shrinkA=0,
+            shrinkB=0,
+        )
+    )
 
 
 def main(include, out):

@@ -12,10 +12,17 @@ BLUE, VERMILLION, GREEN, ORANGE = "#0072b2", "#d55e00", "#009e73", "#e69f00"
 SKY, PURPLE, BLACK, GRAY = "#56b4e9", "#cc79a7", "#222222", "#777777"
 PALE, PALE_BLUE, PALE_GREEN, PALE_ORANGE = "#f4f1ea", "#dceaf4", "#ddf1e8", "#fbe9d7"
 
-plt.rcParams.update({
-    "font.family": "DejaVu Sans", "font.size": 13, "svg.fonttype": "path", "svg.hashsalt": "figures",
-    "lines.solid_capstyle": "round", "lines.solid_joinstyle": "round", "mathtext.fontset": "dejavusans",
-})
+plt.rcParams.update(
+    {
+        "font.family": "DejaVu Sans",
+        "font.size": 13,
+        "svg.fonttype": "path",
+        "svg.hashsalt": "figures",
+        "lines.solid_capstyle": "round",
+        "lines.solid_joinstyle": "round",
+        "mathtext.fontset": "dejavusans",
+    }
+)
 
 
 def rgb(color):

@@ -47,8 +47,8 @@ def crossing(mesh, h):
 
 
 def best_crossing(mesh, camera, buffer):
-    """A cut halfedge where an isocurve crosses it, in plain view on the flat top of the body, as far
-    as possible from other branches and from cones."""
+    """A cut halfedge where an isocurve crosses it, in plain view on the flat top of the body, and
+    far from other branches and from cones."""
     branches = mesh.branches()
     nodes = np.array(sorted(set(mesh.cones()) | mesh.nodes))
     middle = (mesh.points[mesh.source] + mesh.points[mesh.target]) / 2
@@ -77,8 +77,12 @@ def side_of_seam(mesh, start, center, radius):
         f = front.pop()
         for h in range(3 * f, 3 * f + 3):
             o = mesh.opposite[h]
-            if (o >= 0 and not mesh.is_cut[h] and o // 3 not in seen
-                    and np.linalg.norm(middle[o // 3] - center) < radius):
+            if (
+                o >= 0
+                and not mesh.is_cut[h]
+                and o // 3 not in seen
+                and np.linalg.norm(middle[o // 3] - center) < radius
+            ):
                 seen.add(o // 3)
                 front.append(o // 3)
     return sorted(seen)
@@ -137,8 +141,9 @@ def draw_panel(axes, close_up, uv, camera, line, kind, is_exact):
         near = (distance < 0.7 * width).any(axis=1)
         colors[near & ~broken] = rgb(BLACK)
     show(axes, buffer.image(colors))
-    axes.add_patch(Rectangle((0, 0), *camera.pixels, fill=False, lw=5,
-                             color=RIGHT if is_exact else WRONG))
+    axes.add_patch(
+        Rectangle((0, 0), *camera.pixels, fill=False, lw=5, color=RIGHT if is_exact else WRONG)
+    )
     return buffer
 
 
@@ -159,24 +164,37 @@ def draw_surface(axes, mesh, camera):
 
 
 def mean_gap(mesh, change, branch, center, radius):
-    """Of the vertices of a branch near a place, in the chart on the near side, where `mesh` is exact
-    and `change` was added."""
+    """Of the vertices of a branch near a place, in the chart on the near side; `mesh` is exact, and
+    `change` was added."""
     flat = change.reshape(-1, 2)
-    gaps = [rotated(flat[next_of(mesh.opposite[h])], -mesh.rotation[h]) - flat[h] for h in branch
-            if np.linalg.norm(mesh.points[mesh.source[h]] - center) < radius]
+    gaps = [
+        rotated(flat[next_of(mesh.opposite[h])], -mesh.rotation[h]) - flat[h]
+        for h in branch
+        if np.linalg.norm(mesh.points[mesh.source[h]] - center) < radius
+    ]
     return np.mean(gaps, axis=0)
 
 
 def power_of_ten(x):
     exponent = int(np.floor(np.log10(x)))
-    return r"$%.0f\cdot 10^{%d}$" % (x / 10 ** exponent, exponent)
+    return r"$%.0f\cdot 10^{%d}$" % (x / 10**exponent, exponent)
 
 
 def legend(axes):
-    handles = [Line2D([], [], color=BLUE, lw=3), Line2D([], [], color=ORANGE, lw=3),
-               Line2D([], [], color=BLACK, lw=3)]
-    axes.legend(handles, ["$u$ is an integer", "$v$ is an integer", "cuts (seams)"], ncol=3,
-                loc="upper center", bbox_to_anchor=(0.5, 0.06), frameon=False, handlelength=1.6)
+    handles = [
+        Line2D([], [], color=BLUE, lw=3),
+        Line2D([], [], color=ORANGE, lw=3),
+        Line2D([], [], color=BLACK, lw=3),
+    ]
+    axes.legend(
+        handles,
+        ["$u$ is an integer", "$v$ is an integer", "cuts (seams)"],
+        ncol=3,
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.06),
+        frameon=False,
+        handlelength=1.6,
+    )
 
 
 def draw_close_ups(figure, mesh, camera, change, place):
@@ -189,12 +207,19 @@ def draw_close_ups(figure, mesh, camera, change, place):
     close = Camera(-mesh.vertex_normals()[mesh.source[h]], camera.up, center, 0.85, (330, 250))
     corner = camera.project(center[None])[0][:2]
     figure.axes[0].add_patch(Circle(corner, 34, fill=False, color=BLACK, lw=3))
-    titles = (r"$\bf{As\ solvers\ return\ it}$" + ": the two sides of a seam differ by\n" +
-              power_of_ten(np.linalg.norm(gap)) + " (drawn " + power_of_ten(factor) +
-              " times as large)",
-              r"$\bf{Snapped}$: the two sides agree" + "\nexactly, in doubles")
-    texts = (("isocurves end at the seam", "the quads between them: a hole"),
-             ("isocurves go on", "the quads between them: closed"))
+    titles = (
+        r"$\bf{As\ solvers\ return\ it}$"
+        + ": the two sides of a seam differ by\n"
+        + power_of_ten(np.linalg.norm(gap))
+        + " (drawn "
+        + power_of_ten(factor)
+        + " times as large)",
+        r"$\bf{Snapped}$: the two sides agree" + "\nexactly, in doubles",
+    )
+    texts = (
+        ("isocurves end at the seam", "the quads between them: a hole"),
+        ("isocurves go on", "the quads between them: closed"),
+    )
     for row, (shown, is_exact) in enumerate(((moved, False), (uv, True))):
         color = RIGHT if is_exact else WRONG
         top = 0.555 - 0.5 * row
@@ -206,9 +231,18 @@ def draw_close_ups(figure, mesh, camera, change, place):
             draw_seam(panel, seen, mesh, branch, color=BLACK, lw=2.6)
             panel.set_title(texts[row][column], y=-0.13, fontsize=12)
             if (row, column) == (0, 0):
-                figure.add_artist(ConnectionPatch(
-                    (corner[0] + 34, corner[1]), (0, close.pixels[1] / 2), "data", "data",
-                    axesA=figure.axes[0], axesB=panel, color=BLACK, lw=1.5))
+                figure.add_artist(
+                    ConnectionPatch(
+                        (corner[0] + 34, corner[1]),
+                        (0, close.pixels[1] / 2),
+                        "data",
+                        "data",
+                        axesA=figure.axes[0],
+                        axesB=panel,
+                        color=BLACK,
+                        lw=1.5,
+                    )
+                )
 
 
 def draw_small(mesh, out):
@@ -227,11 +261,19 @@ def main(computed_name, snapped_name, out, small_out):
     camera = Camera((0.3, 1, -1.1), (0, 0, 1), exact.points.mean(axis=0), 5.5, (860, 620))
     axes = figure.add_axes([0, 0.05, 0.56, 0.84])
     buffer = draw_surface(axes, exact, camera)
-    figure.text(0.28, 0.93, "A surface of genus 2, cut open and laid out in the plane:\nthe grid of "
-                "the plane, drawn on the surface", ha="center", va="center", linespacing=1.3)
+    figure.text(
+        0.28,
+        0.93,
+        "A surface of genus 2, cut open and laid out in the plane:\nthe grid of "
+        "the plane, drawn on the surface",
+        ha="center",
+        va="center",
+        linespacing=1.3,
+    )
     legend(axes)
-    draw_close_ups(figure, exact, camera, computed.uv - exact.uv,
-                   best_crossing(exact, camera, buffer))
+    draw_close_ups(
+        figure, exact, camera, computed.uv - exact.uv, best_crossing(exact, camera, buffer)
+    )
     save(figure, out)
 
 

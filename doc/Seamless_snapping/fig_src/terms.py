@@ -5,12 +5,24 @@
 import heapq
 import sys
 
-from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.patches import FancyArrowPatch, Wedge
+from matplotlib.collections import PolyCollection
+from matplotlib.patches import FancyArrowPatch
 from scipy.spatial import Delaunay
 
-from style import (BLACK, BLUE, GRAY, GREEN, ORANGE, PALE_BLUE, PALE_ORANGE, PURPLE, SKY, VERMILLION,
-                   np, plt, save)
+from style import (
+    BLACK,
+    BLUE,
+    GRAY,
+    GREEN,
+    ORANGE,
+    PALE_BLUE,
+    PALE_ORANGE,
+    PURPLE,
+    VERMILLION,
+    np,
+    plt,
+    save,
+)
 
 
 class Patch:
@@ -77,8 +89,9 @@ def axes_of(figure, column, row, title, text):
 
 
 def draw_patch(axes, patch, color="#f2f2f2"):
-    axes.add_collection(PolyCollection(patch.points[patch.triangles], facecolor=color,
-                                       edgecolor="#b5b5b5", lw=0.9))
+    axes.add_collection(
+        PolyCollection(patch.points[patch.triangles], facecolor=color, edgecolor="#b5b5b5", lw=0.9)
+    )
 
 
 def draw_cut(axes, patch, cut, color=BLACK, lw=3.5):
@@ -97,12 +110,17 @@ def cuts(axes, patch):
 
 def sectors(axes, patch):
     draw_patch(axes, patch)
-    shown = [(patch.node, (BLUE, ORANGE, GREEN, PURPLE)), (patch.cuts[0][2], (BLUE, ORANGE)),
-             (patch.end, (VERMILLION,))]
+    shown = [
+        (patch.node, (BLUE, ORANGE, GREEN, PURPLE)),
+        (patch.cuts[0][2], (BLUE, ORANGE)),
+        (patch.end, (VERMILLION,)),
+    ]
     for v, colors in shown:
         for group, color in zip(patch.sectors(v), colors):
             corners = [(0.55 * patch.points[t] + 0.45 * patch.points[v]) for t in group]
-            axes.add_collection(PolyCollection(corners, facecolor=color, edgecolor="none", zorder=2))
+            axes.add_collection(
+                PolyCollection(corners, facecolor=color, edgecolor="none", zorder=2)
+            )
     for cut in patch.cuts:
         draw_cut(axes, patch, cut)
 
@@ -111,12 +129,26 @@ def nodes(axes, patch):
     cuts(axes, patch)
     dot(axes, patch.points[patch.node], VERMILLION, 15)
     dot(axes, patch.points[patch.end], VERMILLION, 15)
-    axes.annotate("cuts meet", patch.points[patch.node] + (0.2, -0.2), (2.2, -2.6), fontsize=12.5,
-                  ha="center", arrowprops={"arrowstyle": "-", "lw": 1.2}, zorder=6,
-                  bbox={"fc": "white", "ec": "none", "pad": 2})
-    axes.annotate("a cut ends", patch.points[patch.end] + (0.1, 0.2), (2.9, 2.75), fontsize=12.5,
-                  ha="center", arrowprops={"arrowstyle": "-", "lw": 1.2}, zorder=6,
-                  bbox={"fc": "white", "ec": "none", "pad": 2})
+    axes.annotate(
+        "cuts meet",
+        patch.points[patch.node] + (0.2, -0.2),
+        (2.2, -2.6),
+        fontsize=12.5,
+        ha="center",
+        arrowprops={"arrowstyle": "-", "lw": 1.2},
+        zorder=6,
+        bbox={"fc": "white", "ec": "none", "pad": 2},
+    )
+    axes.annotate(
+        "a cut ends",
+        patch.points[patch.end] + (0.1, 0.2),
+        (2.9, 2.75),
+        fontsize=12.5,
+        ha="center",
+        arrowprops={"arrowstyle": "-", "lw": 1.2},
+        zorder=6,
+        bbox={"fc": "white", "ec": "none", "pad": 2},
+    )
 
 
 def branches(axes, patch):
@@ -142,11 +174,27 @@ def transition(axes):
         axes.fill(*outline.T, facecolor=color, edgecolor=GRAY, lw=1, alpha=0.9)
     axes.plot(*left[:5].T, color=BLACK, lw=3.5)
     axes.plot(*right[:5].T, color=BLACK, lw=3.5)
-    axes.add_patch(FancyArrowPatch((-0.55, 0.7), (1.1, 0.25), connectionstyle="arc3,rad=-0.5",
-                                   arrowstyle="-|>", mutation_scale=22, lw=2.2, color=VERMILLION,
-                                   zorder=6))
-    axes.text(0.2, 2.45, "$g(u) = R\\,u + t$", fontsize=15, color=VERMILLION, ha="center",
-              bbox={"fc": "white", "ec": "none", "pad": 2})
+    axes.add_patch(
+        FancyArrowPatch(
+            (-0.55, 0.7),
+            (1.1, 0.25),
+            connectionstyle="arc3,rad=-0.5",
+            arrowstyle="-|>",
+            mutation_scale=22,
+            lw=2.2,
+            color=VERMILLION,
+            zorder=6,
+        )
+    )
+    axes.text(
+        0.2,
+        2.45,
+        "$g(u) = R\\,u + t$",
+        fontsize=15,
+        color=VERMILLION,
+        ha="center",
+        bbox={"fc": "white", "ec": "none", "pad": 2},
+    )
     axes.text(-2.5, -0.7, "chart of\nthis side", ha="center", va="center", fontsize=12.5)
     axes.text(2.3, 0.9, "chart of\nthe other side", ha="center", va="center", fontsize=12.5)
 
@@ -161,8 +209,12 @@ def cone(axes, quarters, middle, radius, name):
                 turn = (np.angle(u + 1e-12) + q * np.pi / 2) / power
                 z = np.abs(u) ** (1 / power) * np.exp(1j * turn)
                 z = z[np.abs(z) < 2.0]
-                axes.plot(middle[0] + radius * z.real / 2, middle[1] + radius * z.imag / 2,
-                          color=color, lw=1.8)
+                axes.plot(
+                    middle[0] + radius * z.real / 2,
+                    middle[1] + radius * z.imag / 2,
+                    color=color,
+                    lw=1.8,
+                )
     axes.plot(*middle, "o", color=VERMILLION, ms=14, mec="white", mew=1.6, zorder=5)
     axes.text(middle[0], middle[1] - radius - 0.35, name, ha="center", va="top", fontsize=12.5)
 
@@ -170,18 +222,64 @@ def cone(axes, quarters, middle, radius, name):
 def main(out):
     figure = plt.figure(figsize=(14, 8.9))
     patch = Patch()
-    cuts(axes_of(figure, 0, 0, "Cut", "Edges where the coordinates of the two faces\n"
-                 "differ: the mesh is cut open here."), patch)
-    sectors(axes_of(figure, 1, 0, "Sector", "The corners of a vertex between two cuts.\n"
-                    "Each color is one pair of coordinates."), patch)
-    nodes(axes_of(figure, 2, 0, "Node", "A vertex where cuts meet or end, or\n"
-                  "where the angle is not 360°."), patch)
-    branches(axes_of(figure, 0, 1, "Branch", "The cut edges between two nodes: all\n"
-                     "of them have the same transition."), patch)
-    transition(axes_of(figure, 1, 1, "Transition", "How coordinates go on across a cut: a rotation\n"
-                       "R by 0°, 90°, 180° or 270°, and a translation t."))
-    axes = axes_of(figure, 2, 1, "Cone", "A singular vertex: the angle around it in the plane\n"
-                   "is a multiple of 90°, but not 360°.")
+    cuts(
+        axes_of(
+            figure,
+            0,
+            0,
+            "Cut",
+            "Edges where the coordinates of the two faces\n" "differ: the mesh is cut open here.",
+        ),
+        patch,
+    )
+    sectors(
+        axes_of(
+            figure,
+            1,
+            0,
+            "Sector",
+            "The corners of a vertex between two cuts.\n" "Each color is one pair of coordinates.",
+        ),
+        patch,
+    )
+    nodes(
+        axes_of(
+            figure,
+            2,
+            0,
+            "Node",
+            "A vertex where cuts meet or end, or\n" "where the angle is not 360°.",
+        ),
+        patch,
+    )
+    branches(
+        axes_of(
+            figure,
+            0,
+            1,
+            "Branch",
+            "The cut edges between two nodes: all\n" "of them have the same transition.",
+        ),
+        patch,
+    )
+    transition(
+        axes_of(
+            figure,
+            1,
+            1,
+            "Transition",
+            "How coordinates go on across a cut: a rotation\n"
+            "R by 0°, 90°, 180° or 270°, and a translation t.",
+        )
+    )
+    axes = axes_of(
+        figure,
+        2,
+        1,
+        "Cone",
+        "A singular vertex: the angle around it in the plane\n"
+        "is a multiple of 90°, but not 360°.",
+    )
     cone(axes, 3, (-2.3, 0.4), 2.1, "270°: three directions")
     cone(axes, 5, (2.3, 0.4), 2.1, "450°: five directions")
     save(figure, out)

@@ -22,10 +22,6 @@ def next_of(h):
     return h - h % 3 + (h + 1) % 3
 
 
-def previous_of(h):
-    return h - h % 3 + (h + 2) % 3
-
-
 class Uv_mesh:
     def __init__(self, points, faces, uv, is_feature=(), tolerance=1e-6):
         self.points, self.faces, self.uv = points, faces, uv
@@ -53,27 +49,12 @@ class Uv_mesh:
         a2, b2 = flat[next_of(o)], flat[o]  # the same ends on the other side
         residuals = np.stack([np.abs(rotated(b - a, k) - (b2 - a2)).max(axis=1) for k in range(4)])
         self.rotation = np.where(o < 0, 0, residuals.argmin(axis=0))
-        self.translation = ((a2 - rotated(a, self.rotation)) + (b2 - rotated(b, self.rotation))) / 2
+        self.translation = (
+            (a2 - rotated(a, self.rotation)) + (b2 - rotated(b, self.rotation))
+        ) / 2
         extent = np.ptp(flat, axis=0).max()
         differs = np.maximum(np.abs(a - a2), np.abs(b - b2)).max(axis=1) > tolerance * extent
         self.is_cut = (o >= 0) & differs
-
-    def outgoing(self, v):
-        """The halfedges that leave a vertex, counterclockwise; from the border on, if it has one."""
-        if not hasattr(self, "_outgoing"):
-            self._outgoing = {}
-            for h, s in enumerate(self.source):
-                self._outgoing.setdefault(s, []).append(h)
-        start = self._outgoing[v][0]
-        for h in self._outgoing[v]:
-            if self.opposite[h] < 0:
-                start = h
-        result, h = [start], start
-        while True:
-            h = self.opposite[previous_of(h)]
-            if h < 0 or h == start:
-                return result
-            result.append(h)
 
     def cones(self):
         """Vertex -> quarter turns of missing angle, where it is not 0 (angles, so no folds)."""
@@ -147,8 +128,9 @@ def read_obj(filename, tolerance=1e-6):
                 corners.append([int(i[1]) - 1 for i in indices])
             elif words[0] == "l":
                 features.append([int(i) - 1 for i in words[1:3]])
-    return Uv_mesh(np.array(points), np.array(faces), np.array(uvs)[np.array(corners)], features,
-                   tolerance)
+    return Uv_mesh(
+        np.array(points), np.array(faces), np.array(uvs)[np.array(corners)], features, tolerance
+    )
 
 
 def with_noise(mesh, size):
@@ -167,8 +149,11 @@ def write_obj(filename, mesh):
         for u in mesh.uv.reshape(-1, 2):
             out.write("vt %.17g %.17g\n" % tuple(u))
         for f, face in enumerate(mesh.faces):
-            out.write("f " + " ".join("%d/%d" % (v + 1, 3 * f + i + 1)
-                                      for i, v in enumerate(face)) + "\n")
+            out.write(
+                "f "
+                + " ".join("%d/%d" % (v + 1, 3 * f + i + 1) for i, v in enumerate(face))
+                + "\n"
+            )
         for edge in sorted(sorted(edge) for edge in mesh.features):
             out.write("l %d %d\n" % (edge[0] + 1, edge[1] + 1))
 
