@@ -17,7 +17,7 @@ STEPS = (
     (FLOATING, "Target", "the least-squares\nsolution"),
     (EXACT, "Evaluation", "rounded to a grid,\nback-substitution\nin integers"),
     (EXACT, "Expansion", "the sectors between\nthe nodes follow"),
-    (EXACT, "Orientation", "faces turned over\nare repaired"),
+    (MESH, "Orientation", "faces turned over\nare repaired"),
     (EXACT, "Verification", "of all equations, in\nexact arithmetic"),
     (MESH, "Writing", "all or nothing"),
 )
@@ -76,11 +76,11 @@ def main(out):
     for i, (color, text) in enumerate(
         (
             (MESH, "knows the mesh"),
-            (EXACT, "integers and exact signs, no mesh"),
+            (EXACT, "integers, no mesh"),
             (FLOATING, "floating point: proposes, never decides"),
         )
     ):
-        x = (0.3, 3.1, 7.9)[i]
+        x = (0.3, 3.1, 6.3)[i]
         axes.add_patch(
             FancyBboxPatch(
                 (x, 0.37),

@@ -24,7 +24,7 @@ WORDS = {  # what a room is for, and the color of its kind
     "complex": ("cuts without a mesh: sectors, branches, nodes", PALE_BLUE),
     "mesh": ("reads and writes meshes", PALE_GREEN),
     "surface": ("cuts of a mesh, the snapping, repair", PALE_GREEN),
-    "orientation": ("exact signs, moves, the program", PALE_GREEN),
+    "orientation": ("signs of faces, moves, repair", PALE_GREEN),
     "parameterization": ("computes parametrizations", PALE_GREEN),
     "tracing": ("traces isocurves", PALE_GREEN),
     "quads": ("layouts and quad meshes", PALE_GREEN),
@@ -48,18 +48,23 @@ def read_rooms(include):
     def room(name):
         parts = name.split("/")
         if parts[0] == "internal":
-            return parts[1] if len(parts) > 2 else None  # single helpers are no room
+            return parts[1] if len(parts) > 2 else None  # a single file is not a room
         if parts[0] == "IO":
             return "IO"
         return "public values" if name in used_inside else "public functions"
 
+    def rooms_behind(names):
+        """Single files belong to those that include them."""
+        result = set()
+        for name in names:
+            result |= rooms_behind(includes[name]) if room(name) is None else {room(name)}
+        return result
+
     uses = {}
     for header, names in includes.items():
-        here = room(header)
-        if here is None:
-            continue
-        uses.setdefault(here, set()).update(room(n) for n in names)
-    return {r: {o for o in others if o not in (None, r)} for r, others in uses.items()}
+        if room(header) is not None:
+            uses.setdefault(room(header), set()).update(rooms_behind(names))
+    return {r: others - {r} for r, others in uses.items()}
 
 
 def reachable(uses, start):

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 The directions of isocurves in a chart: along \f$ +u, +v, -u, -v \f$. In a face that is flipped in
 the domain a direction tells the sides: at the left of `PLUS_U`, seen on the surface, \f$ v \f$ is
@@ -37,7 +37,7 @@ enum class Isocurve_direction
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 returns the opposite direction.
 */
 inline Isocurve_direction reversed(const Isocurve_direction direction)
@@ -46,7 +46,7 @@ inline Isocurve_direction reversed(const Isocurve_direction direction)
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 What a point of an isocurve lies on.
 */
 enum class Isocurve_place

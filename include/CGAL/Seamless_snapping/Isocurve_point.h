@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 A point of the surface at which an isocurve starts, together with the chart that its direction
 refers to.
@@ -80,7 +80,7 @@ struct Isocurve_start
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 A point of a traced isocurve: an edge that is crossed, a vertex that is met, or the point of a face
 at which the curve starts. Where two consecutive points are vertices, the curve runs along the edge
@@ -132,7 +132,7 @@ private:
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 A traced isocurve.
 
@@ -150,7 +150,7 @@ struct Isocurve
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 returns the position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its target.
 It is exact where the curve crosses the edge. Where the curve starts on the edge and runs along it,
@@ -178,7 +178,7 @@ Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 returns the coordinates of a point in the chart of `face(point.halfedge())`, rounded.
 
@@ -207,7 +207,7 @@ std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 returns the place of a point in space, rounded.
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 How a traced isocurve ends. From `STUCK_AT_CUT` on, the ends can only occur where a parametrization
 is traced in floating point: these are the failures that Mandad and Campen
@@ -49,7 +49,7 @@ enum class Isocurve_status
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 returns `true` for the ends that can only occur where a parametrization is not exactly seamless.
 */
 inline bool is_failure(const Isocurve_status status)
@@ -58,7 +58,7 @@ inline bool is_failure(const Isocurve_status status)
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 returns the status in words.
 */
 inline const char* to_string(const Isocurve_status status)
@@ -89,7 +89,7 @@ constexpr int number_of_isocurve_statuses = static_cast<int>(Isocurve_status::SP
 /// \endcond
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 writes the status in words.
 */
 inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)

@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 traces isocurves on a parametrized mesh. The constructor reads the mesh and the parametrization
 once, into arrays of its own; it is to be preferred to `trace_isocurve()` wherever many curves are

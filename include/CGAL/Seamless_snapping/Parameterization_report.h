@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingParametrizing
 
 The outcome of `approximate_seamless_parameterization()`. After any outcome but `PARAMETERIZED` the
 caller's coordinates are untouched.
@@ -46,7 +46,7 @@ enum class Parameterization_status
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingParametrizing
 returns the status in words.
 */
 inline const char* to_string(const Parameterization_status status)
@@ -66,7 +66,7 @@ inline const char* to_string(const Parameterization_status status)
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingParametrizing
 
 The status and the figures that `approximate_seamless_parameterization()` returns.
 Converts to `bool`: `true` if and only if the coordinates were written.
@@ -134,7 +134,7 @@ struct Parameterization_report
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingParametrizing
 writes the status and, if there is one, the message.
 */
 template <typename VertexDescriptor>

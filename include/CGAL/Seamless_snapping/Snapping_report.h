@@ -125,6 +125,7 @@ struct Snapping_figures
 
   /// \name Orientation
   /// @{
+
   /// the largest change before orientations were repaired
   double largest_change_before_repair = 0;
   /// faces of positive orientation that the closest solution turned or made degenerate, before repair
@@ -168,6 +169,7 @@ struct Snapping_report
   /// Means are over the values of those parts of the system that had to be changed: parts that share
   /// no unknown with others and hold exactly in the input are left out.
   /// @{
+
   /// the larger side of the bounding box of the coordinates; for the generic function the largest
   /// absolute value
   double extent = 0;
@@ -184,6 +186,7 @@ struct Snapping_report
   /// \name Orientation (Surface Function Only)
   /// Faces are counted in the order of iteration over all faces of the mesh, from 0.
   /// @{
+
   /// faces that were positive in the input, and are not in the result
   std::vector<std::size_t> lost_faces;
   /// with `repair_flips`: faces that were not positive in the input, and still are not

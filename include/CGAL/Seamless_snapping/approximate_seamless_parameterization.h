@@ -120,7 +120,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
 } // namespace internal
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingParametrizing
 
 \brief computes an approximately seamless, field-aligned parametrization of a triangle mesh.
 

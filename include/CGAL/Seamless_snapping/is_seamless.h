@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingVerifying
 
 What `measure_seamlessness()` returns. The counts are exact; the violations are computed in floating
 point with an error in the order of their last digit.
@@ -227,7 +227,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 } // namespace internal
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingVerifying
 
 decides whether a parametrization is exactly seamless: whether for each interior edge there is a
 rotation \f$ R \f$ by a multiple of 90 degrees such that
@@ -322,7 +322,7 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingVerifying
 
 measures how far a parametrization is from being exactly seamless and aligned, and counts the faces
 that are flipped or degenerate in the domain. Template and named parameters are those of

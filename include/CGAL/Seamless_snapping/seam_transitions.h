@@ -39,7 +39,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingVerifying
 
 The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by
 which the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the
@@ -155,7 +155,7 @@ private:
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingVerifying
 
 reads the transitions off a uv map.
 

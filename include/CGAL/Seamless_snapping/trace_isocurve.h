@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 traces an isocurve of an exactly seamless parametrization, from a point on the surface in one of the
 directions \f$ +u, -u, +v, -v \f$ of its chart.
@@ -153,7 +153,7 @@ Isocurve<TriangleMesh> trace_isocurve(const TriangleMesh& tmesh, HalfedgeUVMap u
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 traces all isocurves that leave singular vertices: the separatrices, from which motorcycle graphs
 and base complexes are built. A vertex is singular here if its angle in the domain is not 360
