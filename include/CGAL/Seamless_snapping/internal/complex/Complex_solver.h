@@ -75,17 +75,13 @@ public:
     return std::nullopt;
   }
 
-  // The same for targets beside the input. Returns false if there are none, or none near by: more
-  // than twice as large as the input.
+  // The same for targets beside the input. Returns false if there are none.
   bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const
   {
     std::vector<Grid> grids(m_grids);
     Snapped_coordinates<Group> snapped;
     if(!are_in_range(shifts) || !solve(shifts, grids, snapped))
       return false;
-    for(std::size_t k = 0; k < grids.size(); ++k)
-      if(grids[k].exponent() > m_grids[k].exponent() + 1)
-        return false;
     coordinates.swap(snapped.coordinates);
     return true;
   }
