@@ -51,7 +51,10 @@ def read_rooms(include):
             return parts[1] if len(parts) > 2 else None  # a single file is not a room
         if parts[0] == "IO":
             return "IO"
-        return "public values" if name in used_inside else "public functions"
+        if name not in used_inside:
+            return "public functions"
+        behind = rooms_behind(includes[name]) - {"public values"}  # types of what a room returns
+        return behind.pop() if len(behind) == 1 else "public values"
 
     def rooms_behind(names):
         """Single files belong to those that include them."""
