@@ -115,6 +115,5 @@ $text =~ s/\\cgalFigureRef\{(\w+)\}/
 $text =~ s/(\\f\$(.*?)\\f\$)/formula_or_source($1, $2)/gse;
 $text =~ s/(\\f\[(.*?)\\f\])/'<center>' . formula_or_source($1, $2) . '<\/center>'/gse;
 $text =~ s/\\cgalCite\{([^}]*)\}/cite($1)/ge;
-$text =~ s/\b(Alg|Eq|Fig|Sec)\. (?=\(?\d)/$1.\\ /g; # else, a brief description would end here
 $text =~ s/\\bibliography\b/bibliography()/ge;
 print $text;

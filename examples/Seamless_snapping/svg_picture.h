@@ -172,8 +172,8 @@ private:
     }
   }
 
-  // The letter of a row of the right half, at both sides of the cut; beside it, where another letter
-  // stands there already.
+  // The letter of a row of the right half, at both sides of the cut; beside it, where another
+  // letter stands there already.
   void write_place(std::ostream& os, const View& view, std::size_t row,
                    std::vector<Vector_uv>& taken) const
   {
@@ -205,8 +205,8 @@ private:
        << " branches, " << m_transitions.singular_vertices().size() << " singular vertices</text>\n"
        << "<g font-size=\"20\"><path stroke-width=\"3\" " << stroke(0)
        << " d=\"M40 1014H70\"/><path stroke-width=\"3\" " << stroke(8)
-       << " d=\"M78 1014H108\"/><text x=\"120\" y=\"1021\">cut: one line style per branch, the same "
-          "on both sides</text>\n<circle cx=\"55\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(1)
+       << " d=\"M78 1014H108\"/><text x=\"120\" y=\"1021\">cut: one line style per branch, the "
+          "same on both sides</text>\n<circle cx=\"55\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(1)
        << "\"/><text x=\"70\" y=\"1060\">singular vertex of positive,</text>"
           "<circle cx=\"362\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(-1)
        << "\"/><text x=\"377\" y=\"1060\">of negative index</text></g>\n";

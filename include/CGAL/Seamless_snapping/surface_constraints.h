@@ -36,7 +36,7 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A connection constraint (Eq. (6) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a
+A connection constraint (Eq.\ (6) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a
 coordinate of corner `a` is constant leads, along the path, to corner `b`. With \f$ g \f$ the
 composition of the transitions across the halfedges of the path, \f$ g(\mathbf{u}(a)) \f$ and \f$
 \mathbf{u}(b) \f$ agree in one component.
@@ -61,7 +61,7 @@ struct Connection_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A cycle constraint (Eq. (8) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate
+A cycle constraint (Eq.\ (8) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate
 of a corner is constant returns, along a closed path, to that corner, instead of forming a spiral.
 */
 template <typename TriangleMesh>
