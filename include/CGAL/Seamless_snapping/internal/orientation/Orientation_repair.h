@@ -191,8 +191,13 @@ private:
       m_work += active.size();
       if(!program.solve(active, margin, at, next, forces))
         return;
-      if(!is_near_input(next, reach)) { // conditions exclude each other
-        give_up(next, reach, forces, is_crowd, active, given_up);
+      if(!is_near_input(next, reach)) { // conditions exclude each other: drop that which asks for most
+        if(is_crowd && margin > 0)
+          return; // or ask all for less
+        Eigen::Index most = 0;
+        forces.maxCoeff(&most);
+        given_up.push_back(active[std::size_t(most)]);
+        active.erase(active.begin() + most);
         --idle;
         continue;
       }
@@ -215,36 +220,6 @@ private:
       idle = has_changed ? -1 : idle;
       at = next;
     }
-  }
-
-  // Drops the condition that asks for most or, in a crowd, all that go too far.
-  void give_up(const Uv_state& state, const double reach, const Eigen::VectorXd& forces,
-               const bool is_crowd, std::vector<Face_index>& active,
-               std::vector<Face_index>& given_up) const
-  {
-    const auto end = std::stable_partition(active.begin(), active.end(), [&](const Face_index f) {
-      return !is_crowd || is_near_input(state, reach, f);
-    });
-    given_up.insert(given_up.end(), end, active.end());
-    if(end != active.end()) {
-      active.erase(end, active.end());
-      return;
-    }
-    Eigen::Index most = 0;
-    forces.maxCoeff(&most);
-    given_up.push_back(active[std::size_t(most)]);
-    active.erase(active.begin() + most);
-  }
-
-  bool is_near_input(const Uv_state& state, const double reach, const Face_index f) const
-  {
-    const Domain_face& face = m_points.domain_face(f);
-    const Uv_triangle now = m_points.triangle(state, face);
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t c = 0; c < 2; ++c)
-        if(!(std::abs(now[i][c] - face.input[i][c]) <= reach))
-          return false;
-    return true;
   }
 
   static bool contains(const std::vector<Face_index>& faces, const Face_index f)
@@ -276,7 +251,7 @@ private:
   // Of the extent. Where constraints ask for larger changes, linearized orientations mean nothing.
   static constexpr double largest_reach = 0.01;
   // Faces of one program, and of all together: what takes some seconds.
-  static constexpr std::size_t largest_program = 1000, largest_work = 4000;
+  static constexpr std::size_t largest_program = 1000, largest_work = 6000;
 
   Points& m_points;
   const HalfedgeUVMap& m_uv_map;

@@ -1,0 +1,227 @@
+// Which edges are cuts, how charts are turned, and where cones are, is read right from maps with noise:
+// also where triangles are smaller than the noise, where corners have noise of their own, and where one
+// part of a map is exact and another is not.
+
+#include "surface_checks.h"
+#include "test_data.h"
+#include "test_meshes.h"
+#include "uv_noise.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace SS = CGAL::Seamless_snapping;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_2 = Kernel::Point_2;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Point_2>;
+using Named = test_meshes::Named_mesh<Kernel>;
+using surface_checks::Bits;
+
+// --- noise of all sizes on maps whose topology is known ------------------------------------------
+
+void test_noise()
+{
+  constexpr unsigned int seeds = 20;
+  std::size_t runs = 0;
+  for(const Named& original : test_meshes::all_meshes<Kernel>())
+    for(unsigned int seed = 1; seed <= seeds; ++seed)
+      for(const auto kind : {uv_noise::Noise::per_sector, uv_noise::Noise::per_corner})
+        for(const double size : {1e-12, 1e-9, 1e-6, 1e-5}) {
+          Named named = original;
+          const auto uv = test_meshes::uv_map(named.mesh);
+          const surface_checks::Truth<Mesh, UV_map> truth(named.mesh, uv);
+          const double noise = size * truth.extent;
+          if(!truth.is_clear_with(noise))
+            continue;
+          uv_noise::perturb(named.mesh, uv, noise, seed, kind);
+          surface_checks::check_transitions(
+            named.mesh, truth, SS::seam_transitions(named.mesh, uv),
+            named.name + ", noise " + std::to_string(size) + ", seed " + std::to_string(seed));
+          ++runs;
+        }
+  std::cout << "noise: " << runs << " runs, seeds 1 to " << seeds << std::endl;
+  CHECK(runs > 1000);
+}
+
+// --- triangles smaller than the noise ------------------------------------------------------------
+
+// A square of 2 x 36 faces whose lines are at -1, -1/2, -h, 0, h, 1/2, 1: flat, and without a cut.
+Mesh graded_square(const double h)
+{
+  const double lines[] = {-1, -0.5, -h, 0, h, 0.5, 1};
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> vertices;
+  for(const double x : lines)
+    for(const double y : lines)
+      vertices.push_back(mesh.add_vertex(Kernel::Point_3(x, y, 0)));
+  for(std::size_t i = 0; i + 1 < 7; ++i)
+    for(std::size_t j = 0; j + 1 < 7; ++j) {
+      const auto v = [&](const std::size_t k, const std::size_t l) { return vertices[7 * k + l]; };
+      mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1));
+      mesh.add_face(v(i, j), v(i + 1, j + 1), v(i, j + 1));
+    }
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+  for(const auto corner : mesh.halfedges())
+    if(!mesh.is_border(corner)) {
+      const auto& p = mesh.point(mesh.target(corner));
+      uv[corner] = Point_2(p.x(), p.y());
+    }
+  return mesh;
+}
+
+void test_small_triangles()
+{
+  constexpr unsigned int seeds = 200;
+  for(unsigned int seed = 1; seed <= seeds; ++seed)
+    for(const double ratio : {0.2, 1., 5.}) {
+      const double h = 1e-6;
+      const std::string context =
+        "noise " + std::to_string(ratio) + " times the spacing, seed " + std::to_string(seed);
+      Mesh mesh = graded_square(h);
+      const auto uv = test_meshes::uv_map(mesh);
+      uv_noise::perturb(mesh, uv, ratio * h, seed, uv_noise::Noise::per_corner);
+      const auto transitions = SS::seam_transitions(mesh, uv);
+      CHECK_IN(context, transitions.cut_halfedges().empty());
+      CHECK_IN(context, transitions.singular_vertices().empty());
+      const auto report = SS::snap_to_seamless(mesh, uv);
+      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, report.largest_change <= 2 * ratio * h);
+    }
+  std::cout << "small triangles: seeds 1 to " << seeds << std::endl;
+}
+
+// --- an exact part beside one with noise ---------------------------------------------------------
+
+// Component 0 has noise, component 1 is 1e-4 times as large, and exact.
+void test_exact_part()
+{
+  constexpr unsigned int seeds = 20;
+  for(unsigned int seed = 1; seed <= seeds; ++seed)
+    for(const bool has_cones : {false, true}) {
+      const std::string context =
+        std::string(has_cones ? "tetrahedra" : "tori") + ", seed " + std::to_string(seed);
+      auto complex = has_cones ? test_meshes::tetrahedron() : test_meshes::torus(3, 3);
+      Mesh large = test_meshes::make_mesh<Kernel>(complex, 1);
+      Mesh mesh = large;
+      const auto large_uv = test_meshes::uv_map(mesh);
+      uv_noise::perturb(mesh, large_uv, 1e-6, seed);
+      const std::size_t number = mesh.number_of_halfedges();
+      mesh += large; // with its uv map
+      const auto uv = test_meshes::uv_map(mesh);
+      for(std::size_t i = number; i < mesh.number_of_halfedges(); ++i) {
+        Point_2& p = uv[Mesh::Halfedge_index(Mesh::size_type(i))];
+        p = Point_2(std::ldexp(p.x(), -13), std::ldexp(p.y(), -13)); // transitions stay exact
+      }
+      const Bits before = surface_checks::all_bits(mesh, uv);
+      const auto report = SS::snap_to_seamless(mesh, uv);
+      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, SS::is_seamless(mesh, uv));
+      const Bits after = surface_checks::all_bits(mesh, uv);
+      bool is_kept = true;
+      for(std::size_t i = 2 * number; i < before.size(); ++i)
+        is_kept = is_kept && before[i] == after[i];
+      CHECK_IN(context, is_kept);
+    }
+  std::cout << "exact parts: seeds 1 to " << seeds << std::endl;
+}
+
+// --- files ---------------------------------------------------------------------------------------
+
+struct File
+{
+  Mesh mesh;
+  UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+
+  explicit File(const std::filesystem::path& path)
+  {
+    CHECK_IN(path.string(), bool(SS::IO::read_OBJ(path.string(), mesh, uv)));
+  }
+};
+
+// A disk of 54 faces with 7 cut edges through one cone, with noise and without.
+void test_cone(const std::filesystem::path& folder)
+{
+  constexpr double tolerance = 4.68e-4; // no edge is off by more
+  const File clean(folder / "cone_54faces_clean.obj");
+  File noisy(folder / "cone_54faces.obj");
+  const auto expected = SS::seam_transitions(clean.mesh, clean.uv);
+  const auto np = SS::parameters::tolerance(tolerance);
+  const auto found = SS::seam_transitions(noisy.mesh, noisy.uv, np);
+  CHECK(bool(found));
+  CHECK_EQUAL(found.cut_halfedges().size(), 7u);
+  for(const auto h : clean.mesh.halfedges())
+    CHECK_EQUAL(found.rotation(h), expected.rotation(h));
+  CHECK(found.singular_vertices() == expected.singular_vertices());
+  const auto report = SS::snap_to_seamless(noisy.mesh, noisy.uv, np);
+  CHECK(report.status == SS::Snapping_status::SNAPPED);
+  CHECK(report.largest_change <= report.violation_before);
+}
+
+void test_corner_noise(const std::filesystem::path& folder)
+{
+  File file(folder / "percorner_72faces.obj");
+  const auto transitions = SS::seam_transitions(file.mesh, file.uv);
+  CHECK(transitions.cut_halfedges().empty());
+  CHECK(transitions.singular_vertices().empty());
+  const auto report =
+    SS::snap_to_seamless(file.mesh, file.uv, SS::parameters::repair_flips(true));
+  CHECK(report.status == SS::Snapping_status::SNAPPED);
+  CHECK(report.remaining_flips.empty());
+  CHECK(report.lost_faces.empty());
+}
+
+void test_tiny_torus(const std::filesystem::path& path)
+{
+  File file(path);
+  const Mesh& mesh = file.mesh;
+  const auto component = file.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:c", 0).first;
+  const std::size_t number =
+    CGAL::Polygon_mesh_processing::connected_components(mesh, component);
+  CHECK_EQUAL(number, 2u);
+  double extent[2] = {0, 0};
+  for(const auto h : mesh.halfedges()) {
+    double& e = extent[component[mesh.face(h)]];
+    e = (std::max)({e, std::abs(file.uv[h].x()), std::abs(file.uv[h].y())});
+  }
+  const std::size_t tiny = extent[0] < extent[1] ? 0 : 1;
+  const auto cuts = SS::seam_transitions(mesh, file.uv);
+  const Bits before = surface_checks::all_bits(mesh, file.uv);
+  CHECK(bool(SS::snap_to_seamless(mesh, file.uv)));
+  CHECK(SS::is_seamless(mesh, file.uv));
+  const Bits after = surface_checks::all_bits(mesh, file.uv);
+  const auto cuts_after = SS::seam_transitions(mesh, file.uv);
+  std::size_t i = 0;
+  for(const auto h : halfedges(mesh)) {
+    for(int c = 0; c < 2; ++c, ++i)
+      CHECK(component[mesh.face(h)] != tiny || before[i] == after[i]);
+    if(component[mesh.face(h)] == tiny)
+      CHECK(cuts.is_cut(h) == cuts_after.is_cut(h));
+  }
+}
+
+int main()
+{
+  test_noise();
+  test_small_triangles();
+  test_exact_part();
+  const auto folder = test_data::further_data("seams", "seams that are easily misread");
+  if(!folder.empty()) {
+    test_cone(folder);
+    test_corner_noise(folder);
+    test_tiny_torus(folder / "tiny_exact_torus_36faces.obj");
+    test_tiny_torus(folder / "tiny_exact_torus_256faces_slow.obj");
+  }
+  return report_checks();
+}
