@@ -206,10 +206,11 @@ private:
        << "<g font-size=\"20\"><path stroke-width=\"3\" " << stroke(0)
        << " d=\"M40 1014H70\"/><path stroke-width=\"3\" " << stroke(8)
        << " d=\"M78 1014H108\"/><text x=\"120\" y=\"1021\">cut: one line style per branch, the "
-          "same on both sides</text>\n<circle cx=\"55\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(1)
+          "same on both sides</text>\n<circle cx=\"55\" cy=\"1053\" r=\"6\" fill=\""
+       << singular_color(1)
        << "\"/><text x=\"70\" y=\"1060\">singular vertex of positive,</text>"
-          "<circle cx=\"362\" cy=\"1053\" r=\"6\" fill=\"" << singular_color(-1)
-       << "\"/><text x=\"377\" y=\"1060\">of negative index</text></g>\n";
+          "<circle cx=\"362\" cy=\"1053\" r=\"6\" fill=\""
+       << singular_color(-1) << "\"/><text x=\"377\" y=\"1060\">of negative index</text></g>\n";
   }
 
   const TriangleMesh& m_mesh;

@@ -1,5 +1,5 @@
-// How close a solution of a small system lies on one grid: an upper bound of the optimum, found in exact
-// integers by other means than the package's, and so what a snap can be measured against.
+// How close a solution of a small system lies on one grid: an upper bound of the optimum, found in
+// exact integers by other means than the package's, and so what a snap can be measured against.
 
 #ifndef SEAMLESS_SNAPPING_TEST_GRID_REFERENCE_H
 #define SEAMLESS_SNAPPING_TEST_GRID_REFERENCE_H
@@ -202,8 +202,8 @@ inline double largest_change(const Solutions& solutions, Integers y, const std::
   }
 }
 
-// The largest change on the way to a solution on the finest grid on which one was found whose values
-// have 53 bits at most.
+// The largest change on the way to a solution on the finest grid on which one was found whose
+// values have 53 bits at most.
 inline std::optional<Near_solution> nearest_on_one_grid(const Small_system& system,
                                                         const std::vector<double>& x)
 {

@@ -1,6 +1,7 @@
-// How close snap_to_linear_constraints() comes, and whether it finds a solution wherever there is one
-// near by: systems that make rounding errors grow, unknowns that many rows share, coefficients of many
-// bits, values of mixed scale. Each is compared with a reference that shares nothing with the package.
+// How close snap_to_linear_constraints() comes, and whether it finds a solution wherever there is
+// one near by: systems that make rounding errors grow, unknowns that many rows share, coefficients
+// of many bits, values of mixed scale. Each is compared with a reference that shares nothing with
+// the package.
 //
 //   test_seamless_snapping_closeness [NUMBER [SEED]]
 //
@@ -65,7 +66,8 @@ CS::Snapping_report snap(const std::string& name, const CS::Linear_constraints<C
   const CS::Snapping_report report = CS::snap_to_linear_constraints(c, x);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   std::cout << name << ": " << report << ", largest change " << largest_difference(before, x)
-            << ", optimal rms " << report.optimal_rms_change << ", " << time.count() << " s" << std::endl;
+            << ", optimal rms " << report.optimal_rms_change << ", " << time.count() << " s"
+            << std::endl;
   if(CHECK(bool(report)))
     CHECK(is_solution(c, x));
   return report;
@@ -213,8 +215,8 @@ void test_found(const std::string& name, const std::size_t n,
 void test_mixed_scales()
 {
   test_found("at a power of two", 2, {{{{0, 1}, {1, -1}}, -0x1p-49}}, {-16, -16}, 0x1p-47);
-  test_found("at two powers of two", 3, {{{{0, 1}, {1, -1}}, -0x1p-49}, {{{1, 1}, {2, 1}}, 0x1p-49}},
-             {-16, -16, 16}, 0x1p-46);
+  test_found("at two powers of two", 3,
+             {{{{0, 1}, {1, -1}}, -0x1p-49}, {{{1, 1}, {2, 1}}, 0x1p-49}}, {-16, -16, 16}, 0x1p-46);
   test_found("small pin", 1, {{{{0, 1}}, 1e-96}}, {1e235}, 1e235);
   test_found("small sum", 3, {{{{0, 1}, {1, 1}, {2, 1}}, 0x1p-60}}, {1, -1, 0}, 0x1p-50);
   test_found("large and small", 3, {{{{0, 1}, {1, -1}}, 0}, {{{1, 1}, {2, -1}}, 1e20}},
@@ -258,7 +260,8 @@ Random_problem random_problem(Random& random)
         b += Rational(row.back()) * Rational(std::ldexp(std::floor(std::ldexp(p.x[j], 20)), -20));
     }
     if(kind == 1)
-      b = Rational(std::ldexp(double(random_integer(random, -9, 9)), random_integer(random, -60, 0)));
+      b = Rational(
+          std::ldexp(double(random_integer(random, -9, 9)), random_integer(random, -60, 0)));
     p.system.rows.push_back(row);
     p.system.b.push_back(b);
   }
@@ -301,8 +304,8 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
   if(reference->largest_change > 0 && ratio > 10) {
     ++tally.too_far;
     if(tally.too_far < 5)
-      std::cout << "  seed " << seed << ": moved by " << largest_difference(p.x, x) << " instead of "
-                << reference->largest_change << std::endl;
+      std::cout << "  seed " << seed << ": moved by " << largest_difference(p.x, x)
+                << " instead of " << reference->largest_change << std::endl;
   }
 }
 

@@ -1,6 +1,6 @@
-// Which edges are cuts, how charts are turned, and where cones are, is read right from maps with noise:
-// also where triangles are smaller than the noise, where corners have noise of their own, and where one
-// part of a map is exact and another is not.
+// Which edges are cuts, how charts are turned, and where cones are, is read right from maps with
+// noise: also where triangles are smaller than the noise, where corners have noise of their own,
+// and where one part of a map is exact and another is not.
 
 #include "surface_checks.h"
 #include "test_data.h"

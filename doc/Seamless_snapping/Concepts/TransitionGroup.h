@@ -12,9 +12,9 @@ The functions of this version use quarter turns.
 
 \cgalHasModel `CGAL::Seamless_snapping::internal::Rotation_group<N>` for N = 1, 2, 3, 4, and 6. For
 N = 1, 2, and 4, coordinates are Cartesian. For N = 3 and 6 they are those of the lattice basis
-\f$ a + b \omega \f$, where \f$ \omega \f$ is the unit vector at 60 degrees: in Cartesian coordinates
+<em>a + b w</em>, where <em>w</em> is the unit vector at 60 degrees: in Cartesian coordinates
 the image of a vector of floating point numbers under a rotation by 60 degrees is not one, as
-\f$ \sqrt 3 \f$ is irrational.
+the square root of 3 is irrational.
 */
 class TransitionGroup
 {
@@ -62,8 +62,8 @@ public:
   static constexpr std::array<int, dimension> times_matrix(const std::array<int, dimension>& form,
                                                            Element g);
 
-  /// returns the `index` of the functional \f$ f' \f$ and the `sign` for which
-  /// \f$ f'(g u) = sign f(u) \f$.
+  /// returns the `index` of the functional `f'` and the `sign` for which
+  /// `f'(g u) = sign f(u)`.
   static constexpr unspecified_type act(Element g, int f);
 
   /// returns the image of a vector.

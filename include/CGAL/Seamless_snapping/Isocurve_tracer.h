@@ -145,8 +145,8 @@ public:
   traces all isocurves that leave singular vertices, in the order of `vertices(tmesh)` and
   counterclockwise around each; the order does not depend on the number of threads. The named
   parameters are those of `trace_isocurve()`. With several threads, all of them read the property
-  map `vertex_is_constrained_map`. Where `trace()` would return `Isocurve_status::NOT_EXACT`, a single
-  curve with this status is returned.
+  map `vertex_is_constrained_map`. Where `trace()` would return `Isocurve_status::NOT_EXACT`, a
+  single curve with this status is returned.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
          `CGAL::Parallel_tag`, which does not compile unless TBB is linked

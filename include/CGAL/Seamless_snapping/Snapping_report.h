@@ -42,10 +42,12 @@ enum class Snapping_status
   NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
   NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
-  NOT_ALIGNED,        ///< an edge that is to lie on an isocurve is farther from one than the tolerance
+  /// an edge that is to lie on an isocurve is farther from one than the tolerance
+  NOT_ALIGNED,
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INCONSISTENT,       ///< the constraints contradict each other
-  NOT_REPRESENTABLE,  ///< the constraints have solutions, but in the number type none was found near by
+  /// the constraints have solutions, but in the number type none was found near by
+  NOT_REPRESENTABLE,
   INEXACT_ARITHMETIC, ///< the program was compiled with options like `-ffast-math`
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };
@@ -76,8 +78,8 @@ inline const char* to_string(const Snapping_status status)
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Figures of the linear system that a snapping function solved, and of its elimination. They are summed
-over its independent components, or are the largest of any.
+Figures of the linear system that a snapping function solved, and of its elimination. They are
+summed over its independent components, or are the largest of any.
 */
 struct Linear_solver_figures
 {
@@ -99,9 +101,9 @@ struct Linear_solver_figures
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Figures of a run: what was found on the surface, what was done about its faces, and how long each step
-took. Those of a step that was not reached are zero, as are those of the surface for the generic
-function.
+Figures of a run: what was found on the surface, what was done about its faces, and how long each
+step took. Those of a step that was not reached are zero, as are those of the surface for the
+generic function.
 */
 struct Snapping_figures
 {
@@ -109,7 +111,8 @@ struct Snapping_figures
   /// @{
   std::size_t number_of_faces = 0;        ///< faces of the mesh
   std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
-  std::size_t number_of_merged_edges = 0; ///< edges that are no cut, but whose sides differed in the input
+  /// edges that are no cut, but whose sides differed in the input
+  std::size_t number_of_merged_edges = 0;
   /// edges too short to tell their rotation, which took it from their surroundings
   std::size_t number_of_edges_decided_by_surroundings = 0;
   /// interior vertices whose holonomy is not the identity
@@ -120,7 +123,8 @@ struct Snapping_figures
   std::size_t number_of_align_branches = 0; ///< sequences of aligned edges between nodes
   /// @}
 
-  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are several
+  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are
+  /// several
   double grid_step = 0;
 
   /// \name Orientation
@@ -128,7 +132,8 @@ struct Snapping_figures
 
   /// the largest change before orientations were repaired
   double largest_change_before_repair = 0;
-  /// faces of positive orientation that the closest solution turned or made degenerate, before repair
+  /// faces of positive orientation that the closest solution turned or made degenerate, before
+  /// repair
   std::size_t number_of_lost_faces = 0;
   /// those that moves of single vertices made positive again
   std::size_t number_of_faces_repaired_by_moves = 0;
@@ -144,9 +149,9 @@ struct Snapping_figures
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-What `snap_to_seamless()` and `snap_to_linear_constraints()` return: the outcome, the place and remedy
-of a failure, and how far the values moved. Converts to `bool`: `true` if and only if all constraints
-hold exactly in the caller's values.
+What `snap_to_seamless()` and `snap_to_linear_constraints()` return: the outcome, the place and
+remedy of a failure, and how far the values moved. Converts to `bool`: `true` if and only if all
+constraints hold exactly in the caller's values.
 
 Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
 was not reached, or that has no meaning for the function that was called, are zero.
@@ -159,25 +164,27 @@ struct Snapping_report
   std::string message;  ///< on failure: the place, the reason, and the remedy
   /*!
   If `status` is `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and
-  a nonzero multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0 \f$.
-  For the surface function, rows are those of its internal system; `message` names what they stand for.
+  a nonzero multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0
+  \f$. For the surface function, rows are those of its internal system; `message` names what they
+  stand for.
   */
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
   /// @}
 
   /// \name Distances
-  /// Means are over the values of those parts of the system that had to be changed: parts that share
-  /// no unknown with others and hold exactly in the input are left out.
+  /// Means are over the values of those parts of the system that had to be changed: parts that
+  /// share no unknown with others and hold exactly in the input are left out.
   /// @{
 
   /// the larger side of the bounding box of the coordinates; for the generic function the largest
   /// absolute value
   double extent = 0;
-  /// the largest violation of a constraint by the input; for the surface function, of a transition or
-  /// an alignment
+  /// the largest violation of a constraint by the input; for the surface function, of a transition
+  /// or an alignment
   double violation_before = 0;
   double largest_change = 0;    ///< the largest absolute change of a value
-  double mean_change = 0;       ///< the mean absolute change (of each sector, for the surface function)
+  /// the mean absolute change (of each sector, for the surface function)
+  double mean_change = 0;
   double rms_change = 0;        ///< the root-mean-square change, over the same values
   /// the same for the real-valued least-squares optimum that was approximated
   double optimal_rms_change = 0;

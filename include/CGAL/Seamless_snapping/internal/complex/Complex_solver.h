@@ -113,7 +113,8 @@ private:
     }
   }
 
-  Linear_target linear_target(const Target_shifts<Group>& shifts, const std::vector<Grid>& grids) const
+  Linear_target linear_target(const Target_shifts<Group>& shifts,
+                              const std::vector<Grid>& grids) const
   {
     const Grid_coordinates<Group> coordinates(m_complex, grids, shifts);
     return {grids,

@@ -34,7 +34,8 @@ namespace Seamless_snapping {
 namespace internal {
 
 using Sector_index = std::int32_t;
-using Vertex_index = std::int32_t; // of a vertex of the complex: those without constraints are not in it
+// of a vertex of the complex: those without constraints are not in it
+using Vertex_index = std::int32_t;
 using Branch_index = std::int32_t;
 
 // A place in one of the complex' arrays, up to the place of the next element.
@@ -133,8 +134,14 @@ struct Cut_complex
   const Pair* pairs_begin(const std::size_t b) const { return pairs.data() + first_pair[b]; }
   const Pair* pairs_end(const std::size_t b) const { return pairs.data() + first_pair[b + 1]; }
 
-  const Sector_index* links_begin(const std::size_t c) const { return links.data() + first_link[c]; }
-  const Sector_index* links_end(const std::size_t c) const { return links.data() + first_link[c + 1]; }
+  const Sector_index* links_begin(const std::size_t c) const
+  {
+    return links.data() + first_link[c];
+  }
+  const Sector_index* links_end(const std::size_t c) const
+  {
+    return links.data() + first_link[c + 1];
+  }
 
   // Whether there are pairs, or links, between those at the nodes.
   bool has_inner_pairs(const std::size_t b) const { return first_pair[b + 1] - first_pair[b] > 2; }

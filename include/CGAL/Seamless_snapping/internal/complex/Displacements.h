@@ -184,7 +184,8 @@ private:
   double weight(const Role& role) const { return m_system.weights()[std::size_t(role.column)]; }
 
   // The mean of what both sides want, as in `Solution_expander`.
-  Vector plus_displacement(const Response& response, const Sector_index plus, const Role& role) const
+  Vector
+  plus_displacement(const Response& response, const Sector_index plus, const Role& role) const
   {
     const Vector own = shift_of(response, plus), other = shift_of(response, role.partner);
     const Vector gap = sum(sum(other, Group::apply(role.element, own), -1),

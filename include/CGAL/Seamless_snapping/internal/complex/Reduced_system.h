@@ -104,7 +104,8 @@ private:
     m_number_of_node_columns = m_weights.size();
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b) {
       const std::ptrdiff_t inner = m_complex.pairs_end(b) - m_complex.pairs_begin(b) - 2;
-      m_translation.push_back(inner > 0 ? add_column(0.5 * static_cast<double>(inner), dimension) : -1);
+      m_translation.push_back(inner > 0 ? add_column(0.5 * static_cast<double>(inner), dimension)
+                                        : -1);
     }
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c) {
       const std::ptrdiff_t inner = m_complex.links_end(c) - m_complex.links_begin(c) - 2;
@@ -185,7 +186,8 @@ private:
   }
 
   // factor f(u) for a sector
-  void append_functional(const Sector_index s, const Functional<dimension>& f, const std::int64_t factor)
+  void
+  append_functional(const Sector_index s, const Functional<dimension>& f, const std::int64_t factor)
   {
     for(std::size_t d = 0; d < dimension; ++d)
       if(f[d] != 0)

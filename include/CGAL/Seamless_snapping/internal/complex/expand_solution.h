@@ -42,7 +42,8 @@ struct Snapped_coordinates
   // the least-squares optimum, in `unit`s squared.
   double optimal_squares = 0;
   double unit = 1; // the step of the coarsest grid
-  Component_index misfit = -1; // a component that needs a coarser grid; if there is one, all is void
+  // a component that needs a coarser grid; if there is one, all is void
+  Component_index misfit = -1;
 };
 
 // Of all grids; 1 if there is none.
@@ -117,7 +118,8 @@ private:
   void expand_branch(const std::size_t b)
   {
     const auto g = m_complex.element[b], back = Group::inverse(g);
-    const Components<dimension> plus_k = m_components.of_plus(b), minus_k = m_components.of_minus(b);
+    const Components<dimension> plus_k = m_components.of_plus(b),
+                                minus_k = m_components.of_minus(b);
     const std::size_t first_column = std::size_t(m_system.translation(b));
     std::array<std::int64_t, dimension> t;
     Vector rounding; // of t
@@ -165,7 +167,8 @@ private:
         rest -= x;
         set(*s, c, k[c], x);
       }
-      add_optimal_change(optimal_level_change(f, target, column) / std::sqrt(number_of_terms), k[0] >= 0 ? k[0] : k[1]);
+      add_optimal_change(optimal_level_change(f, target, column) / std::sqrt(number_of_terms),
+                         k[0] >= 0 ? k[0] : k[1]);
     }
   }
 

@@ -107,8 +107,10 @@ bool path_is_exact(const Cut_complex<Group>& complex, const typename Cut_complex
     const std::size_t b = std::size_t(crossing.branch);
     const auto& pair = *complex.pairs_begin(b);
     // from the chart of one sector of a pair to that of the other: u' = g (u - u(here)) + u(there)
-    const auto here = exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.plus : pair.minus)]);
-    const auto there = exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.minus : pair.plus)]);
+    const auto here =
+        exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.plus : pair.minus)]);
+    const auto there =
+        exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.minus : pair.plus)]);
     const auto g = crossing.is_along ? complex.element[b] : Group::inverse(complex.element[b]);
     for(std::size_t c = 0; c < Group::dimension; ++c)
       x[c] -= here[c];
@@ -127,8 +129,9 @@ bool equation_is_exact(const typename Cut_complex<Group>::Equation& equation,
 {
   Exact_rational sum(-equation.right_hand_side);
   for(const auto& term : equation.terms)
-    sum += Exact_rational(term.coefficient *
-                          Exact_rational(u[std::size_t(term.sector)][std::size_t(term.coordinate)]));
+    sum +=
+        Exact_rational(term.coefficient *
+                       Exact_rational(u[std::size_t(term.sector)][std::size_t(term.coordinate)]));
   return sum == 0;
 }
 

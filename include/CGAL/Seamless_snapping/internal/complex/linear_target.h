@@ -64,7 +64,8 @@ public:
 private:
   void add_translation(const std::size_t b)
   {
-    const auto plus_components = m_components.of_plus(b), minus_components = m_components.of_minus(b);
+    const auto plus_components = m_components.of_plus(b),
+               minus_components = m_components.of_minus(b);
     const auto g = m_complex.element[b];
     const auto first = m_complex.pairs_begin(b) + 1, last = m_complex.pairs_end(b) - 1;
     std::array<std::int64_t, dimension> base{};

@@ -76,8 +76,8 @@ public:
       m_other_half_inverse(std::ldexp(1., -exponent - (-exponent / 2)))
   { }
 
-  // The finest grid on which all numbers up to `largest` have at most p bits. (Sec. 4.3 adds a bit of
-  // margin; here the rare result that needs it is computed again on a coarser grid.)
+  // The finest grid on which all numbers up to `largest` have at most p bits. (Sec. 4.3 adds a bit
+  // of margin; here the rare result that needs it is computed again on a coarser grid.)
   static Grid finest(const Number_format& format, const double largest)
   {
     int exponent = 0;
@@ -94,8 +94,8 @@ public:
   double in_steps(const double x) const
   { return (x * m_half_inverse) * m_other_half_inverse; } // 1 / step() may overflow
 
-  // Exact, but for values that are subnormal numbers, or infinite, in units of the step. Beyond 2^62 steps
-  // there is no base.
+  // Exact, but for values that are subnormal numbers, or infinite, in units of the step. Beyond
+  // 2^62 steps there is no base.
   Grid_value split(const double x) const
   {
     const double scaled = in_steps(x);
@@ -125,7 +125,8 @@ public:
            significand <= (std::uint64_t(1) << m_format.digits);
   }
 
-  // The representable grid element nearest to a real number, up to ties; false if that exceeds 2^62.
+  // The representable grid element nearest to a real number, up to ties; false if that exceeds
+  // 2^62.
   bool nearest(const Grid_value& v, std::int64_t& x) const
   {
     if(!(std::abs(to_double(v)) < machine_integer_bound))
@@ -145,8 +146,8 @@ private:
   double m_step, m_half_inverse, m_other_half_inverse;
 };
 
-// Changes the units to those of a grid 2^shift times as coarse (as fine for shift < 0). Numbers that exceed
-// 2^62 there lose their exact part.
+// Changes the units to those of a grid 2^shift times as coarse (as fine for shift < 0). Numbers
+// that exceed 2^62 there lose their exact part.
 inline void rescale(Grid_value& v, const int shift)
 {
   const double size = std::ldexp(to_double(v), -shift);

@@ -14,9 +14,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The few integer operations of the exact algorithms, written once for machine integers, which throw
-// `Integer_overflow` instead of wrapping, and once for multiprecision integers, which cannot overflow.
-// The smallest machine integer counts as an overflow too, so that values can be negated freely.
+// The few integer operations of the exact algorithms, written once for machine integers, which
+// throw `Integer_overflow` instead of wrapping, and once for multiprecision integers, which cannot
+// overflow. The smallest machine integer counts as an overflow too, so that values can be negated
+// freely.
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/number_utils.h>
@@ -140,7 +141,8 @@ inline std::int64_t greatest_common_divisor(const std::int64_t a, const std::int
   return std::gcd(a, b);
 }
 
-inline BOOST_NOINLINE Exact_integer greatest_common_divisor(const Exact_integer& a, const Exact_integer& b)
+inline BOOST_NOINLINE Exact_integer greatest_common_divisor(const Exact_integer& a,
+                                                            const Exact_integer& b)
 {
   return CGAL::gcd(a, b);
 }

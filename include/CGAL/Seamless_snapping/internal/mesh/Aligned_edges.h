@@ -38,8 +38,10 @@ namespace Seamless_snapping {
 namespace internal {
 
 template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename F>
-void for_each_edge_to_align(const TriangleMesh& tmesh, const EdgeIsConstrainedMap& edge_is_constrained,
-                            const bool align_border, const F& f)
+void for_each_edge_to_align(const TriangleMesh& tmesh,
+                            const EdgeIsConstrainedMap& edge_is_constrained,
+                            const bool align_border,
+                            const F& f)
 {
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
@@ -49,8 +51,8 @@ void for_each_edge_to_align(const TriangleMesh& tmesh, const EdgeIsConstrainedMa
   }
 }
 
-// Invariant: each edge is represented by a halfedge that has a face, in whose chart the functional is
-// constant up to the tolerance; if not, `refusal()` tells.
+// Invariant: each edge is represented by a halfedge that has a face, in whose chart the functional
+// is constant up to the tolerance; if not, `refusal()` tells.
 template <typename Group, typename TriangleMesh>
 class Aligned_edges
 {
@@ -71,7 +73,9 @@ public:
     for_each_edge_to_align(tmesh, edge_is_constrained, align_border, [&](const Halfedge h) {
       found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
     });
-    const auto turn = [&](Edge& edge) { edge = {opposite(edge.halfedge, tmesh), edge.target, edge.source}; };
+    const auto turn = [&](Edge& edge) {
+      edge = {opposite(edge.halfedge, tmesh), edge.target, edge.source};
+    };
     for(Edge& edge : found)
       if(must_turn(tmesh, vertex_indices, edge))
         turn(edge);
@@ -131,11 +135,12 @@ private:
     }
     if(count == 0)
       return;
-    const std::string message = edge_name(*m_tmesh, vertex_indices, worst) +
-                " is to be aligned, but neither coordinate is constant along it: the lesser change is " +
-                short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
-                (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
-                "; constrain only edges that lie on isocurves, or raise the tolerance";
+    const std::string message =
+        edge_name(*m_tmesh, vertex_indices, worst) +
+        " is to be aligned, but neither coordinate is constant along it: the lesser change is " +
+        short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
+        (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
+        "; constrain only edges that lie on isocurves, or raise the tolerance";
     m_refusal = Refusal{Snapping_status::NOT_ALIGNED, message, {}};
   }
 
@@ -148,8 +153,10 @@ private:
 
 // The edges that the named parameters ask to align.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                           const double extent, const NamedParameters& np)
+Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh,
+                                                      const HalfedgeUVMap& uv_map,
+                                                      const double extent,
+                                                      const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -157,13 +164,15 @@ Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh,
   using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
   const auto edge_is_constrained =
     choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
-  const bool align_border = choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  const bool align_border =
+      choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
   if(std::is_same<std::decay_t<decltype(edge_is_constrained)>, No_edges>::value && !align_border)
     return Aligned_edges<Group, TriangleMesh>(tmesh);
   const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
                                             default_tolerance);
-  return Aligned_edges<Group, TriangleMesh>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
-                                   edge_is_constrained, align_border, tolerance * extent);
+  return Aligned_edges<Group, TriangleMesh>(tmesh, uv_map,
+                                            CGAL::get_initialized_vertex_index_map(tmesh, np),
+                                            edge_is_constrained, align_border, tolerance * extent);
 }
 
 } // namespace internal

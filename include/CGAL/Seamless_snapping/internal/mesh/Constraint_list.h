@@ -44,8 +44,8 @@ struct Path_constraint
   std::string name; // "connection 3"
 };
 
-// Invariant: unless there is a refusal, all corners have faces, all components are 0 or 1, and all paths are
-// connected and cross interior edges only.
+// Invariant: unless there is a refusal, all corners have faces, all components are 0 or 1, and all
+// paths are connected and cross interior edges only.
 template <typename TriangleMesh>
 class Constraint_list
 {
@@ -58,10 +58,11 @@ public:
     : m_tmesh(tmesh)
   {
     namespace parameters = CGAL::parameters;
-    add_connections(parameters::get_parameter_reference(np, CGAL::internal_np::connection_constraints));
+    add_connections(
+        parameters::get_parameter_reference(np, CGAL::internal_np::connection_constraints));
     add_cycles(parameters::get_parameter_reference(np, CGAL::internal_np::cycle_constraints));
-    add_corner_constraints(parameters::get_parameter_reference(np,
-                                                               CGAL::internal_np::corner_constraints));
+    add_corner_constraints(
+        parameters::get_parameter_reference(np, CGAL::internal_np::corner_constraints));
     for(const Path_constraint<TriangleMesh>& p : m_paths)
       check_path(p);
     for(std::size_t i = 0; i < m_corner_constraints.size(); ++i)
@@ -143,7 +144,8 @@ private:
       if(is_border(h, m_tmesh) || is_border(opposite(h, m_tmesh), m_tmesh))
         return fail(step + " crosses the border; a path crosses edges between two faces");
       if(face(h, m_tmesh) != f)
-        return fail(step + " does not begin in the face where the path has arrived; consecutive halfedges "
+        return fail(step +
+                    " does not begin in the face where the path has arrived; consecutive halfedges "
                     "h, i of a path have face(opposite(h)) = face(i)");
       f = face(opposite(h, m_tmesh), m_tmesh);
     }

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The mismatched edges of a uv map, whose two sides have different coordinates, in an order that does not depend on the mesh data structure, and which of
-// them meet at which vertex.
+// The mismatched edges of a uv map, whose two sides have different coordinates, in an order that
+// does not depend on the mesh data structure, and which of them meet at which vertex.
 
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
@@ -38,7 +38,8 @@ struct Indexed_edge
   std::size_t source, target;
 };
 
-// A mismatched edge together with the coordinates of its sides, so that the mesh need not be asked again.
+// A mismatched edge together with the coordinates of its sides, so that the mesh need not be asked
+// again.
 template <typename Halfedge>
 struct Surveyed_edge
   : Indexed_edge<Halfedge>
@@ -64,7 +65,9 @@ class Vertex_numbers
 {
 public:
   // \param number_of_vertices of the mesh; indices of views of a mesh may be larger
-  explicit Vertex_numbers(const std::size_t number_of_vertices) : m_numbers(number_of_vertices, -1) { }
+  explicit Vertex_numbers(const std::size_t number_of_vertices)
+    : m_numbers(number_of_vertices, -1)
+  {}
 
   template <typename Edges>
   void mark_ends(const Edges& edges)
@@ -108,17 +111,20 @@ private:
   Vertex_index m_size = 0;
 };
 
-// The order of edges by the indices of their ends: two mesh data structures that number their vertices
-// alike get the same. Parallel edges are told apart by the vertices opposite to them.
+// The order of edges by the indices of their ends: two mesh data structures that number their
+// vertices alike get the same. Parallel edges are told apart by the vertices opposite to them.
 // \pre each edge is directed towards its end of larger index
 template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
-std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices,
-                                         const Vertex_numbers& numbers, const std::vector<Edge>& edges)
+std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh,
+                                         const VertexIndexMap& vertex_indices,
+                                         const Vertex_numbers& numbers,
+                                         const std::vector<Edge>& edges)
 {
   const auto apexes = [&](const Edge& edge) {
     const auto g = opposite(edge.halfedge, tmesh);
-    return std::make_pair(std::size_t(get(vertex_indices, target(next(edge.halfedge, tmesh), tmesh))),
-                          std::size_t(get(vertex_indices, target(next(g, tmesh), tmesh))));
+    return std::make_pair(
+        std::size_t(get(vertex_indices, target(next(edge.halfedge, tmesh), tmesh))),
+        std::size_t(get(vertex_indices, target(next(g, tmesh), tmesh))));
   };
   std::vector<std::size_t> begin(numbers.size() + 1, 0); // a counting sort by source
   for(const Edge& edge : edges)
@@ -130,7 +136,8 @@ std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh, const Vertex
   for(std::size_t i = 0; i < edges.size(); ++i)
     order[next_place[std::size_t(numbers[edges[i].source])]++] = i;
   for(std::size_t v = 0; v < numbers.size(); ++v)
-    std::sort(order.begin() + std::ptrdiff_t(begin[v]), order.begin() + std::ptrdiff_t(begin[v + 1]),
+    std::sort(order.begin() + std::ptrdiff_t(begin[v]),
+              order.begin() + std::ptrdiff_t(begin[v + 1]),
               [&](const std::size_t i, const std::size_t j) {
                 if(edges[i].target != edges[j].target)
                   return edges[i].target < edges[j].target;

@@ -267,7 +267,8 @@ private:
       is_reached[std::size_t(v)] = false;
     for(std::size_t k = found; k != 0; k = std::size_t(arrival[k])) {
       const std::size_t e = std::size_t(by[k].edge);
-      set_rotation<Group>(m_edges[e], Edge_vectors(m_edges[e].sides), turned(by[k], index), m_scale);
+      set_rotation<Group>(m_edges[e], Edge_vectors(m_edges[e].sides), turned(by[k], index),
+                          m_scale);
     }
   }
 

@@ -58,17 +58,21 @@ Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts
                   const VertexIndexMap& vertex_indices)
 {
   if(refusal.status == Snapping_status::NOT_REPRESENTABLE) {
-    refusal.message = constraints.corner_constraints().empty()
-      ? "the exact coordinates would exceed the largest number of their type; scale them down"
-      : "the corner constraints have solutions, but none whose coordinates are multiples of one power "
-        "of two that the number type can hold at the size of the coordinates; round their right-hand "
-        "sides to fewer bits";
+    refusal.message =
+        constraints.corner_constraints().empty()
+            ? "the exact coordinates would exceed the largest number of their type; scale them down"
+            : "the corner constraints have solutions, but none whose coordinates are multiples of "
+              "one power "
+              "of two that the number type can hold at the size of the coordinates; round their "
+              "right-hand "
+              "sides to fewer bits";
     return refusal;
   }
   constexpr std::size_t at_most = 8;
   std::set<std::string> names;
   for(const auto& multiple : refusal.certificate)
-    names.insert(name_of_row(system.origin(multiple.first), cuts, constraints, tmesh, vertex_indices));
+    names.insert(
+        name_of_row(system.origin(multiple.first), cuts, constraints, tmesh, vertex_indices));
   refusal.message = "constraints contradict each other:";
   std::size_t count = 0;
   for(const std::string& name : names)

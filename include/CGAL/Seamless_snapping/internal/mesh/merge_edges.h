@@ -85,8 +85,10 @@ std::vector<double> residuals_of_parts(const Vertex_incidences& incidences,
 // Whether a vertex is inside and has just two mismatched edges: the one's chain goes on in the
 // other.
 template <typename TriangleMesh, typename Halfedge>
-bool joins_two_edges(const TriangleMesh& tmesh, const std::vector<Mismatched_edge<Halfedge> >& edges,
-                     const Vertex_incidences& incidences, const Vertex_index v)
+bool joins_two_edges(const TriangleMesh& tmesh,
+                     const std::vector<Mismatched_edge<Halfedge>>& edges,
+                     const Vertex_incidences& incidences,
+                     const Vertex_index v)
 {
   if(incidences.degree(v) != 2)
     return false;
@@ -121,7 +123,8 @@ void mark_merged_edges(const TriangleMesh& tmesh, const Vertex_incidences& incid
     }
   for(std::size_t i = 0; i < edges.size(); ++i)
     if(is_candidate(i))
-      edges[i].is_cut = sum[chains.set_of(i)] > noise_factor * residual[i] * count[chains.set_of(i)];
+      edges[i].is_cut =
+          sum[chains.set_of(i)] > noise_factor * residual[i] * count[chains.set_of(i)];
 }
 
 } // namespace internal

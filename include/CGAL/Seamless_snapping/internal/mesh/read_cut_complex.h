@@ -81,18 +81,24 @@ class Cut_complex_reader
   using Aligned = Aligned_edges<Group, TriangleMesh>;
 
 public:
-  Cut_complex_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+  Cut_complex_reader(const TriangleMesh& tmesh,
+                     const HalfedgeUVMap& uv_map,
                      const VertexIndexMap& vertex_indices,
-                     const Transition_data<TriangleMesh>& transitions, const Aligned& aligned_edges,
+                     const Transition_data<TriangleMesh>& transitions,
+                     const Aligned& aligned_edges,
                      const Constraint_list<TriangleMesh>& constraints)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_transitions(transitions),
-      m_aligned_edges(aligned_edges), m_constraints(constraints),
-      m_node_corners(indexed_corners(constraints.corners())),
-      m_vertices(tmesh, transitions, aligned_edges, m_node_corners),
-      m_target_sector(2 * transitions.number_of_cuts, -1),
-      m_source_sector(2 * transitions.number_of_cuts, -1),
-      m_aligned_target_sector(aligned_edges.size(), -1),
-      m_aligned_source_sector(aligned_edges.size(), -1)
+    : m_tmesh(tmesh)
+    , m_uv_map(uv_map)
+    , m_vertex_indices(vertex_indices)
+    , m_transitions(transitions)
+    , m_aligned_edges(aligned_edges)
+    , m_constraints(constraints)
+    , m_node_corners(indexed_corners(constraints.corners()))
+    , m_vertices(tmesh, transitions, aligned_edges, m_node_corners)
+    , m_target_sector(2 * transitions.number_of_cuts, -1)
+    , m_source_sector(2 * transitions.number_of_cuts, -1)
+    , m_aligned_target_sector(aligned_edges.size(), -1)
+    , m_aligned_source_sector(aligned_edges.size(), -1)
   { }
 
   Cuts run()
@@ -197,7 +203,8 @@ private:
     std::vector<std::vector<Halfedge> > walks(number_of_walks);
     for(std::size_t v = 0; v < starts.size(); ++v) {
       if(v % number_of_walks == 0)
-        walk_around_vertices(starts.data() + v, (std::min)(starts.size() - v, number_of_walks), walks);
+        walk_around_vertices(starts.data() + v, (std::min)(starts.size() - v, number_of_walks),
+                             walks);
       complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
       const std::size_t gaps = form_sectors_at(Vertex_index(v), walks[v % number_of_walks]);
       const bool is_singular =
@@ -230,7 +237,8 @@ private:
     Directed_edge cut = first_cut;
     for(std::size_t i = 0; i < walk.size(); ++i) {
       const Halfedge h = walk[i];
-      const Directed_edge following_cut = i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
+      const Directed_edge following_cut =
+          i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
       if(is_border(h, m_tmesh)) {
         ++gaps;
         begins = true;
@@ -341,7 +349,8 @@ private:
     // the last corner of each sector is followed by the first of the next one
     const Sector_index last = complex.first_sector[std::size_t(v) + 1];
     for(Sector_index s = complex.first_sector[std::size_t(v)]; s != last; ++s) {
-      const auto first = m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s)]);
+      const auto first =
+          m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s)]);
       const auto end = std::size_t(s) + 1 < m_result.first_corner.size()
         ? m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s) + 1])
         : m_result.corners.end();

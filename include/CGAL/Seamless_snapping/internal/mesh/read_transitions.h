@@ -14,7 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from noise.
+// From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from
+// noise.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
@@ -130,7 +131,8 @@ double transition_violation(const Edge_sides& sides, const Given& given, const H
 }
 
 template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
-std::string edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
+std::string
+edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
 {
   return "the edge between vertices " + std::to_string(get(vertex_indices, source(h, tmesh))) +
          " and " + std::to_string(get(vertex_indices, target(h, tmesh)));
@@ -153,10 +155,16 @@ class Transition_reader
   using Halfedge = typename Data::Halfedge;
 
 public:
-  Transition_reader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                    const VertexIndexMap& vertex_indices, const Given& given, const double tolerance)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_given(given),
-      m_tolerance(tolerance)
+  Transition_reader(const TriangleMesh& tmesh,
+                    const HalfedgeUVMap& uv_map,
+                    const VertexIndexMap& vertex_indices,
+                    const Given& given,
+                    const double tolerance)
+    : m_tmesh(tmesh)
+    , m_uv_map(uv_map)
+    , m_vertex_indices(vertex_indices)
+    , m_given(given)
+    , m_tolerance(tolerance)
   { }
 
   Data run()
@@ -190,7 +198,8 @@ public:
   }
 
 private:
-  bool read_rotations(std::vector<Surveyed_edge<Halfedge> >& surveyed, const Vertex_numbers& numbers,
+  bool read_rotations(std::vector<Surveyed_edge<Halfedge>>& surveyed,
+                      const Vertex_numbers& numbers,
                       Data& data) const
   {
     for(Surveyed_edge<Halfedge>& s : surveyed)
@@ -245,7 +254,8 @@ private:
       data.violation = (std::max)(data.violation, edge.residual / m_scale);
       // the sides of an edge that is known to be no cut must coincide
       const double violation = edge.is_cut ? edge.residual : (std::max)(edge.residual, edge.gap);
-      if(violation == 0 || violation <= m_tolerance * (data.extent * m_scale)) // 0 times infinity is NaN
+      // 0 times infinity is NaN
+      if(violation == 0 || violation <= m_tolerance * (data.extent * m_scale))
         continue;
       ++count;
       if(worst == nullptr || violation > worst_violation) {
@@ -269,8 +279,10 @@ private:
     double residual = 0;
     for(const Mismatched_edge<Halfedge>& edge : data.edges)
       residual = (std::max)(residual, edge.residual);
-    if(std::none_of(data.edges.begin(), data.edges.end(), [&](const Mismatched_edge<Halfedge>& edge)
-                    { return edge.length <= 16 * residual || may_be_noise<Group>(edge, residual); }))
+    if(std::none_of(data.edges.begin(), data.edges.end(),
+                    [&](const Mismatched_edge<Halfedge>& edge) {
+                      return edge.length <= 16 * residual || may_be_noise<Group>(edge, residual);
+                    }))
       return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
@@ -292,7 +304,8 @@ private:
     return std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
   }
 
-  void fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
+  void
+  fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
   {
     data.refusal = Refusal{status, edge_name(m_tmesh, m_vertex_indices, h) + what, {}};
     data.edges.clear(); // incomplete
@@ -306,8 +319,8 @@ private:
   double m_scale = 1; // lengths are measured after multiplication with it
 };
 
-// Whether indices are as for CGAL's functions: different, and less than the number of vertices. Callers
-// can give others, which would be places outside of arrays.
+// Whether indices are as for CGAL's functions: different, and less than the number of vertices.
+// Callers can give others, which would be places outside of arrays.
 template <typename TriangleMesh, typename VertexIndexMap>
 bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
 {
@@ -325,13 +338,14 @@ bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_i
 constexpr double default_tolerance = 1e-4;
 
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                               const NamedParameters& np)
+Transition_data<TriangleMesh>
+read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  if(!CGAL::parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_index_t>::value &&
+  if(!CGAL::parameters::is_default_parameter<NamedParameters,
+                                             CGAL::internal_np::vertex_index_t>::value &&
      !are_valid_indices(tmesh, vertex_indices)) {
     Transition_data<TriangleMesh> data;
     data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT,
@@ -343,9 +357,10 @@ Transition_data<TriangleMesh> read_transitions(const TriangleMesh& tmesh, const 
   const auto given = given_transitions<Group>(tmesh, np);
   const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
                                             default_tolerance);
-  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
-                           std::decay_t<decltype(given)> >(
-           tmesh, uv_map, vertex_indices, given, tolerance).run();
+  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap,
+                           std::decay_t<decltype(vertex_indices)>, std::decay_t<decltype(given)>>(
+             tmesh, uv_map, vertex_indices, given, tolerance)
+      .run();
 }
 
 } // namespace internal

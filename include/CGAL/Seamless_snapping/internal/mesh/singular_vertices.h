@@ -15,7 +15,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Singular vertices from the product of the rotations around them, the holonomy. Angle sums alone
-// miscount wherever a fold touches a vertex; they only choose among indices that differ by full turns.
+// miscount wherever a fold touches a vertex; they only choose among indices that differ by full
+// turns.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
@@ -47,9 +48,9 @@ double corner_angle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, cons
   return angle / (2 * std::acos(-1.)) * Group::order;
 }
 
-// The product of the rotations of the cuts around a vertex, counterclockwise. It is the rotation of the
-// index: crossing counterclockwise over an edge leads from the face of the halfedge that points to
-// the vertex to the opposite one, and the angles of the sectors make up the rest of a full turn.
+// The product of the rotations of the cuts around a vertex, counterclockwise. It is the rotation of
+// the index: crossing counterclockwise over an edge leads from the face of the halfedge that points
+// to the vertex to the opposite one, and the angles of the sectors make up the rest of a full turn.
 template <typename Group, typename Halfedge>
 typename Group::Element holonomy(const Vertex_incidences& incidences,
                                  const std::vector<Mismatched_edge<Halfedge> >& edges,
@@ -73,7 +74,7 @@ singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const 
   numbers.mark_ends(edges);
   numbers.assign_numbers();
   const Vertex_incidences incidences(numbers.size(), numbers.ends(edges));
-  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> > result;
+  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int>> result;
   for(std::size_t i = 0; i < numbers.size(); ++i) {
     const int turns = Group::turns(holonomy<Group>(incidences, edges, Vertex_index(i)));
     if(turns == 0)

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The one pass over all edges of a mesh: finds the open edges, those whose two sides are not the same to
-// the bit, and checks on the way that faces are triangles and coordinates are finite. What follows looks
-// at open edges only.
+// The one pass over all edges of a mesh: finds the open edges, those whose two sides are not the
+// same to the bit, and checks on the way that faces are triangles and coordinates are finite. What
+// follows looks at open edges only.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/prefetch.h>
@@ -173,17 +173,23 @@ bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
 constexpr std::size_t survey_lookahead = 24; // edges
 
 // `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap, typename Predicate>
-Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+template <typename TriangleMesh,
+          typename HalfedgeUVMap,
+          typename VertexIndexMap,
+          typename Predicate>
+Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh,
+                                  const HalfedgeUVMap& uv_map,
                                   const VertexIndexMap& vertex_indices,
                                   const Predicate& is_open_anyway)
 {
   Uv_survey<TriangleMesh> survey;
-  survey.mismatched_edges.reserve(std::size_t(num_edges(tmesh)) / 16); // growing would copy and touch more memory
+  // growing would copy and touch more memory
+  survey.mismatched_edges.reserve(std::size_t(num_edges(tmesh)) / 16);
   Uv_box box;
   std::size_t number_of_corners = 0;
   std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
-  bool in_range = true; // NaN differs from itself, so that only open edges and the border can hide it
+  // NaN differs from itself, so that only open edges and the border can hide it
+  bool in_range = true;
   const auto range = edges(tmesh);
   auto ahead = std::begin(range);
   for(std::size_t i = 0; i < survey_lookahead && ahead != std::end(range); ++i)

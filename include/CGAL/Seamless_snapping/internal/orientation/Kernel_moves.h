@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Makes a face positive by moving one of its vertices into the kernel of its 1-ring, the intersection of the
-// half planes beside the link's edges (Sec. 5.4): as little as it takes, on the grid, and only if an exact
-// check of the whole ring agrees.
+// Makes a face positive by moving one of its vertices into the kernel of its 1-ring, the
+// intersection of the half planes beside the link's edges (Sec. 5.4): as little as it takes, on the
+// grid, and only if an exact check of the whole ring agrees.
 
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
@@ -54,15 +54,15 @@ inline double longest_square(const Uv_triangle& t, const double step)
   return result;
 }
 
-// What twice the area of a face should be: that of the input. Faces that were not positive there have none;
-// they are content with a sliver.
+// What twice the area of a face should be: that of the input. Faces that were not positive there
+// have none; they are content with a sliver.
 inline double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
 {
   return was_positive ? twice_area(input, step) : longest_square(input, step) / 16;
 }
 
-// What is asked of a face, as a part of the wanted area: as much as a ring can give, down to anything that
-// rounding to the grid leaves positive.
+// What is asked of a face, as a part of the wanted area: as much as a ring can give, down to
+// anything that rounding to the grid leaves positive.
 constexpr std::array<double, 4> area_margins{{1. / 4, 1. / 32, 1. / 1024, 0}};
 
 template <typename Points>
@@ -79,8 +79,8 @@ public:
   std::vector<Face_index> repair(std::vector<Face_index> faces, const double reach,
                                  Uv_state& state) const
   {
-    // A move can make room for another. The last pass is one that gains little, so that all together
-    // take linear time.
+    // A move can make room for another. The last pass is one that gains little, so that all
+    // together take linear time.
     for(bool gains = !faces.empty(); gains;) {
       const std::size_t before = faces.size();
       faces.erase(std::remove_if(faces.begin(), faces.end(),
@@ -121,9 +121,9 @@ private:
       if(plan.move.is_possible() && collect_ring(target, state, plan))
         plans.push_back(std::move(plan));
     }
-    // Flips of the input are repaired by the kernel of the whole ring only: a face less flipped among
-    // others would be no gain. Where snapping turned several faces, some may have to wait for another
-    // move.
+    // Flips of the input are repaired by the kernel of the whole ring only: a face less flipped
+    // among others would be no gain. Where snapping turned several faces, some may have to wait for
+    // another move.
     for(const double margin : area_margins)
       if(apply_shortest(plans, margin, true, reach, state) ||
          (target_face.was_positive && apply_shortest(plans, margin, false, reach, state)))

@@ -14,11 +14,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The exact solution nearest to the input, among those that keep some faces positive: for what single vertices
-// can't repair, such as slivers at cones. A quadratic program over all sectors and the vertices of these faces,
-// with one linearized condition per face. In its dual, the multipliers of the conditions are forces that shift the
-// targets of the faces' corners; so the program has only as many unknowns as faces, needs no neighborhood to be
-// chosen, and the ordinary exact solution for the shifted targets takes its solution to the grid.
+// The exact solution nearest to the input, among those that keep some faces positive: for what
+// single vertices can't repair, such as slivers at cones. A quadratic program over all sectors and
+// the vertices of these faces, with one linearized condition per face. In its dual, the multipliers
+// of the conditions are forces that shift the targets of the faces' corners; so the program has
+// only as many unknowns as faces, needs no neighborhood to be chosen, and the ordinary exact
+// solution for the shifted targets takes its solution to the grid.
 
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
@@ -45,8 +46,11 @@ class Orientation_program
 public:
   // \param optimum the exact solution for targets that are not shifted
   Orientation_program(const Points& points, const Complex_solver<Group>& solver, Uv_state optimum)
-    : m_points(points), m_solver(solver), m_optimum(std::move(optimum)), m_unit(solver.coarsest_step()),
-      m_displacements(points.cuts().complex, solver)
+    : m_points(points)
+    , m_solver(solver)
+    , m_optimum(std::move(optimum))
+    , m_unit(solver.coarsest_step())
+    , m_displacements(points.cuts().complex, solver)
   { }
 
   // \param margin the part of its wanted area that each face is to have

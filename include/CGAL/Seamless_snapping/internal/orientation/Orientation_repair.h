@@ -129,7 +129,8 @@ private:
     result.lost = m_move.repair(m_watched.not_positive(state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
-    for(std::vector<Face_index>* faces : {&result.lost, &result.flips}) // others may have saved some
+    // others may have saved some
+    for(std::vector<Face_index>* faces : {&result.lost, &result.flips})
       faces->erase(std::remove_if(faces->begin(), faces->end(), [&](const Face_index f) {
                      return m_points.is_positive(result.state, f);
                    }), faces->end());
@@ -191,7 +192,8 @@ private:
       m_work += active.size();
       if(!program.solve(active, margin, at, next, forces))
         return;
-      if(!is_near_input(next, reach)) { // conditions exclude each other: drop that which asks for most
+      // conditions exclude each other: drop that which asks for most
+      if(!is_near_input(next, reach)) {
         if(is_crowd && margin > 0)
           return; // or ask all for less
         Eigen::Index most = 0;

@@ -88,7 +88,8 @@ Vertex_move<typename Points::Group> find_vertex_move(const Points& points, const
   for(const auto& member : move.members) {
     if(links.is_pinned(member.point))
       move.freedom = Vertex_move<Group>::NONE;
-    for(auto f = links.functionals_begin(member.point); f != links.functionals_end(member.point); ++f) {
+    for(auto f = links.functionals_begin(member.point); f != links.functionals_end(member.point);
+        ++f) {
       const auto fixed = Group::functional(Group::act(Group::inverse(member.element), *f).index);
       move.restrict_to({{-fixed[1], fixed[0]}});
     }

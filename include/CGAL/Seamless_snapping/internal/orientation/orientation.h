@@ -14,7 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The orientation of triangles in the domain: its exact sign, and bounds on what displacements can do to it.
+// The orientation of triangles in the domain: its exact sign, and bounds on what displacements can
+// do to it.
 
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
@@ -38,15 +39,16 @@ inline CGAL::Orientation orientation(const Uv_triangle& t)
                                          Point(t[2][0], t[2][1]));
 }
 
-// Whether the triangle stays positive however its corners move, each coordinate by up to `reach`. May say
-// no for lack of precision, but never wrongly yes: the error of the determinant is below 1e-15 times the
-// product of the edges, and overflow and underflow end in comparisons that fail.
+// Whether the triangle stays positive however its corners move, each coordinate by up to `reach`.
+// May say no for lack of precision, but never wrongly yes: the error of the determinant is below
+// 1e-15 times the product of the edges, and overflow and underflow end in comparisons that fail.
 inline bool is_surely_positive(const Uv_triangle& t, const double reach)
 {
   const double ax = t[1][0] - t[0][0], ay = t[1][1] - t[0][1];
   const double bx = t[2][0] - t[0][0], by = t[2][1] - t[0][1];
   const double a = std::abs(ax) + std::abs(ay), b = std::abs(bx) + std::abs(by);
-  return ax * by - ay * bx > 2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
+  return ax * by - ay * bx >
+         2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
 }
 
 } // namespace internal

@@ -250,7 +250,8 @@ private:
   State m_start; // where it left its first face, if it did not start at a vertex
 };
 
-// To the end of the curve. `add` is called with the states, one for each edge crossed and vertex met.
+// To the end of the curve. `add` is called with the states, one for each edge crossed and vertex
+// met.
 template <typename Walk, typename Function>
 Isocurve_status run(Walk& walk, const Function& add)
 {

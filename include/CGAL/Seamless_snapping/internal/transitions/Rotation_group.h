@@ -112,7 +112,8 @@ public:
             Number(m[1][0]) * v[0] + Number(m[1][1]) * v[1]};
   }
 
-  // The vector in Cartesian coordinates, rounded: for angles and lengths that decide nothing exactly.
+  // The vector in Cartesian coordinates, rounded: for angles and lengths that decide nothing
+  // exactly.
   static std::array<double, dimension> to_cartesian(const std::array<double, dimension>& v)
   {
     if constexpr(is_signed_permutation)
