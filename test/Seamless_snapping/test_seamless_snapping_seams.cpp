@@ -12,6 +12,7 @@
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <algorithm>
@@ -190,12 +191,10 @@ void test_tiny_torus(const std::filesystem::path& path)
   const std::size_t number =
     CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   CHECK_EQUAL(number, 2u);
-  double extent[2] = {0, 0};
-  for(const auto h : mesh.halfedges()) {
-    double& e = extent[component[mesh.face(h)]];
-    e = (std::max)({e, std::abs(file.uv[h].x()), std::abs(file.uv[h].y())});
-  }
-  const std::size_t tiny = extent[0] < extent[1] ? 0 : 1;
+  CGAL::Bbox_2 box[2];
+  for(const auto h : mesh.halfedges())
+    box[component[mesh.face(h)]] += file.uv[h].bbox();
+  const std::size_t tiny = box[0].xmax() - box[0].xmin() < box[1].xmax() - box[1].xmin() ? 0 : 1;
   const auto cuts = SS::seam_transitions(mesh, file.uv);
   const Bits before = surface_checks::all_bits(mesh, file.uv);
   CHECK(bool(SS::snap_to_seamless(mesh, file.uv)));

@@ -209,8 +209,10 @@ private:
       bool has_changed = is_better(attempt, best);
       if(has_changed) {
         best = attempt;
-        if(is_crowd) // the next program is for the others
+        if(is_crowd) { // the next program is for the others
           program.start_from(program.last_shift(), next);
+          return;
+        }
       }
       if(best.lost.empty() && (best.flips.empty() || !with_flips))
         return;
