@@ -191,9 +191,17 @@ private:
 
   const Least_squares_projection& projection() const
   {
-    if(m_projection == nullptr)
+    if(m_projection != nullptr)
+      return *m_projection;
+    const std::vector<Row_index> rows = independent_rows();
+    m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights);
+    if(m_projection->is_ill_conditioned() && rows.size() <= most_rows_to_reduce) {
+      m_reduced_rows = std::make_unique<Integer_system>(reduced_rows(m_system, rows, m_weights));
+      std::vector<Row_index> all_rows(rows.size());
+      std::iota(all_rows.begin(), all_rows.end(), 0);
       m_projection =
-        std::make_unique<Least_squares_projection>(m_system, independent_rows(), m_weights);
+        std::make_unique<Least_squares_projection>(*m_reduced_rows, all_rows, m_weights);
+    }
     return *m_projection;
   }
 
@@ -203,23 +211,6 @@ private:
     std::vector<double> weights(m_weights);
     weights.resize(m_form.pivot_rows.number_of_columns(), 1.);
     return weights;
-  }
-
-  // Moves the values to their projection.
-  void project(Component_solution& solution) const
-  {
-    const int shift = right_hand_shift(solution.grid);
-    const std::vector<Grid_value> values(solution.optimum);
-    if(projection().project(m_system, shift, solution.optimum) || m_reduced_rows != nullptr ||
-       projection().number_of_rows() > most_rows_to_reduce)
-      return;
-    m_reduced_rows = std::make_unique<Integer_system>(
-      reduced_rows(m_system, independent_rows(), m_weights));
-    std::vector<Row_index> all_rows(m_reduced_rows->number_of_rows());
-    std::iota(all_rows.begin(), all_rows.end(), 0);
-    m_projection = std::make_unique<Least_squares_projection>(*m_reduced_rows, all_rows, m_weights);
-    solution.optimum = values;
-    m_projection->project(*m_reduced_rows, shift, solution.optimum);
   }
 
   // Finds integers near the optimum by back-substitution or, where this leads far away, by lattice
@@ -299,7 +290,8 @@ private:
     // Where values shrink by much, each round makes up for the rounding errors of the last one.
     double size = std::numeric_limits<double>::infinity(); // of the optimum, in steps of the grid
     for(bool again = true; again;) {
-      project(solution);
+      projection().project(m_reduced_rows == nullptr ? m_system : *m_reduced_rows,
+                           right_hand_shift(solution.grid), solution.optimum);
       const double previous = size;
       size = largest_value(solution);
       again = size >= machine_integer_bound && size < previous / 2;

@@ -137,32 +137,36 @@ public:
     const Rows by_unknown(m_rows);
     m_is_augmented = number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
     m_factors.compute(m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown));
+    // a pivot is the square of the distance of a row, of length 1, from the rows before it
+    m_is_ill_conditioned =
+      m_factors.info() != Eigen::Success || !(m_factors.vectorD().cwiseAbs().minCoeff() > 1e-7);
   }
 
   std::size_t number_of_rows() const { return m_row_indices.size(); }
 
+  // Whether rows are so nearly dependent that most digits are lost.
+  bool is_ill_conditioned() const { return m_is_ill_conditioned; }
+
   // Moves `values` to their projection, in steps, each of which starts from the exact violations that
-  // the last one left, as long as these shrink. Returns whether they became small: not so for rows
-  // that are parallel but for rounding errors.
+  // the last one left, as long as these shrink.
   // \pre the system is that of the constructor
-  bool project(const Integer_system& system, const int right_hand_shift,
+  void project(const Integer_system& system, const int right_hand_shift,
                std::vector<Grid_value>& values) const
   {
-    constexpr double precise = 0x1p-40, small = 0x1p-20; // parts of the first violations
+    // of the first violations; where rows are nearly dependent, small ones count as well
+    const double negligible = m_is_ill_conditioned ? 0 : 0x1p-40;
     double first_size = -1, last_size = std::numeric_limits<double>::infinity();
     for(Vector step;;) {
       const Vector r = violations(system, right_hand_shift, values);
       const double size = r.size() == 0 ? 0 : r.lpNorm<Eigen::Infinity>();
-      if(!r.allFinite())
-        return true; // too large for this grid
       if(first_size < 0)
         first_size = size;
-      if(size <= precise * first_size)
-        return true;
+      if(!r.allFinite() || size <= negligible * first_size)
+        return;
       if(!(size < last_size / 2)) {
         if(size > last_size)
           move(step, -1, values);
-        return (std::min)(size, last_size) <= small * first_size;
+        return;
       }
       last_size = size;
       step = m_scales.cwiseProduct(shortest_solution(r / size)); // r may have any magnitude
@@ -309,6 +313,7 @@ private:
   Matrix m_rows; // as columns
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> m_factors;
   bool m_is_augmented = false;
+  bool m_is_ill_conditioned = false;
 };
 
 } // namespace internal
