@@ -126,7 +126,36 @@ public:
     }
   }
 
+  // The length of row k, projected to the complement of the rows before k - 1.
+  double length_in_plane(const std::size_t k) const { return std::hypot(r(k)[k - 1], r(k)[k]); }
+
+  // Follows an exchange of the rows k - 1 and k by one plane rotation; rows up to `end` are set.
+  void exchange(const std::size_t k, const std::size_t end)
+  {
+    const double length = length_in_plane(k);
+    const double c = r(k)[k - 1] / length, s = r(k)[k] / length;
+    std::swap_ranges(r(k), r(k) + (k - 1), r(k - 1));
+    std::swap(m_exponents[k - 1], m_exponents[k]);
+    const double old_length = r(k - 1)[k - 1];
+    r(k - 1)[k - 1] = length;
+    r(k)[k - 1] = old_length * c;
+    r(k)[k] = old_length * s;
+    double* const p = m_q.data() + (k - 1) * m_dimension;
+    double* const q = m_q.data() + k * m_dimension;
+    for(std::size_t i = 0; i < m_dimension; ++i)
+      rotate(c, s, p[i], q[i]);
+    for(std::size_t i = k + 1; i < end; ++i)
+      rotate(c, s, r(i)[k - 1], r(i)[k]);
+  }
+
 private:
+  static void rotate(const double c, const double s, double& a, double& b)
+  {
+    const double old_a = a;
+    a = c * old_a + s * b;
+    b = s * old_a - c * b;
+  }
+
   std::size_t m_dimension;
   std::size_t m_number_of_rows;
   std::vector<double> m_q;

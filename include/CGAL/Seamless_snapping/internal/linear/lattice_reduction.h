@@ -94,50 +94,83 @@ public:
   Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale)
     : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size())
   {
-    std::size_t insertions_left = 1000000;
-    for(std::size_t k = 0; k < basis.size(); ++k) {
-      size_reduce(k);
-      const std::size_t position = insertions_left > 0 ? position_of(k) : k;
-      if(position == k)
-        continue;
-      --insertions_left;
-      std::rotate(basis.begin() + std::ptrdiff_t(position), basis.begin() + std::ptrdiff_t(k),
-                  basis.begin() + std::ptrdiff_t(k + 1));
-      set_row(position);
-      k = position;
-    }
+    // Rotations add up errors: what seems reduced is looked at afresh.
+    std::size_t insertions = 0, insertions_before = 0;
+    do {
+      insertions_before = insertions;
+      m_number_set = 0;
+      for(std::size_t k = 0; k < basis.size();) {
+        if(k >= m_number_set || subtract_earlier_vectors(k) >= large_factor)
+          size_reduce(k);
+        const std::size_t position = insertions < most_insertions ? position_of(k) : k;
+        if(position == k) {
+          ++k;
+          continue;
+        }
+        ++insertions;
+        insert(k, position);
+        k = (std::max)(position, std::size_t(1));
+      }
+    } while(insertions > insertions_before + basis.size() / 8);
   }
 
   // That of the reduced basis.
   Orthogonal_frame& frame() { return m_frame; }
 
 private:
+  static constexpr std::size_t most_insertions = 1000000;
+  static constexpr double large_factor = 1024; // after which few correct digits are left
+
+  // Rows of the frame behind k are outdated thereafter.
   void set_row(const std::size_t k)
   {
     const long exponent = to_scaled_row(m_basis[k], m_scale, m_row);
     m_frame.set_row(k, m_row, exponent);
+    m_number_set = k + 1;
+  }
+
+  // Moves vector k to a place before.
+  void insert(std::size_t k, const std::size_t position)
+  {
+    bool is_accurate = true;
+    for(; k > position; --k) {
+      std::swap(m_basis[k - 1], m_basis[k]);
+      // a rotation is as uncertain as the short row that defines it
+      const double length = scaled_by_power(m_frame.length_in_plane(k),
+                                            m_frame.exponent(k) - m_frame.exponent(k - 1));
+      is_accurate = is_accurate && length > 0.5 * m_frame.r(k - 1)[k - 1];
+      if(is_accurate)
+        m_frame.exchange(k, m_number_set);
+    }
+    if(!is_accurate)
+      set_row(position);
   }
 
   // Subtracts multiples of earlier vectors. Where much cancels, few correct digits are left: then
   // the row is set again from the exact vector. Each round gains some 40 bits.
   void size_reduce(const std::size_t k)
   {
-    constexpr double large = 1024;
     for(int round = 0; round < 100; ++round) {
       set_row(k);
-      double largest_factor = 0;
-      for(std::size_t j = k; j-- > 0;)
-        largest_factor = (std::max)(largest_factor, subtract_earlier_vector(k, j));
+      const double largest_factor = subtract_earlier_vectors(k);
       if(largest_factor == 0)
         return;
-      if(largest_factor < large) {
+      if(largest_factor < large_factor) {
         set_row(k);
         return;
       }
     }
   }
 
-  // Returns the size of the factor.
+  // Returns the size of the largest factor.
+  double subtract_earlier_vectors(const std::size_t k)
+  {
+    double largest_factor = 0;
+    for(std::size_t j = k; j-- > 0;)
+      largest_factor = (std::max)(largest_factor, subtract_earlier_vector(k, j));
+    return largest_factor;
+  }
+
   double subtract_earlier_vector(const std::size_t k, const std::size_t j)
   {
     double* const row = m_frame.r(k);
@@ -173,6 +206,7 @@ private:
   std::vector<Vector>& m_basis;
   const std::vector<double>& m_scale;
   Orthogonal_frame m_frame;
+  std::size_t m_number_set = 0; // rows of the frame that are up to date
   std::vector<double> m_row; // scratch
 };
 
