@@ -219,11 +219,26 @@ bool contract(const Mesh& mesh, const UV_map uv, const SS::Seam_transitions<Mesh
   return true;
 }
 
-// It makes no vertex singular, or regular, that an edge has no length in the domain; but for one of
-// 720 degrees at its end, which is no longer told from a regular one.
+// Whether the curve runs along the edge of a halfedge.
+bool runs_along(const Mesh& mesh, const Curve& curve, const Mesh::Halfedge_index h)
+{
+  const auto is_vertex = [&](const auto& point, const Vertex v)
+  { return point.place() == Place::VERTEX && mesh.target(point.halfedge()) == v; };
+  for(std::size_t i = 1; i < curve.points.size(); ++i)
+    for(const auto& side : {h, mesh.opposite(h)})
+      if(is_vertex(curve.points[i - 1], mesh.source(side)) &&
+         is_vertex(curve.points[i], mesh.target(side)))
+        return true;
+  return false;
+}
+
+// An edge without length in the domain makes no vertex singular or regular; but one of 720 degrees
+// at its end is no longer told from a regular one. Curves run along it, in both directions, or end
+// where a coordinate is constant on its faces.
 void test_contracted_edges()
 {
   std::size_t number = 0, singular = 0;
+  Counts ends_along_edge;
   for(auto& named : test_meshes::all_meshes<Kernel>()) {
     const Mesh& mesh = named.mesh;
     const UV_map uv = test_meshes::uv_map(named.mesh);
@@ -247,6 +262,13 @@ void test_contracted_edges()
         const bool expected = is_end ? rotating.count(v) != 0 : before.is_singular(v);
         wrong += after.is_singular(v) != expected ? 1 : 0;
       }
+      for(const auto v : {mesh.source(h), mesh.target(h)})
+        for(const auto& [start, direction] : after.outgoing(v)) {
+          const auto curve = after.trace(start, direction);
+          wrong += SS::is_failure(curve.status) || !is_symmetric(after, curve, mesh, uv) ? 1 : 0;
+          if(runs_along(mesh, curve, h))
+            ++ends_along_edge[curve.status];
+        }
       if(!CHECK_EQUAL(wrong, std::size_t(0)))
         std::cerr << "  in " << named.name << std::endl;
       singular += before.is_singular(mesh.target(h)) ? 1 : 0;
@@ -256,6 +278,101 @@ void test_contracted_edges()
     }
   }
   CHECK(number > 0 && singular > 0);
+  for(const Status status : {Status::CLOSED, Status::SINGULAR_VERTEX, Status::BORDER})
+    CHECK(ends_along_edge[status] > 0);
+}
+
+// --- border vertices -----------------------------------------------------------------------------
+
+// At the end of a slit, a border vertex of 360 degrees, curves end that have two straight
+// continuations, along both sides of the slit, or come from there; others go on.
+void test_slit()
+{
+  // the squares of a grid around its center, slit from there to the right
+  constexpr int n = 2;
+  Mesh mesh;
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  std::map<std::array<int, 3>, Vertex> vertex; // and the side of the slit
+  const auto at = [&](const int i, const int j, const int k) {
+    const int side = j == 0 && i > 0 ? k : 0;
+    const auto found = vertex.find({i, j, side});
+    return found != vertex.end() ? found->second
+                                 : vertex[{i, j, side}] = mesh.add_vertex(Kernel::Point_3(i, j, 0));
+  };
+  for(int i = -n; i < n; ++i)
+    for(int j = -n; j < n; ++j) {
+      const int k = j < 0 ? 1 : 0;
+      mesh.add_face(at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k));
+      mesh.add_face(at(i, j, k), at(i + 1, j + 1, k), at(i, j + 1, k));
+    }
+  for(const auto h : mesh.halfedges())
+    uv[h] = Kernel::Point_2(mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y());
+  const Tracer tracer(mesh, uv);
+  CHECK(tracer.is_exact());
+  const Vertex center = vertex[{0, 0, 0}];
+  CHECK_EQUAL(tracer.outgoing(center).size(), std::size_t(5)); // both sides of the slit
+  const auto number_of_ends = [&](const Vertex v) {
+    std::size_t number = 0;
+    for(const auto& [start, direction] : tracer.outgoing(v)) {
+      const auto curve = tracer.trace(start, direction);
+      const bool ends_at_center = mesh.target(curve.points.back().halfedge()) == center;
+      CHECK_EQUAL(curve.status, ends_at_center ? Status::SINGULAR_VERTEX : Status::BORDER);
+      number += ends_at_center ? 1 : 0;
+    }
+    return number;
+  };
+  for(const Vertex v : {vertex[{-1, 0, 0}], vertex[{1, 0, 0}], vertex[{1, 0, 1}]})
+    CHECK_EQUAL(number_of_ends(v), std::size_t(1));
+  for(const Vertex v : {vertex[{0, 1, 0}], vertex[{0, -1, 0}], vertex[{1, 1, 0}]})
+    CHECK_EQUAL(number_of_ends(v), std::size_t(0));
+}
+
+bool is_strictly_inside(const Kernel::Point_2& p, const Kernel::Point_2& a,
+                        const Kernel::Point_2& b, const Kernel::Point_2& c)
+{
+  return CGAL::left_turn(a, b, p) && CGAL::left_turn(b, c, p) && CGAL::left_turn(c, a, p);
+}
+
+// --- loops ---------------------------------------------------------------------------------------
+
+// A loop has as many crossings in both directions and from any of its points, and exactly as many
+// as edges and vertices.
+void test_number_of_crossings()
+{
+  std::size_t number = 0;
+  for(auto& named : test_meshes::all_meshes<Kernel>()) {
+    const Mesh& mesh = named.mesh;
+    const UV_map uv = test_meshes::uv_map(named.mesh);
+    const Tracer tracer(mesh, uv);
+    for(const auto h : mesh.halfedges()) {
+      if(mesh.is_border(h))
+        continue;
+      // on isocurves through vertices, and between them
+      const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
+      for(const Start& start :
+          {Start::in_face(h, b.x(), (a.y() + c.y()) / 2), Start::in_face(h, (a.x() + c.x()) / 2, b.y()),
+           Start::in_face(h, (a.x() + b.x() + 2 * c.x()) / 4, (a.y() + b.y() + 2 * c.y()) / 4),
+           Start::on_edge(h, Exact_rational(1) / 2), Start::at_vertex(h)}) {
+        if(start.place == Place::FACE &&
+           !is_strictly_inside(Kernel::Point_2(start.uv[0], start.uv[1]), a, b, c))
+          continue;
+        for(int direction = 0; direction < 2; ++direction) {
+          const auto there = tracer.trace(start, Direction(direction));
+          if(there.status != Status::CLOSED)
+            continue;
+          const auto back = tracer.trace(start_at(there.points.front(), mesh, uv),
+                                         SS::reversed(there.points.front().direction()));
+          ++number;
+          CHECK_EQUAL(back.status, Status::CLOSED);
+          CHECK_EQUAL(back.number_of_crossings, there.number_of_crossings);
+          const std::size_t on_face = start.place == Place::FACE ? 1 : 0;
+          const std::size_t on_edge = starts_along_edge(there, mesh, uv) ? 1 : 0;
+          CHECK_EQUAL(there.number_of_crossings, there.points.size() - 1 - on_face - on_edge);
+        }
+      }
+    }
+  }
+  CHECK(number > 0);
 }
 
 // --- refusals ------------------------------------------------------------------------------------
@@ -302,9 +419,40 @@ void test_preconditions()
   CHECK(!invalid && !invalid.is_exact());
   CHECK(is_refused([&] { invalid.is_singular(Vertex(0)); }));
   CHECK(is_refused([&] { invalid.outgoing(Vertex(0)); }));
-  CHECK(is_refused([&] { invalid.separatrices(); }));
-  CHECK(is_refused([&] { invalid.trace(Start::at_vertex(inner), Direction::PLUS_U,
-                                       parameters::decide_exactly(false)); }));
+}
+
+// On maps that are not exact, or not seamless at all, curves are refused by their status.
+void test_inexact_maps()
+{
+  Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::box(1, 1, 1), 2);
+  const UV_map uv = test_meshes::uv_map(mesh);
+  const auto is_refusal = [](const std::vector<Curve>& curves) {
+    return curves.size() == 1 && curves.front().status == Status::NOT_EXACT &&
+           curves.front().points.empty();
+  };
+  CHECK(SS::is_failure(Status::NOT_EXACT));
+  const auto check = [&](const bool is_seamless) {
+    const Tracer tracer(mesh, uv);
+    CHECK(bool(tracer) == is_seamless && !tracer.is_exact());
+    const Start start = Start::at_vertex(mesh.halfedge(Vertex(0)));
+    const auto naive = parameters::decide_exactly(false);
+    CHECK(is_refusal(tracer.separatrices()));
+    CHECK(is_refusal({tracer.trace(start, Direction::PLUS_U)}));
+    CHECK(is_refusal({tracer.trace(start, Direction::PLUS_U, naive)}) == !is_seamless);
+    CHECK(is_refusal(tracer.separatrices(naive)) == !is_seamless);
+    std::vector<Curve> curves;
+    SS::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
+    CHECK(is_refusal(curves));
+    std::vector<SS::Isocurve_point<Mesh> > points;
+    CHECK(SS::trace_isocurve(mesh, uv, start, Direction::PLUS_U,
+                             std::back_inserter(points)).status == Status::NOT_EXACT);
+    CHECK(points.empty());
+  };
+  uv_noise::perturb(mesh, uv, 1e-9, 1);
+  check(true);
+  for(const auto h : mesh.halfedges())
+    uv[h] = Kernel::Point_2(double(h.idx() * h.idx() % 17), double(h.idx() % 5));
+  check(false);
 }
 
 int main()
@@ -316,6 +464,9 @@ int main()
   test_starts_along_edges();
   test_constant_coordinate();
   test_contracted_edges();
+  test_slit();
+  test_number_of_crossings();
   test_preconditions();
+  test_inexact_maps();
   return report_checks();
 }

@@ -32,7 +32,8 @@ enum class Isocurve_status
 {
   CONTINUES,        ///< it goes on: of no curve, but of `Isocurve_walker::advance()`
   TARGET,           ///< it has met a vertex that was given
-  SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex of 360 degrees or more
+  SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex (of 360 degrees or more)
+                    ///< at which several continuations are straight
   BORDER,           ///< it has met the border, and does not continue along it
   CLOSED,           ///< it has closed exactly
   MAXIMUM_NUMBER,   ///< it has crossed as many edges and vertices as were allowed

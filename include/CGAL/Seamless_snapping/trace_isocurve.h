@@ -45,13 +45,13 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
 
 - At a regular vertex a curve goes straight on.
 - At the border it goes on where a border edge or a reentrant corner allows it to go straight on. At
-  a border vertex with an angle of 360 degrees or more, several continuations are straight: there it
-  ends with `Isocurve_status::SINGULAR_VERTEX`.
-- An edge that has no length in the domain (its vertices have the same coordinates) has no
-  direction, and neither of its faces is crossed: these faces have no area. A curve that meets such
-  an edge meets one of its vertices, and ends there with `Isocurve_status::CONSTANT_ON_FACE` or, if
-  this vertex is singular, with `Isocurve_status::SINGULAR_VERTEX`. It goes on only if it leaves the
-  vertex through a face that has an area.
+  a border vertex with an angle of 360 degrees or more, several continuations may be straight, as
+  along both sides of a slit: there it ends with `Isocurve_status::SINGULAR_VERTEX`. Where one
+  continuation is straight, it goes on also there.
+- An edge without length in the domain, whose vertices have the same coordinates, is part of each
+  isocurve through them: a curve that meets one of them may run along the edge and leave from the
+  other. Its faces have no area; where a coordinate is constant on one of them, the isocurves along
+  which it is constant end at the edge, with `Isocurve_status::CONSTANT_ON_FACE`.
 - Where faces are flipped, an isocurve is traced as the level set of a piecewise linear function: it
   goes back in flipped faces, and may pass a vertex several times. In a folded star more than two
   rays of an isocurve may leave the vertex: it goes on along the opposite one, as many rays to its
