@@ -7,6 +7,7 @@
 #include "tracing_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/Isocurve_walker.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -165,6 +166,123 @@ void test_face_paths(const Mesh& mesh, const UV_map& uv,
                                              .cycle_constraints(cycles)));
 }
 
+// --- segments ------------------------------------------------------------------------------------
+
+using Segment = SS::Isocurve_segment<Mesh>;
+
+// Whether a segment and a point of the curve, which it ends at, agree.
+bool ends_at(const Segment& segment, const SS::Isocurve_point<Mesh>& point, const Start& start,
+             const Mesh& mesh, const UV_map& uv)
+{
+  if(segment.exit_place() != point.place() || segment.exit() != point.halfedge() ||
+     segment.direction() != point.direction() ||
+     segment.constant_coordinate() != point.constant_coordinate())
+    return false;
+  if(point.place() == Place::FACE)
+    return segment.to() == Exact_rational(point.running_coordinate());
+  const std::size_t r = int(segment.direction()) % 2 == 0 ? 0 : 1;
+  const auto a = uv[mesh.prev(point.halfedge())], b = uv[point.halfedge()];
+  Exact_rational t(1);
+  if(point.place() == Place::EDGE) // a point keeps a start along an edge only rounded
+    t = segment.is_along_edge() ? start.parameter : SS::isocurve_parameter(point, mesh, uv);
+  return segment.to() == Exact_rational(a[int(r)]) +
+                           t * (Exact_rational(b[int(r)]) - Exact_rational(a[int(r)]));
+}
+
+// Whether two segments follow each other: the same point of the mesh, seen from both.
+bool are_linked(const Segment& a, const Segment& b, const Mesh& mesh)
+{
+  if(a.exit_place() != b.entry_place() || a.length_after() != b.length_before())
+    return false;
+  return a.exit_place() == Place::VERTEX ? mesh.target(a.exit()) == mesh.target(b.entry())
+                                         : mesh.opposite(a.exit()) == b.entry();
+}
+
+// In which of the slots around its vertex a segment begins.
+std::size_t slot_of(const Segment& segment, const Tracer& tracer, const Mesh& mesh)
+{
+  const auto outgoing = tracer.outgoing(mesh.target(segment.entry()));
+  std::size_t i = 0;
+  while(i < outgoing.size() && (outgoing[i].first.halfedge != segment.entry() ||
+                                outgoing[i].second != segment.direction()))
+    ++i;
+  return i;
+}
+
+// At a vertex that a curve passes, as many curves leave to its left as to its right, if there is no
+// border; and the one that leads back takes the same segment.
+bool goes_straight_on(const Segment& a, const Segment& b, const Tracer& tracer, const Mesh& mesh)
+{
+  const Vertex v = mesh.target(a.exit());
+  const auto outgoing = tracer.outgoing(v);
+  const std::size_t back = tracer.outgoing_index(a), on = slot_of(b, tracer, mesh);
+  if(back >= outgoing.size() || on >= outgoing.size() || back == on)
+    return false;
+  SS::Isocurve_walker<Mesh> walker(tracer, outgoing[back].first, outgoing[back].second);
+  if(walker.advance() != Status::CONTINUES)
+    return false;
+  const Segment reversed = walker.segment();
+  if(a.is_along_edge() ? !reversed.is_along_edge() || mesh.edge(a.edge_halfedge()) !=
+                                                        mesh.edge(reversed.edge_halfedge())
+                       : reversed.is_along_edge() || a.face() != reversed.face())
+    return false;
+  return CGAL::is_border(v, mesh) || (back + outgoing.size() / 2) % outgoing.size() == on;
+}
+
+// The segments of a curve are what its points say, and exact lengths add up.
+bool has_good_segments(const Curve& curve, const Tracer& tracer, const Mesh& mesh,
+                       const UV_map& uv)
+{
+  SS::Isocurve_walker<Mesh> walker(tracer, curve.start, curve.direction);
+  std::vector<Segment> segments;
+  Exact_rational length(0);
+  while(walker.status() == Status::CONTINUES && segments.size() + 1 < curve.points.size() &&
+        SS::Isocurve_walker<Mesh>(walker).advance() == Status::CONTINUES) { // of a copy
+    walker.advance();
+    const Segment& segment = segments.emplace_back(walker.segment());
+    const int sign = int(segment.direction()) < 2 ? 1 : -1;
+    if(segment.length_before() != length ||
+       !ends_at(segment, curve.points[segments.size()], curve.start, mesh, uv))
+      return false;
+    length += sign * (segment.to() - segment.from());
+    if(segment.length_after() != length)
+      return false;
+    if(segments.size() == 1)
+      continue;
+    const Segment& before = segments[segments.size() - 2];
+    if(!are_linked(before, segment, mesh) ||
+       (before.exit_place() == Place::VERTEX && !goes_straight_on(before, segment, tracer, mesh)))
+      return false;
+  }
+  std::size_t number = 0;
+  for(const Segment& segment : SS::isocurve_segments(tracer, curve))
+    number += segment.length_after() == segments[number].length_after() ? 1 : 0;
+  const bool is_bounded = curve.status == Status::MAXIMUM_NUMBER;
+  return number == segments.size() && segments.size() + 1 == curve.points.size() &&
+         (is_bounded || walker.advance() == curve.status);
+}
+
+void test_segments(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
+{
+  const auto limit = parameters::maximum_number(60);
+  std::size_t bad = 0;
+  for(const auto h : mesh.halfedges()) {
+    if(mesh.is_border(h))
+      continue;
+    const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
+    for(const Start& start :
+        {Start::at_vertex(h), Start::on_edge(h, Exact_rational(1) / 3),
+         Start::in_face(h, a.x() / 4 + b.x() / 4 + c.x() / 2, a.y() / 4 + b.y() / 4 + c.y() / 2)})
+      for(int direction = 0; direction < 4; ++direction) {
+        const Curve curve = tracer.trace(start, Direction(direction), limit);
+        bad += has_good_segments(curve, tracer, mesh, uv) ? 0 : 1;
+      }
+  }
+  CHECK_EQUAL(bad, std::size_t(0));
+}
+
+// --- synthetic meshes ----------------------------------------------------------------------------
+
 void test_synthetic_meshes()
 {
   for(const bool warped : {false, true})
@@ -191,6 +309,7 @@ void test_synthetic_meshes()
       CHECK(warped || ends[Status::MAXIMUM_NUMBER] == 0);
       test_numbers_of_directions(mesh, uv, tracer);
       test_other_starts(mesh, uv, tracer, 100);
+      test_segments(mesh, uv, tracer);
       test_face_paths(mesh, uv, curves);
       test_threads(mesh, uv);
     }

@@ -17,6 +17,7 @@
 // The tracer: a parametrized mesh prepared for tracing any number of isocurves.
 
 #include <CGAL/Seamless_snapping/Isocurve_point.h>
+#include <CGAL/Seamless_snapping/Isocurve_segment.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
@@ -77,7 +78,7 @@ public:
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Isocurve_tracer(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                   const NamedParameters& np = CGAL::parameters::default_values())
-    : m_numbering(tmesh)
+    : m_tmesh(&tmesh), m_numbering(tmesh)
   {
     const internal::Protect_exact_arithmetic protect;
     internal::require_exact_arithmetic();
@@ -129,6 +130,27 @@ public:
   }
 
   /*!
+  returns where the curve that leads back along `arrival` comes in `outgoing(v)`, the curves around the
+  vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In a
+  star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is returned.
+  \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
+  */
+  std::size_t outgoing_index(const Isocurve_segment<TriangleMesh>& arrival) const
+  {
+    const internal::Chart_segment& segment = arrival.chart_segment();
+    CGAL_precondition(segment.exit.place == Isocurve_place::VERTEX);
+    internal::Walk_state<internal::Exact_level> state;
+    state.is_at_vertex = true;
+    state.halfedge = segment.exit.halfedge;
+    state.direction = segment.direction;
+    if(segment.along != internal::no_index)
+      state.arrival_key = m_mesh.edge_key(segment.along);
+    const auto rays = internal::rays_from_vertex(m_mesh, m_mesh.vertex(state.halfedge));
+    return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const internal::Vertex_ray& ray)
+                                    { return state.arrived_by(m_mesh, ray); }) - rays.begin());
+  }
+
+  /*!
   traces one isocurve. The named parameters are those of `trace_isocurve()`. The status of the curve
   is `Isocurve_status::NOT_EXACT`, and it has no points, if `is_exact()` is `false` and it is not to
   be traced in floating point, and also if `operator bool()` returns `false`.
@@ -175,8 +197,14 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
+  const TriangleMesh& mesh() const { return *m_tmesh; }
   const internal::Chart_mesh& chart_mesh() const { return m_mesh; }
   const internal::Flat_numbering<TriangleMesh>& correspondence() const { return m_numbering; }
+  internal::Chart_start chart_start(const Start& start) const
+  {
+    return {start.place, m_numbering.corner(start.halfedge), start.parameter,
+            {{start.uv[0], start.uv[1]}}};
+  }
   /// \endcond
 
 private:
@@ -285,15 +313,10 @@ private:
     return curve;
   }
 
-  internal::Chart_start chart_start(const Start& start) const
-  {
-    return {start.place, m_numbering.corner(start.halfedge), start.parameter,
-            {{start.uv[0], start.uv[1]}}};
-  }
-
   halfedge_descriptor halfedge(const internal::Corner_index h) const
   { return m_numbering.halfedges_of_corners()[std::size_t(h)]; }
 
+  const TriangleMesh* m_tmesh;
   internal::Flat_numbering<TriangleMesh> m_numbering;
   internal::Chart_mesh m_mesh;
   bool m_is_valid = false;

@@ -57,6 +57,12 @@ struct Walk_limits
   bool is_target(const std::size_t v) const { return v == target || (is_stop && is_stop(v)); }
 };
 
+inline const Walk_limits& no_limits()
+{
+  static const Walk_limits limits;
+  return limits;
+}
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
