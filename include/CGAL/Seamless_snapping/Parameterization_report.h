@@ -135,12 +135,21 @@ struct Parameterization_report
 
 /*!
 \ingroup PkgSeamlessSnappingParametrizing
+writes the status in words.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Parameterization_status status)
+{
+  return os << to_string(status);
+}
+
+/*!
+\ingroup PkgSeamlessSnappingParametrizing
 writes the status and, if there is one, the message.
 */
 template <typename VertexDescriptor>
 std::ostream& operator<<(std::ostream& os, const Parameterization_report<VertexDescriptor>& report)
 {
-  os << to_string(report.status);
+  os << report.status;
   if(!report.message.empty())
     os << ": " << report.message;
   return os;

@@ -212,11 +212,20 @@ struct Snapping_report
 
 /*!
 \ingroup PkgSeamlessSnappingRef
+writes the status in words.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Snapping_status status)
+{
+  return os << to_string(status);
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
 writes the status and, if there is one, the message.
 */
 inline std::ostream& operator<<(std::ostream& os, const Snapping_report& report)
 {
-  os << to_string(report.status);
+  os << report.status;
   if(!report.message.empty())
     os << ": " << report.message;
   return os;

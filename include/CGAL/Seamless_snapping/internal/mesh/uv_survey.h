@@ -54,6 +54,9 @@ struct Uv_number
 template <typename HalfedgeUVMap, typename Halfedge>
 Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
 {
+  static_assert(
+    std::is_convertible<Halfedge, typename boost::property_traits<HalfedgeUVMap>::key_type>::value,
+    "the keys of the uv map must be halfedges: each corner has coordinates of its own");
   const auto& p = get(uv_map, h);
   return {static_cast<double>(p.x()), static_cast<double>(p.y())};
 }
