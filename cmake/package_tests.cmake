@@ -34,6 +34,17 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   endforeach()
 endif()
 
+# The benchmarks compile, where they are not built.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS)
+  file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping/*.cpp")
+  foreach(benchmark IN LISTS benchmarks)
+    get_filename_component(name "${benchmark}" NAME_WE)
+    add_test(NAME "benchmark_${name}"
+      COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" "${benchmark}" COMMAND_EXPAND_LISTS)
+    set_tests_properties("benchmark_${name}" PROPERTIES LABELS headers)
+  endforeach()
+endif()
+
 # Two translation units that include all public headers go into one program: nothing is defined
 # twice.
 list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
@@ -66,13 +77,15 @@ endforeach()
 
 # Rounding and exact differences, with options and compilers of all kinds.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(other_compiler g++)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(other_compiler clang++)
+  endif()
+  find_program(OTHER_COMPILER ${other_compiler})
   set(compilers "${CMAKE_CXX_COMPILER}")
-  foreach(name IN ITEMS g++ clang++)
-    find_program(compiler_${name} ${name})
-    if(compiler_${name} AND NOT CMAKE_CXX_COMPILER MATCHES "/(c|${name})\\+*$")
-      list(APPEND compilers "${compiler_${name}}")
-    endif()
-  endforeach()
+  if(OTHER_COMPILER)
+    list(APPEND compilers "${OTHER_COMPILER}")
+  endif()
   add_test(NAME compiler_options
     COMMAND "${CMAKE_COMMAND}"
       "-DCOMPILERS=${compilers}"

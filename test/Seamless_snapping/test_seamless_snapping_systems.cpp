@@ -729,8 +729,6 @@ int main(int argc, char** argv)
       test_long_numbers(seed + 60000 + i, bits, false);
       test_long_numbers(seed + 70000 + i, bits, true);
     }
-#ifndef CGAL_USE_FPLLL // which makes no difference to those
   test_files();
-#endif
   return report_checks();
 }
