@@ -40,9 +40,9 @@ public:
   // loop should return to `start`, in this direction, unless that is no_index.
   Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
                            const Corner_index start, const Direction start_direction,
-                           const double near)
+                           const double near_distance)
     : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
-      m_near(near)
+      m_near(near_distance)
   { }
 
   // The translation and the sum are rounded.
