@@ -75,6 +75,23 @@ foreach(way IN ITEMS installed subdirectory)
   set_tests_properties(consumer_${way} PROPERTIES LABELS package)
 endforeach()
 
+# What README.md shows is so.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(program_dir "")
+  if(TARGET seamless)
+    set(program_dir "$<TARGET_FILE_DIR:seamless>")
+  endif()
+  add_test(NAME readme
+    COMMAND "${CMAKE_COMMAND}"
+      "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+      "-DWORK_DIR=${PROJECT_BINARY_DIR}/readme"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      "-DINCLUDE_PATH=$<JOIN:$<FILTER:$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>,:>"
+      "-DPROGRAM_DIR=${program_dir}"
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_readme.cmake")
+  set_tests_properties(readme PROPERTIES LABELS package SKIP_REGULAR_EXPRESSION "SKIPPED")
+endif()
+
 # Rounding and exact differences, with options and compilers of all kinds.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(other_compiler g++)

@@ -10,7 +10,8 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 if(WAY STREQUAL "installed")
-  run("${CMAKE_COMMAND}" --install "${PACKAGE_BINARY_DIR}" --prefix "${WORK_DIR}/prefix")
+  run("${CMAKE_COMMAND}" --install "${PACKAGE_BINARY_DIR}" --prefix "${WORK_DIR}/prefix"
+    --component Seamless_snapping_headers)
   set(package "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix")
 else()
   set(package "-DPACKAGE_SOURCE_DIR=${PACKAGE_SOURCE_DIR}")
@@ -28,3 +29,19 @@ run("${CMAKE_COMMAND}"
   "${package}")
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build")
 run("${WORK_DIR}/build/consumer")
+
+# Nothing of a sub-folder is installed with the project, unless it asks for that.
+if(WAY STREQUAL "subdirectory")
+  foreach(install IN ITEMS OFF ON)
+    run("${CMAKE_COMMAND}" -S "${PACKAGE_SOURCE_DIR}/test/Seamless_snapping/consumer"
+      -B "${WORK_DIR}/build" -DSEAMLESS_SNAPPING_INSTALL=${install})
+    run("${CMAKE_COMMAND}" --install "${WORK_DIR}/build" --prefix "${WORK_DIR}/${install}")
+    set(header "${WORK_DIR}/${install}/include/CGAL/Seamless_snapping/snap_to_seamless.h")
+    if(NOT EXISTS "${WORK_DIR}/${install}/bin/consumer")
+      message(SEND_ERROR "the program of the project is not installed")
+    endif()
+    if((install AND NOT EXISTS "${header}") OR (NOT install AND EXISTS "${header}"))
+      message(SEND_ERROR "SEAMLESS_SNAPPING_INSTALL=${install} has no effect")
+    endif()
+  endforeach()
+endif()

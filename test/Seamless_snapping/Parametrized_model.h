@@ -25,7 +25,7 @@ struct Parametrized_model
   Mesh mesh;
   UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   Aligned_map is_aligned = mesh.add_property_map<Mesh::Edge_index, bool>("e:aligned", false).first;
-  CGAL::Seamless_snapping::IO::OBJ_status status;
+  CGAL::Seamless_snapping::IO::File_status status;
 
   explicit Parametrized_model(const std::string& filename)
     : status(CGAL::Seamless_snapping::IO::read_OBJ(

@@ -40,7 +40,7 @@ struct Model
   Halfedge_uv_map uv_map = get(CGAL::dynamic_halfedge_property_t<Point_2>(), mesh);
   Edge_bool_map feature_map = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
 
-  SS::IO::OBJ_status read(const std::string& text)
+  SS::IO::File_status read(const std::string& text)
   {
     std::istringstream is(text);
     return SS::IO::read_OBJ(is, mesh, uv_map,

@@ -21,7 +21,7 @@ void check_same_as_square(const std::string& name, const std::string& text)
 {
   Surface_model expected, model;
   CHECK(expected.read(square));
-  const SS::IO::OBJ_status status = model.read(text);
+  const SS::IO::File_status status = model.read(text);
   if(!CHECK(status) || !CHECK(content(model) == content(expected)))
     std::cerr << "    " << name << ": " << status << std::endl;
 }
@@ -74,7 +74,7 @@ void test_features()
 {
   const auto features = [](const std::string& lines) {
     Surface_model model;
-    const SS::IO::OBJ_status status = model.read(square + lines);
+    const SS::IO::File_status status = model.read(square + lines);
     CHECK(status);
     return content(model).features;
   };
@@ -134,7 +134,7 @@ void test_split_vertices()
     "f 1/1 2/1 3/1\nf 4/1 5/1 1/1\n"
     "f 1/1 6/1 7/1\nf 1/1 7/1 8/1\nf 8/1 6/1 1/1\nf 6/1 8/1 7/1\nl 1 5\nl 8 1\n";
   const auto check = [&text](auto model) {
-    const SS::IO::OBJ_status status = model.read(text);
+    const SS::IO::File_status status = model.read(text);
     CHECK(status);
     CHECK_EQUAL(status.number_of_split_vertices, 2u);
     CHECK_EQUAL(num_vertices(model.mesh), 10u);
@@ -154,7 +154,7 @@ void test_split_vertices()
 void check_refused(const std::string& text, std::size_t line, const std::string& fragment)
 {
   Surface_model model;
-  const SS::IO::OBJ_status status = model.read(text);
+  const SS::IO::File_status status = model.read(text);
   const std::string start = "line " + std::to_string(line) + ": ";
   bool good = CHECK(!status) && CHECK_EQUAL(status.line, line);
   good = CHECK(status.message.find(start) == 0) && good;
@@ -241,6 +241,130 @@ void test_refused_surfaces()
   check_refused(band(5, true), 21, "(lines 12 and 21): the surface is not orientable");
 }
 
+// Each face of a file with vertices of its own, as if it was cut along all edges.
+std::string exploded(const std::string& text)
+{
+  std::vector<std::string> points = {""};
+  std::string vertices, faces, others;
+  std::size_t n = 0;
+  std::istringstream lines(text);
+  for(std::string line; std::getline(lines, line); ) {
+    std::istringstream tokens(line);
+    std::string keyword, corner;
+    tokens >> keyword;
+    if(keyword == "v") {
+      points.push_back(line + "\n");
+    } else if(keyword == "f") {
+      faces += "f";
+      while(tokens >> corner) {
+        vertices += points[std::stoul(corner)];
+        faces += " " + std::to_string(++n) + corner.substr(corner.find('/'));
+      }
+      faces += "\n";
+    } else {
+      others += line + "\n";
+    }
+  }
+  return vertices + others + faces;
+}
+
+SS::IO::File_status read_welded(const std::string& text, Surface_model& model)
+{
+  std::istringstream is(text);
+  return SS::IO::read_OBJ(is, model.mesh, model.uv_map,
+                          SS::parameters::weld(true).edge_is_constrained_map(model.feature_map));
+}
+
+void check_weld(const std::string& text, std::size_t vertices, std::size_t welded,
+                std::size_t coinciding)
+{
+  Surface_model model;
+  const SS::IO::File_status status = read_welded(text, model);
+  bool good = CHECK(status) && CHECK_EQUAL(num_vertices(model.mesh), vertices);
+  good = CHECK_EQUAL(status.number_of_welded_edges, welded) && good;
+  good = CHECK_EQUAL(status.number_of_coinciding_border_edges, coinciding) && good;
+  if(!good)
+    std::cerr << status << "\n" << text << std::endl;
+
+  // what the reader counts is what a function on the mesh counts, with welding and without
+  const auto count = [](const Surface_model& m) {
+    return SS::internal::number_of_coinciding_border_edges(m.mesh, m.mesh.points());
+  };
+  CHECK_EQUAL(count(model), coinciding);
+  Surface_model cut;
+  CHECK_EQUAL(cut.read(text).number_of_coinciding_border_edges, coinciding + 2 * welded);
+  CHECK_EQUAL(count(cut), coinciding + 2 * welded);
+}
+
+// A mesh that was cut along all edges comes back, with the coordinates of its corners.
+void test_welding_everything()
+{
+  std::string text = band(7, false);
+  for(std::size_t i = 0; i < 14; ++i) // a vt per face
+    text += "vt " + std::to_string(i) + " 0.5\n";
+  std::size_t face = 0;
+  for(std::size_t i = text.find("f "); i != text.npos; i = text.find("f ", i + 1)) {
+    const std::size_t end = text.find('\n', i);
+    text.replace(i, end - i, replaced(text.substr(i, end - i), "/1",
+                                      "/" + std::to_string(++face + 1)));
+  }
+  Surface_model expected, model;
+  CHECK(expected.read(text));
+  const SS::IO::File_status status = read_welded(exploded(text), model);
+  CHECK(status);
+  CHECK_EQUAL(status.number_of_welded_edges, 14u); // rungs and diagonals
+  CHECK_EQUAL(num_vertices(model.mesh), 14u);
+  CHECK(CGAL::is_valid_polygon_mesh(model.mesh));
+
+  // vertices come in the order of their first corners
+  const Content c = content(model), e = content(expected);
+  CHECK(c.uvs == e.uvs);
+  CHECK_EQUAL(c.triangles.size(), e.triangles.size());
+  for(std::size_t i = 0; i < c.triangles.size(); ++i)
+    CHECK(std::equal(&c.points[3 * c.triangles[i]], &c.points[3 * c.triangles[i]] + 3,
+                     &e.points[3 * e.triangles[i]]));
+
+  std::ostringstream note;
+  note << Surface_model().read(exploded(text));
+  CHECK_EQUAL(note.str(), "ok; 28 border edges coincide: is this a mesh that was cut open?");
+  check_weld(text, 14, 0, 0);
+}
+
+void test_welding()
+{
+  test_welding_everything();
+  const std::string two = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nv 0 -1 0\nvt 0 0\n"
+                          "f 1/1 2/1 3/1\n";
+  check_weld(two + "f 5/1 4/1 6/1\n", 4, 1, 0);
+  check_weld(two + "f 5/1 4/1 6/1\nv 3 3 3\n", 5, 1, 0); // one that has no face anyway
+  check_weld(replaced(two, "v 0 0 0\nv 1 0 0\nv 0 -1", "v -0 0 0\nv 1 0 -0\nv 0 -1")
+               + "f 5/1 4/1 6/1\n", 4, 1, 0); // zeros are equal
+  check_weld(replaced(two, "v 1 0 0\nv 0 -1", "v 1 0 1e-300\nv 0 -1") + "f 5/1 4/1 6/1\n", 6, 0,
+             0);                                           // nearly equal
+  check_weld(two + "f 4/1 5/1 6/1\n", 6, 0, 2);            // of one direction
+  check_weld(two + "f 5/1 4/1 6/1\nv 0 0 0\nv 1 0 0\nv 0 0 9\nf 8/1 7/1 9/1\n", 9, 0, 3); // which?
+  check_weld("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv -1 0 0\nv 0 -1 0\nvt 0 0\n"
+             "f 1/1 2/1 3/1\nf 4/1 5/1 6/1\n", 6, 0, 0); // a common point only
+
+  // polylines follow their vertices
+  Surface_model model;
+  CHECK(read_welded(two + "f 5/1 4/1 6/1\nl 4 5\nl 1 3\n", model));
+  CHECK(content(model).features == (std::vector<std::array<std::size_t, 2> >{{0, 1}, {0, 2}}));
+
+  // both sides of a cushion: their diagonals become one edge of four faces
+  std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  const std::string cushion = points + points + "vt 0 0\nf 1/1 2/1 3/1\nf 1/1 3/1 4/1\n"
+                              "f 7/1 6/1 5/1\nf 8/1 7/1 5/1\n";
+  CHECK_EQUAL(read_welded(cushion, model).message,
+              "line 12: once welded, edge 1 3 is not manifold: 4 faces share it (lines 10, 11, 12, "
+              "...)");
+  // a face without area between two sides of a seam
+  const std::string slit = "v 0 0 0\nv 1 0 0\nv 0 0 0\nv 0 1 0\nv 0 1 0\nvt 0 0\n"
+                           "f 1/1 2/1 3/1\nf 2/1 1/1 4/1\nf 3/1 2/1 5/1\n";
+  CHECK_EQUAL(read_welded(slit, model).line, 7u);
+  CHECK_EQUAL(num_faces(model.mesh), 2u); // as before
+}
+
 // Streams that throw: at failures, not at their ends.
 void test_exceptions()
 {
@@ -272,14 +396,14 @@ void test_failing_files()
 {
   Surface_model model;
   const std::string missing = "no/such/file.obj";
-  SS::IO::OBJ_status status = SS::IO::read_OBJ(missing, model.mesh, model.uv_map);
+  SS::IO::File_status status = SS::IO::read_OBJ(missing, model.mesh, model.uv_map);
   CHECK(!status);
   CHECK_EQUAL(status.line, 0u);
-  CHECK_EQUAL(status.message, "cannot open '" + missing + "'");
+  CHECK_EQUAL(status.message, "cannot open '" + missing + "': No such file or directory");
   status = SS::IO::read_OBJ(".", model.mesh, model.uv_map);
-  CHECK_EQUAL(status.message, "cannot read '.'");
+  CHECK_EQUAL(status.message, "cannot read '.': Is a directory");
   status = SS::IO::write_OBJ(missing, model.mesh, model.uv_map);
-  CHECK_EQUAL(status.message, "cannot open '" + missing + "' for writing");
+  CHECK_EQUAL(status.message, "cannot open '" + missing + "' for writing: No such file or directory");
 
   std::ostringstream os;
   CHECK(model.read(square));
@@ -304,7 +428,7 @@ void test_failing_files()
   CHECK(is.eof());
   if(std::filesystem::exists("/dev/full")) {
     status = SS::IO::write_OBJ("/dev/full", other.mesh, other.uv_map);
-    CHECK_EQUAL(status.message, "cannot write to '/dev/full'");
+    CHECK_EQUAL(status.message, "cannot write to '/dev/full': No space left on device");
   }
   os.setstate(std::ios::badbit);
   status = SS::IO::write_OBJ(os, other.mesh, other.uv_map);
@@ -319,6 +443,7 @@ int main()
   test_split_vertices();
   test_refused_statements();
   test_refused_surfaces();
+  test_welding();
   test_exceptions();
   test_failing_files();
   return report_checks();

@@ -188,7 +188,7 @@ Content plainly_read(const std::string& filename)
 void test_file(const std::string& filename)
 {
   Surface_model model, again;
-  const SS::IO::OBJ_status status =
+  const SS::IO::File_status status =
     SS::IO::read_OBJ(filename, model.mesh, model.uv_map,
                      SS::parameters::edge_is_constrained_map(model.feature_map));
   bool good = CHECK(status);
@@ -253,7 +253,7 @@ void test_mutations(Random& random, std::size_t number)
   for(std::size_t i = 0; i < number; ++i) {
     const std::string text = mutated(valid, random);
     AnyModel model, again;
-    const SS::IO::OBJ_status status = model.read(text);
+    const SS::IO::File_status status = model.read(text);
     bool good = true;
     if(status) {
       ++number_of_meshes;

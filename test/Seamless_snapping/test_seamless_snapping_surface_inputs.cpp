@@ -620,6 +620,10 @@ void test_nearly_nothing()
   CHECK(SS::is_seamless(named.mesh, named_uv, np));
   CHECK(SS::measure_seamlessness(named.mesh, named_uv, np).is_exact());
 
+  Mesh empty;
+  CHECK(SS::snap_to_seamless(empty, test_meshes::uv_map(empty)).status
+        == Snapping_status::INVALID_ARGUMENT);
+
   Named_mesh<Kernel> single{ "a triangle", true, Mesh() };
   single.mesh.add_face(single.mesh.add_vertex(), single.mesh.add_vertex(),
                        single.mesh.add_vertex());

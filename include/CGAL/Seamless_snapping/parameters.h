@@ -43,7 +43,8 @@
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
-  F(value_weights_t, value_weights, value_weights)
+  F(value_weights_t, value_weights, value_weights)                                                 \
+  F(weld_t, weld, weld)
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
 #define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
@@ -175,7 +176,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   traced in floating point, the distance below which a curve is taken to have missed what it
  *   passes by; both relative to the extent of the coordinates (`double`)
  * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
- *   small
+ *   small\
+  F(weld_t, weld, weld)
  *
  * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,
  * `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,

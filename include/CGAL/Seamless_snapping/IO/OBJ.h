@@ -17,12 +17,14 @@
 // Triangle meshes with coordinates per corner, from and to the OBJ format. CGAL's own reader drops
 // the texture coordinates, and refuses files with feature edges.
 
+#include <CGAL/Seamless_snapping/IO/File_status.h>
 #include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_mesh_builder.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_text_builder.h>
+#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+#include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
-#include <cstddef>
-#include <fstream>
 #include <istream>
 #include <ostream>
 #include <string>
@@ -31,41 +33,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace IO {
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-What `read_OBJ()` and `write_OBJ()` return. Converts to `bool`: `true` if and only if the mesh was
-read or written completely.
-
-\code{.cpp}
-const auto status = CGAL::Seamless_snapping::IO::read_OBJ("torus.obj", tmesh, uv_map);
-if(!status)
-  std::cerr << status.message << std::endl; // line 17: face has 4 corners; triangulate ...
-\endcode
-*/
-struct OBJ_status
-{
-  std::string message;  ///< empty on success; else what is wrong, and in which line
-  std::size_t line = 0; ///< the number of that line, counted from 1; 0 if it is not about a line
-  /*!
-  The number of vertices that were added by `read_OBJ()` because the faces around a vertex of the
-  file form several fans.
-  */
-  std::size_t number_of_split_vertices = 0;
-
-  /// returns `true` if and only if the mesh was read or written completely.
-  explicit operator bool() const { return message.empty(); }
-};
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-writes the message.
-*/
-inline std::ostream& operator<<(std::ostream& os, const OBJ_status& status)
-{
-  return os << (status ? "ok" : status.message);
-}
 
 /*!
 \ingroup PkgSeamlessSnappingIO
@@ -85,11 +52,19 @@ of face `f`, vertices without faces are kept, no face is reversed. There is one 
 faces around a vertex form several fans, which no halfedge data structure can hold, the fan that
 comes first in the file keeps the vertex and each other fan gets a copy, after all other vertices.
 
+Many programs write the mesh cut open along the seams, with vertices doubled: a vertex then has one pair
+of coordinates. Such seams are borders, and nothing makes them match, unless `weld` is `true`: then two
+border edges between the same points (their numbers agree exactly) that run in opposite directions become
+one. The vertices at their ends become one too: the first of them in the file; the others get no vertex.
+Vertices that lie in one place without such an edge stay apart, as do three border edges or more between
+the same points, and two that run in the same direction: what belongs together is then unknown. The
+result counts the edges that were welded, and those that still coincide.
+
 A file is refused, with the line and the reason, if it has a statement of the above kinds that is
 malformed, a number that is not finite, an index out of range, a point with a weight other than 1,
 coordinates `vt` with one number only, a face that is no triangle, a corner without coordinates, an
 edge with more than two faces or with two faces that are not oriented
-consistently, an `l` element that is no edge of the mesh (if `edge_is_constrained_map` is given), or
+consistently (before welding or after it), an `l` element that is no edge of the mesh (if `edge_is_constrained_map` is given), or
 no face at all. The mesh and the maps are then left as they were.
 
 The stream is left at its end. It may have been asked to throw exceptions: only one for `badbit` is
@@ -125,6 +100,12 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
+  \cgalParamNBegin{weld}
+    \cgalParamDescription{whether border edges between the same points are made one, for meshes that were
+                          cut open along their seams}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \returns an object that converts to `true` if the mesh was read, and that holds the reason and the
@@ -135,21 +116,13 @@ added, the faces around its vertices are visited), and needs the memory for the 
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-OBJ_status read_OBJ(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status read_OBJ(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  OBJ_status status;
-  try {
-    const std::string text = internal::text_of_stream(is);
-    status.number_of_split_vertices =
-      internal::build_mesh_from_OBJ(text, tmesh, uv_map, internal::strip(np));
-  } catch(const internal::OBJ_refusal& refusal) {
-    status.line = refusal.line();
-    status.message = refusal.what();
-    if(refusal.line() != 0)
-      status.message = "line " + std::to_string(refusal.line()) + ": " + status.message;
-  }
-  return status;
+  return internal::status_of_reading([&] {
+    return internal::read_text<internal::OBJ_parser>(internal::text_of_stream(is), tmesh, uv_map,
+                                                     internal::strip(np));
+  });
 }
 
 /*!
@@ -161,19 +134,13 @@ Parameters, named parameters, and result are those of the function that reads fr
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-OBJ_status read_OBJ(const std::string& filename, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status read_OBJ(const std::string& filename, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::ifstream is(filename, std::ios::binary);
-  if(!is) {
-    OBJ_status status;
-    status.message = "cannot open '" + filename + "'";
-    return status;
-  }
-  OBJ_status status = read_OBJ(is, tmesh, uv_map, np);
-  if(is.bad())
-    status.message = "cannot read '" + filename + "'";
-  return status;
+  return internal::status_of_reading([&] {
+    return internal::read_text<internal::OBJ_parser>(internal::text_of_file(filename), tmesh, uv_map,
+                                                     internal::strip(np));
+  });
 }
 
 /*!
@@ -228,16 +195,13 @@ written.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-OBJ_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  OBJ_status status;
-  std::string text;
-  if(internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np), text, status.message) &&
-     !internal::write_text(os, text))
-    status.message = "cannot write to the stream";
-  return status;
+  return internal::status_of_writing([&] {
+    internal::write_text(os, internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
+  });
 }
 
 /*!
@@ -249,20 +213,91 @@ part of the text.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-OBJ_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  OBJ_status status;
-  std::string text;
-  if(!internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np), text, status.message))
-    return status;
-  std::ofstream os(filename, std::ios::binary); // not earlier, since this empties the file
-  if(!os)
-    status.message = "cannot open '" + filename + "' for writing";
-  else if(!internal::write_text(os, text) || !os.rdbuf()->close())
-    status.message = "cannot write to '" + filename + "'";
-  return status;
+  return internal::status_of_writing([&] { // the file is emptied when the text is complete
+    internal::write_text(filename,
+                         internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
+
+While `write_OBJ()` writes what the mesh holds, this function keeps the whole file to the byte: order,
+materials, groups, smoothing, normals, colors, polylines, comments, and the digits of numbers. Replaced
+are the numbers of `vt` statements that differ from those of the mesh, and, where corners that shared a
+statement have different coordinates now, the indices of `f` and `l` statements: further `vt` statements
+then follow the one that was shared. What is written reads back bit for bit, as with `write_OBJ()`.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point of a kernel whose number type is `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param original the file, from which the mesh was read by `read_OBJ()`, into an empty mesh
+\param os the output stream
+\param tmesh the mesh, with the faces and points of the file
+\param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{weld}
+    \cgalParamDescription{whether the faces of the file that is written share the vertices that
+                          `read_OBJ()` makes one if asked to; the statements of the other vertices stay,
+                          but no face uses them}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns an object that converts to `true` if the file was written, and that holds the reason
+         otherwise: the original cannot be read, the faces of the mesh are not those of the file, or
+         a coordinate is not finite. Then nothing is written.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+File_status rewrite_OBJ(std::istream& original, std::ostream& os, const TriangleMesh& tmesh,
+                        HalfedgeUVMap uv_map,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::status_of_writing([&] {
+    internal::write_text(os, internal::rewritten_text<internal::OBJ_parser, internal::OBJ_rewriter>(
+                               internal::text_of_stream(original), tmesh, uv_map,
+                               internal::strip(np)));
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+\brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
+Parameters, named parameters, and result are those of the function on streams. The two names may be the
+same.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+File_status rewrite_OBJ(const std::string& original, const std::string& filename,
+                        const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::status_of_writing([&] {
+    internal::write_text(filename,
+                         internal::rewritten_text<internal::OBJ_parser, internal::OBJ_rewriter>(
+                           internal::text_of_file(original), tmesh, uv_map, internal::strip(np)));
+  });
 }
 
 /// \cond SKIP_IN_MANUAL
@@ -270,7 +305,7 @@ OBJ_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Hal
 template <typename File, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<!std::is_convertible_v<const NamedParameters&, std::string>, int> = 0>
-OBJ_status write_OBJ(File&& file, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status write_OBJ(File&& file, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   return write_OBJ(file, tmesh, uv_map, std::string(), np);

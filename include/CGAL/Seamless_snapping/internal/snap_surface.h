@@ -77,6 +77,8 @@ public:
 private:
   std::optional<Refusal> snap()
   {
+    if(faces(m_tmesh).size() == 0)
+      return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
     const auto transitions = read_transitions<Group>(m_tmesh, m_uv_map, m_np);
     fill_in(transitions);
     m_timer.finish("transitions");

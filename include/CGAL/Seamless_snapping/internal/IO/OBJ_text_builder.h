@@ -16,8 +16,8 @@
 
 // From a mesh with its property maps to the text of an OBJ file: the steps of `write_OBJ()`.
 
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
-#include <CGAL/Seamless_snapping/internal/IO/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
+#include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -25,11 +25,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,10 +57,8 @@ public:
   // Throws unless `x` is finite.
   void add_number(double x)
   {
-    if(!std::isfinite(x))
-      throw OBJ_refusal(0, "a coordinate is not finite; nothing is written");
     m_text += ' ';
-    append_decimal(m_text, x);
+    append_number(x, m_text);
   }
 
   // `i` counts from 0
@@ -79,41 +73,6 @@ public:
 
 private:
   std::string m_text;
-};
-
-// The coordinates of all corners; those of one vertex that agree bit for bit are held once.
-class Distinct_uvs
-{
-public:
-  using UV = std::array<double, 2>;
-
-  explicit Distinct_uvs(std::size_t number_of_vertices)
-    : m_first(number_of_vertices, none)
-  { }
-
-  // Returns the index of the coordinates `uv` at vertex `v`.
-  std::size_t insert(std::size_t v, const UV& uv)
-  {
-    std::size_t i = m_first[v];
-    while(i != none && std::memcmp(&m_uvs[i], &uv, sizeof(UV)) != 0) // tells 0 from -0
-      i = m_next[i];
-    if(i == none) {
-      i = m_uvs.size();
-      m_uvs.push_back(uv);
-      m_next.push_back(m_first[v]);
-      m_first[v] = i;
-    }
-    return i;
-  }
-
-  const std::vector<UV>& uvs() const { return m_uvs; }
-
-private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  std::vector<UV> m_uvs;
-  std::vector<std::size_t> m_first; // per vertex, the last that was inserted
-  std::vector<std::size_t> m_next;  // per element, the one at the same vertex inserted before it
 };
 
 // Numbers the vertices in their order.
@@ -161,7 +120,7 @@ void add_faces(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, VertexIndexMap i
   }
 }
 
-// Throws `OBJ_refusal` if a coordinate is not finite.
+// Throws `File_refusal` if a coordinate is not finite.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 std::string build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                            const std::string& comments, const NamedParameters& np)
@@ -189,26 +148,6 @@ std::string build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
       }
   }
   return text.take();
-}
-
-// Returns false, with the reason, if a coordinate is not finite.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-bool build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const std::string& comments,
-                    const NamedParameters& np, std::string& text, std::string& message)
-{
-  try {
-    text = build_OBJ_text(tmesh, uv_map, comments, np);
-    return true;
-  } catch(const OBJ_refusal& refusal) {
-    message = refusal.what();
-    return false;
-  }
-}
-
-inline bool write_text(std::ostream& os, const std::string& text)
-{
-  os.write(text.data(), static_cast<std::streamsize>(text.size()));
-  return bool(os.flush());
 }
 
 } // namespace internal

@@ -19,7 +19,7 @@
 // CGAL's functions on soups make any soup fit, by turning faces round and by cutting along edges;
 // here a file is taken as it is or refused, with the lines of the faces at fault.
 
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -41,7 +41,8 @@ inline Side_index next_side(Side_index s) { return s % 3 == 2 ? s - 2 : s + 1; }
 inline Side_index previous_side(Side_index s) { return s % 3 == 0 ? s + 2 : s - 1; }
 
 // The sides of all triangles, sorted by the edges they lie on.
-// `Triangle` has members `vertices` (three indices) and `line`.
+// `Triangle` has members `vertices` (three indices) and `line`, which is 0 in files that are not made of
+// lines: faces are told by their indices there, and these and vertices are counted from 0.
 template <typename Triangle>
 class Soup_edges
 {
@@ -50,7 +51,7 @@ public:
 
   // Keeps a reference to the triangles, but reads them in `check_manifold()` only.
   explicit Soup_edges(const std::vector<Triangle>& triangles)
-    : m_triangles(triangles)
+    : m_triangles(&triangles)
   {
     m_sides.reserve(3 * triangles.size());
     for(Side_index s = 0; s < 3 * triangles.size(); ++s) {
@@ -64,9 +65,10 @@ public:
     });
   }
 
-  // Throws `OBJ_refusal` unless each edge has one side, or two that run in opposite directions.
+  // Throws `File_refusal` unless each edge has one side, or two that run in opposite directions.
   // Of several edges at fault, the one whose fault shows first in the file is named.
-  void check_manifold() const
+  // `when` begins the message.
+  void check_manifold(const std::string& when = "") const
   {
     std::size_t first_fault = m_sides.size();
     for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i)) {
@@ -76,7 +78,7 @@ public:
         first_fault = fault;
     }
     if(first_fault != m_sides.size())
-      refuse(first_fault);
+      refuse(first_fault, when);
   }
 
   // For each side the one on the other side of the edge, or `no_side` on the border.
@@ -90,6 +92,17 @@ public:
         mates[m_sides[i + 1].side] = m_sides[i].side;
       }
     return mates;
+  }
+
+  // The sides without another one on their edge, in the order of the file.
+  std::vector<Side_index> border_sides() const
+  {
+    std::vector<Side_index> border;
+    for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i))
+      if(end_of_edge(i) == i + 1)
+        border.push_back(m_sides[i].side);
+    std::sort(border.begin(), border.end());
+    return border;
   }
 
   // Returns a side between two vertices, or `no_side` if they share no edge.
@@ -128,7 +141,7 @@ private:
 
   bool runs_upwards(const Side& s) const
   {
-    return m_triangles[s.side / 3].vertices[s.side % 3] == s.low;
+    return (*m_triangles)[s.side / 3].vertices[s.side % 3] == s.low;
   }
 
   // The position of the first side that does not fit to those before it, `m_sides.size()` if none.
@@ -140,38 +153,47 @@ private:
     return end - i > 2 ? i + 2 : m_sides.size();
   }
 
-  std::size_t line(const Side& s) const { return m_triangles[s.side / 3].line; }
+  std::size_t line(const Side& s) const { return (*m_triangles)[s.side / 3].line; }
 
-  [[noreturn]] void refuse(std::size_t fault) const
+  // Where the faces of sides are in the file, as in "lines 7 and 8".
+  std::string places(const std::vector<Side>& sides, const std::string& separator) const
+  {
+    std::string result;
+    for(const Side& s : sides)
+      result += (result.empty() ? line(s) == 0 ? "faces " : "lines " : separator)
+                + std::to_string(line(s) == 0 ? s.side / 3 : line(s));
+    return result;
+  }
+
+  [[noreturn]] void refuse(std::size_t fault, const std::string& when) const
   {
     std::size_t i = fault;
     while(i > 0 && is_same_edge(m_sides[i - 1], m_sides[fault]))
       --i;
-    const std::string edge = std::to_string(m_sides[i].low + 1) + " "
-                             + std::to_string(m_sides[i].high + 1);
-    if(end_of_edge(i) - i > 2)
-      throw OBJ_refusal(line(m_sides[fault]),
-                        "edge " + edge + " is not manifold: "
-                        + std::to_string(end_of_edge(i) - i) + " faces share it (lines "
-                        + std::to_string(line(m_sides[i])) + ", "
-                        + std::to_string(line(m_sides[i + 1])) + ", "
-                        + std::to_string(line(m_sides[i + 2]))
-                        + (end_of_edge(i) - i > 3 ? ", ...)" : ")"));
+    const std::size_t number = end_of_edge(i) - i;
+    const std::size_t first_number = line(m_sides[fault]) == 0 ? 0 : 1; // of vertices in the file
+    const std::string edge = when + "edge " + std::to_string(m_sides[i].low + first_number) + " "
+                             + std::to_string(m_sides[i].high + first_number);
+    if(number > 2)
+      throw File_refusal(line(m_sides[fault]),
+                         edge + " is not manifold: " + std::to_string(number)
+                         + " faces share it ("
+                         + places({m_sides[i], m_sides[i + 1], m_sides[i + 2]}, ", ")
+                         + (number > 3 ? ", ...)" : ")"));
 
-    throw OBJ_refusal(line(m_sides[fault]),
-                      "edge " + edge + " has the same direction in two faces (lines "
-                      + std::to_string(line(m_sides[i])) + " and "
-                      + std::to_string(line(m_sides[i + 1])) + "): "
-                      + (is_orientable() ? "orient the faces consistently first"
-                                         : "the surface is not orientable"));
+    throw File_refusal(line(m_sides[fault]),
+                       edge + " has the same direction in two faces ("
+                       + places({m_sides[i], m_sides[i + 1]}, " and ") + "): "
+                       + (is_orientable() ? "orient the faces consistently first"
+                                          : "the surface is not orientable"));
   }
 
   // Whether some choice of orientations makes all edges of two faces fit.
   bool is_orientable() const
   {
     // 2t stands for triangle t as it is, 2t + 1 for t turned round; sets of what goes together
-    boost::disjoint_sets_with_storage<> sets(2 * m_triangles.size());
-    for(std::size_t t = 0; t < 2 * m_triangles.size(); ++t)
+    boost::disjoint_sets_with_storage<> sets(2 * m_triangles->size());
+    for(std::size_t t = 0; t < 2 * m_triangles->size(); ++t)
       sets.make_set(t);
     for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i))
       if(end_of_edge(i) == i + 2) {
@@ -181,26 +203,26 @@ private:
         sets.union_set(t0, t1 + turned);
         sets.union_set(t0 + 1, t1 + 1 - turned);
       }
-    for(std::size_t t = 0; t < 2 * m_triangles.size(); t += 2)
+    for(std::size_t t = 0; t < 2 * m_triangles->size(); t += 2)
       if(sets.find_set(t) == sets.find_set(t + 1))
         return false;
     return true;
   }
 
-  const std::vector<Triangle>& m_triangles;
+  const std::vector<Triangle>* m_triangles;
   std::vector<Side> m_sides;
 };
 
 // Gives each fan of triangles around a vertex a vertex of its own: the fan that comes first keeps
-// the vertex, the others get copies of it at the end of `points`. Returns the number of copies.
+// the vertex, the others get copies of it at the end of `points`. Returns the vertex of each copy.
 template <typename Triangle, typename Point>
-std::size_t split_non_manifold_vertices(const std::vector<Side_index>& mates,
+std::vector<std::size_t> split_non_manifold_vertices(const std::vector<Side_index>& mates,
                                         std::vector<Triangle>& triangles,
                                         std::vector<Point>& points)
 {
   constexpr Side_index no_side = Soup_edges<Triangle>::no_side;
-  const std::size_t number_of_points = points.size();
-  std::vector<bool> has_fan(number_of_points, false);
+  std::vector<std::size_t> origins;
+  std::vector<bool> has_fan(points.size(), false);
   std::vector<bool> is_done(mates.size(), false); // of the vertex at the start of each side
 
   for(Side_index s = 0; s < mates.size(); ++s) {
@@ -208,6 +230,7 @@ std::size_t split_non_manifold_vertices(const std::vector<Side_index>& mates,
       continue;
     std::size_t vertex = triangles[s / 3].vertices[s % 3];
     if(has_fan[vertex]) {
+      origins.push_back(vertex);
       points.push_back(Point(points[vertex]));
       vertex = points.size() - 1;
     } else {
@@ -224,7 +247,7 @@ std::size_t split_non_manifold_vertices(const std::vector<Side_index>& mates,
       triangles[m / 3].vertices[next_side(m) % 3] = vertex;
     }
   }
-  return points.size() - number_of_points;
+  return origins;
 }
 
 } // namespace internal

@@ -1,0 +1,17 @@
+// How a subcommand ends. Only `SUCCESS` says that what was asked for is done, and written.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H
+
+#include <stdexcept>
+#include <string>
+
+enum Exit { SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4 };
+
+struct Failure : public std::runtime_error
+{
+  Failure(Exit exit, const std::string& message) : std::runtime_error(message), status(exit) { }
+  Exit status;
+};
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H

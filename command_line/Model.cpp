@@ -1,0 +1,221 @@
+#include "Model.h"
+
+#include "Failure.h"
+#include "files.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/IO/PLY.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace SS = CGAL::Seamless_snapping;
+
+namespace {
+
+// Names of formats are suffixes.
+const char* const obj = "obj";
+const char* const ply = "ply";
+
+// Standard streams and pipes have no suffix: what comes from them tells its format.
+std::string format_of(const std::string& filename, const std::string& standard_format)
+{
+  const std::string suffix = is_special_file(filename) ? standard_format : suffix_of(filename);
+  if(suffix != obj && suffix != ply)
+    throw Failure(USAGE, "'" + filename + "': files with coordinates per corner are .obj and .ply "
+                         "files");
+  return suffix;
+}
+
+// Tells what goes on while large files are worked on.
+class Progress
+{
+public:
+  Progress(const bool always, const std::size_t size)
+    : m_is_on(always || size > 30000000)
+  {
+    m_timer.start();
+  }
+
+  void step(const std::string& what)
+  {
+    if(m_is_on)
+      std::cerr << "[" << std::fixed << std::setprecision(1) << m_timer.time() << " s] " << what
+                << std::defaultfloat << std::endl;
+  }
+
+private:
+  bool m_is_on;
+  CGAL::Real_timer m_timer;
+};
+
+template <typename Parser>
+SS::internal::Vertex_changes build(Model& model, Progress& progress)
+{
+  const auto np = SS::parameters::edge_is_constrained_map(model.is_feature).weld(model.is_welded);
+  auto soup = Parser(model.text).parse();
+  progress.step("connecting " + std::to_string(soup.triangles.size()) + " faces");
+  model.number_of_points = soup.points.size();
+  return SS::internal::build_mesh(soup, model.mesh, model.uv_map, SS::internal::strip(np));
+}
+
+template <typename UVNumber>
+SS::internal::Vertex_changes build_from_format(Model& model, Progress& progress)
+{
+  return model.format == ply ? build<SS::internal::PLY_parser<double, UVNumber> >(model, progress)
+                             : build<SS::internal::OBJ_parser<double, UVNumber> >(model, progress);
+}
+
+void parse(Model& model, Progress& progress)
+{
+  SS::internal::Vertex_changes changes;
+  try {
+    changes = model.is_float ? build_from_format<float>(model, progress)
+                             : build_from_format<double>(model, progress);
+  } catch(const SS::internal::File_refusal& refusal) {
+    throw Failure(UNREADABLE, model.filename + ": " + refusal.message());
+  }
+  model.file_vertices = changes.file_vertices;
+  model.number_of_split_vertices = changes.number_of_split_vertices;
+  model.number_of_welded_edges = changes.number_of_welded_edges;
+  model.number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+}
+
+bool is_same_number(double x, double y) { return x == y && std::signbit(x) == std::signbit(y); }
+
+// Elements that were read from files have the same indices, as none is removed.
+bool is_same_face(const Model& a, const Model& b, const Mesh::Face_index f)
+{
+  Halfedge g = b.mesh.halfedge(f);
+  for(const Halfedge h : a.mesh.halfedges_around_face(a.mesh.halfedge(f))) {
+    const Kernel::Point_2 &p = a.uv_map[h], &q = b.uv_map[g];
+    if(a.mesh.point(a.mesh.target(h)) != b.mesh.point(b.mesh.target(g)) ||
+       !is_same_number(p.x(), q.x()) || !is_same_number(p.y(), q.y()) ||
+       a.is_feature[a.mesh.edge(h)] != b.is_feature[b.mesh.edge(g)] ||
+       a.mesh.is_border(a.mesh.opposite(h)) != b.mesh.is_border(b.mesh.opposite(g)))
+      return false;
+    g = b.mesh.next(g);
+  }
+  return true;
+}
+
+// Whether points of faces, coordinates, and features are the same, to the bit, in the same order.
+bool is_same(const Model& a, const Model& b)
+{
+  return a.mesh.number_of_faces() == b.mesh.number_of_faces() &&
+         std::all_of(a.mesh.faces_begin(), a.mesh.faces_end(),
+                     [&](const auto f) { return is_same_face(a, b, f); });
+}
+
+std::string rewritten(const Model& model)
+{
+  using namespace SS::internal;
+  const auto np = SS::parameters::weld(model.is_welded);
+  return model.format == ply
+           ? rewritten_text<PLY_parser, PLY_rewriter>(model.text, model.mesh, model.uv_map, strip(np))
+           : rewritten_text<OBJ_parser, OBJ_rewriter>(model.text, model.mesh, model.uv_map, strip(np));
+}
+
+std::string written(const Model& model, const std::string& format)
+{
+  using namespace SS::internal;
+  const auto np = SS::parameters::edge_is_constrained_map(model.is_feature);
+  return format == ply ? build_PLY_text(model.mesh, model.uv_map, "", strip(np))
+                       : build_OBJ_text(model.mesh, model.uv_map, "", strip(np));
+}
+
+void check_text(const Model& model, const std::string& filename, const std::string& format,
+                const std::string& text, const bool as_float, Progress& progress)
+{
+  Model again;
+  again.filename = filename;
+  again.format = format;
+  again.text = text;
+  again.is_float = as_float;
+  parse(again, progress);
+  if(!is_same(model, again))
+    throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
+}
+
+} // namespace
+
+void read_model(const std::string& filename, const Reading_options& options, Model& model)
+{
+  model.filename = filename;
+  check_format(filename);
+  model.is_welded = options.weld;
+  model.is_float = options.in_float;
+  Progress(options.verbose, 0).step("reading " + filename);
+  model.text = read_file(filename);
+  model.format = format_of(filename, model.text.substr(0, 3) == ply ? ply : obj);
+  Progress progress(options.verbose, model.text.size());
+  progress.step(filename + ": " + std::to_string(model.text.size() / 1000000 + 1) + " MB");
+  parse(model, progress);
+  progress.step(std::to_string(model.mesh.number_of_faces()) + " faces read");
+}
+
+std::string text_of_model(const Model& model, const std::string& filename)
+{
+  const std::string format = format_of(filename, model.format.empty() ? obj : model.format);
+  Progress progress(false, model.text.size());
+  progress.step("writing " + filename);
+  std::string text;
+  try {
+    text = model.format == format ? rewritten(model) : written(model, format);
+  } catch(const SS::internal::File_refusal& refusal) {
+    throw Failure(UNWRITABLE, filename + ": " + refusal.message());
+  }
+  progress.step("reading back what is written");
+  check_text(model, filename, format, text, model.is_float, progress);
+  if(model.is_float)
+    check_text(model, filename, format, text, false, progress);
+  return text;
+}
+
+bool changes_format(const Model& model, const std::string& filename)
+{
+  return format_of(filename, model.format) != model.format;
+}
+
+void check_format(const std::string& filename)
+{
+  format_of(filename, obj);
+}
+
+Uv_map copy_of_uv_map(Model& model)
+{
+  const Uv_map copy = model.mesh.add_property_map<Halfedge, Kernel::Point_2>("h:old_uv").first;
+  for(const Halfedge h : model.mesh.halfedges())
+    copy[h] = model.uv_map[h];
+  return copy;
+}
+
+std::string in_numbers_of_file(const std::string& message, const Model& model)
+{
+  const std::size_t first_number = model.format == obj ? 1 : 0;
+  const auto number_in_file = [&](const std::string& kind, const std::size_t i) {
+    const bool is_vertex = kind != "face" && i < model.file_vertices.size();
+    return (is_vertex ? model.file_vertices[i] : i) + first_number;
+  };
+  std::string result, kind; // the kind of element that the last word was about
+  std::istringstream words(message);
+  for(std::string word; words >> word; ) {
+    const std::size_t digits = (std::min)(word.find_first_not_of("0123456789"), word.size());
+    const std::string rest = word.substr(digits);
+    if(!kind.empty() && digits > 0 && rest.find_first_not_of(",;:.)") == rest.npos)
+      word = std::to_string(number_in_file(kind, std::stoul(word))) + rest;
+    else if(word == "vertex" || word == "vertices" || word == "face")
+      kind = word;
+    else if(!(kind == "vertices" && word == "and")) // as in "vertices 1 and 2"
+      kind.clear();
+    result += (result.empty() ? "" : " ") + word;
+  }
+  return result;
+}

@@ -1,0 +1,69 @@
+// A mesh with coordinates per corner, and the file it comes from.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
+using Edge_bool_map = Mesh::Property_map<Edge, bool>;
+
+// The property maps belong to `mesh`, so that a model is neither copied nor moved.
+struct Model
+{
+  Model() = default;
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  Mesh mesh;
+  Uv_map uv_map = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+  Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
+
+  // Of the file; a model that does not come from one leaves these empty.
+  std::string filename, format, text;
+  bool is_welded = false;
+  bool is_float = false; // whether the coordinates are floats
+  std::size_t number_of_points = 0;
+  std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0
+  std::size_t number_of_split_vertices = 0, number_of_welded_edges = 0,
+              number_of_coinciding_border_edges = 0;
+};
+
+struct Reading_options
+{
+  bool weld = false;
+  bool in_float = false; // reads coordinates as programs do that hold floats
+  bool verbose = false; // tells of each step; else only of large files
+};
+
+// The format is that of the name's suffix; the standard input may be of any. Throws `Failure`.
+void read_model(const std::string& filename, const Reading_options& options, Model& model);
+
+// The model as a text in the format that the suffix of a name asks for: that of its file with other
+// coordinates, if it is of this format; else what the mesh holds. Checks that it reads back as it is,
+// floats also as doubles. Throws `Failure`.
+std::string text_of_model(const Model& model, const std::string& filename);
+
+// Whether that text holds no more than the mesh, since the file is of another format.
+bool changes_format(const Model& model, const std::string& filename);
+
+// Throws `Failure` if models cannot be written to files of the suffix of this name.
+void check_format(const std::string& filename);
+
+// A map of the mesh with the coordinates of now.
+Uv_map copy_of_uv_map(Model& model);
+
+// Numbers of vertices and faces, which the library counts from 0, as the file counts them.
+std::string in_numbers_of_file(const std::string& message, const Model& model);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H

@@ -1,0 +1,46 @@
+// The options and files that a subcommand takes: declared with the variables that their values go to.
+// Boost.Program_options, which takes long to compile, is in Options.cpp only.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_OPTIONS_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_OPTIONS_H
+
+#include "commands.h"
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+extern const char* const exit_statuses; // for helps
+void print_version(std::ostream& os);
+
+class Options
+{
+public:
+  // `usage` as in "snap IN OUT"
+  Options(const std::string& usage, const std::string& purpose);
+  ~Options();
+
+  // Files are given in the order in which they are added here. All are needed.
+  void add_file(const std::string& name, std::string& filename);
+
+  void add(const std::string& name, bool& is_set, const std::string& help);
+  void add(const std::string& name, const std::string& placeholder, double& value,
+           const std::string& help);
+  void add(const std::string& name, const std::string& placeholder, int& value,
+           const std::string& help);
+  void add(const std::string& name, const std::string& placeholder, std::string& value,
+           const std::string& help);
+
+  // Returns false if only the help or the version was asked for, which is printed then. Throws
+  // `Failure` on wrong usage.
+  bool parse(const Arguments& arguments);
+
+  // \pre `parse()` has returned
+  bool is_given(const std::string& name) const;
+
+private:
+  struct Declarations;
+  std::unique_ptr<Declarations> m_declarations;
+};
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_OPTIONS_H

@@ -1,0 +1,184 @@
+#include "Summary.h"
+
+#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+std::string to_text(double x)
+{
+  std::ostringstream os;
+  os << std::setprecision(3) << x;
+  return os.str();
+}
+
+// `relative` to `extent` in brackets
+std::string to_text(double x, double extent)
+{
+  return x == 0 || extent == 0 ? to_text(x) : to_text(x) + " (" + to_text(x / extent) + ")";
+}
+
+template <typename A, typename B>
+void write_row(std::ostream& os, const char* name, const A& a, const B& b)
+{
+  os << "  " << std::left << std::setw(26) << name << std::right << std::setw(24) << a
+     << std::setw(24) << b << '\n';
+}
+
+void write_mesh(std::ostream& os, const Summary& s)
+{
+  os << s.faces << " faces, " << s.vertices << " vertices, " << s.border_edges
+     << " border edges, " << s.features << " feature edges\n";
+  if(s.welded_edges > 0)
+    os << "note: " << s.welded_edges << " edges were welded\n";
+  if(s.coinciding_border_edges > 0)
+    os << "note: "
+       << CGAL::Seamless_snapping::internal::note_on_coinciding_border_edges(
+            s.coinciding_border_edges)
+       << (s.welded_edges > 0 ? " They can't be welded, as it is open which belong together.\n"
+                              : " --weld closes it.\n");
+  if(s.split_vertices > 0)
+    os << "note: " << s.split_vertices
+       << " vertices were added where the faces around a vertex form several fans\n";
+  if(s.left_out_edges > 0)
+    os << "note: " << s.left_out_edges << " edges are left out, as they lie on no isocurve\n";
+}
+
+nlohmann::json json_of(const CGAL::Seamless_snapping::Seamlessness& s)
+{
+  return {{"inexact_edges", s.number_of_inexact_edges},
+          {"violation", s.violation},
+          {"misaligned_edges", s.number_of_misaligned_edges},
+          {"misalignment", s.misalignment},
+          {"flipped_faces", s.number_of_flipped_faces},
+          {"degenerate_faces", s.number_of_degenerate_faces}};
+}
+
+nlohmann::json json_of(const Summary& s, bool success, const std::string& message)
+{
+  const auto& r = s.report;
+  nlohmann::json steps = nlohmann::json::array();
+  for(const auto& [name, seconds] : r.run.step_times)
+    steps.push_back({{"step", name}, {"seconds", seconds}});
+  return {{"exact", success},
+          {"message", message},
+          {"status", s.has_report ? CGAL::Seamless_snapping::to_string(r.status) : "not snapped"},
+          {"mesh", {{"vertices", s.vertices}, {"faces", s.faces}, {"border_edges", s.border_edges},
+                    {"feature_edges", s.features}, {"split_vertices", s.split_vertices},
+                    {"welded_edges", s.welded_edges},
+                    {"coinciding_border_edges", s.coinciding_border_edges}}},
+          {"alignment", {{"aligned_edges", s.aligned_edges},
+                         {"left_out_edges", s.left_out_edges}}},
+          {"extent", s.before.extent},
+          {"before", json_of(s.before)},
+          {"after", json_of(s.after)},
+          {"seams", {{"cut_edges", r.run.number_of_cut_edges},
+                     {"merged_edges", r.run.number_of_merged_edges},
+                     {"cut_branches", r.run.number_of_cut_branches},
+                     {"align_branches", r.run.number_of_align_branches},
+                     {"nodes", r.run.number_of_nodes},
+                     {"singular_vertices", r.run.number_of_singular_vertices}}},
+          {"system", {{"unknowns", r.linear_solver.number_of_unknowns},
+                      {"constraints", r.linear_solver.number_of_constraints},
+                      {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
+                      {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
+                      {"multiprecision", r.linear_solver.multiprecision}}},
+          {"change", {{"grid_step", r.run.grid_step}, {"largest", r.largest_change},
+                      {"mean", r.mean_change}, {"rms", r.rms_change}}},
+          {"seconds", {{"reading", s.reading_time}, {"snapping", s.snapping_time},
+                       {"writing", s.writing_time}, {"steps", steps}}}};
+}
+
+} // namespace
+
+Summary::Summary(const Model& model, const Alignment& alignment)
+  : vertices(model.number_of_points), faces(model.mesh.number_of_faces()),
+    split_vertices(model.number_of_split_vertices), welded_edges(model.number_of_welded_edges),
+    coinciding_border_edges(model.number_of_coinciding_border_edges),
+    aligned_edges(alignment.number_of_aligned_edges),
+    left_out_edges(alignment.number_of_left_out_edges)
+{
+  for(const Edge e : model.mesh.edges()) {
+    border_edges += model.mesh.is_border(e) ? 1 : 0;
+    features += model.is_feature[e] ? 1 : 0;
+  }
+}
+
+std::string to_text(const CGAL::Seamless_snapping::Snapping_report& report)
+{
+  std::ostringstream os;
+  os << report;
+  return os.str();
+}
+
+std::string to_text(const Misfits& misfits)
+{
+  return std::to_string(misfits.number_of_misfits) + " of "
+         + std::to_string(misfits.number_of_cut_edges) + " cut edges don't fit"
+         + (misfits.looks_like_atlas()
+              ? ": this looks like a texture atlas, whose charts are laid out independently. Only "
+                "charts that are related by rotations by multiples of 90 degrees can be made exact"
+              : "");
+}
+
+void write_snap(std::ostream& os, const Summary& s)
+{
+  const auto& r = s.report;
+  write_mesh(os, s);
+  os << r.run.number_of_cut_edges << " cut edges in " << r.run.number_of_cut_branches
+     << " branches, " << r.run.number_of_nodes << " nodes, " << r.run.number_of_singular_vertices
+     << " singular vertices\n";
+  if(s.aligned_edges + s.left_out_edges > 0)
+    os << s.aligned_edges << " edges are kept on isocurves, in " << r.run.number_of_align_branches
+       << " branches\n";
+
+  os << '\n';
+  write_row(os, "", "before", "after");
+  write_row(os, "inexact edges", s.before.number_of_inexact_edges, s.after.number_of_inexact_edges);
+  write_row(os, "largest violation", to_text(s.before.violation, s.before.extent),
+            to_text(s.after.violation, s.after.extent));
+  if(s.aligned_edges > 0) {
+    write_row(os, "misaligned edges", s.before.number_of_misaligned_edges,
+              s.after.number_of_misaligned_edges);
+    write_row(os, "largest misalignment", to_text(s.before.misalignment, s.before.extent),
+              to_text(s.after.misalignment, s.after.extent));
+  }
+  write_row(os, "flipped faces", s.before.number_of_flipped_faces, s.after.number_of_flipped_faces);
+  write_row(os, "degenerate faces", s.before.number_of_degenerate_faces,
+            s.after.number_of_degenerate_faces);
+  os << "  (in brackets: relative to the extent " << to_text(s.before.extent) << ")\n\n"
+     << CGAL::Seamless_snapping::to_string(r.status) << ": largest change "
+     << to_text(r.largest_change, r.extent) << ", mean change " << to_text(r.mean_change, r.extent)
+     << "\n" << "time: reading " << to_text(s.reading_time) << " s, snapping "
+     << to_text(s.snapping_time) << " s, writing and reading back " << to_text(s.writing_time)
+     << " s" << std::endl;
+}
+
+void write_check(std::ostream& os, const Summary& s)
+{
+  write_mesh(os, s);
+  os << s.before.number_of_inexact_edges << " inexact edges of "
+     << s.before.number_of_interior_edges << ", largest violation "
+     << to_text(s.before.violation, s.before.extent) << "\n";
+  if(s.aligned_edges > 0)
+    os << s.before.number_of_misaligned_edges << " misaligned edges of " << s.aligned_edges
+       << ", largest misalignment " << to_text(s.before.misalignment, s.before.extent) << "\n";
+  os << s.before.number_of_flipped_faces << " flipped faces, "
+     << s.before.number_of_degenerate_faces << " degenerate faces\n"
+     << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
+     << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
+     << " (in brackets: relative to the extent " << to_text(s.before.extent) << ")" << std::endl;
+}
+
+// Names of files in messages may hold bytes that are not UTF-8; JSON cannot.
+std::string to_json(const Summary& summary, const bool success, const std::string& message)
+{
+  return json_of(summary, success, message)
+           .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}

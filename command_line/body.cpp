@@ -1,0 +1,51 @@
+// seamless body OUT: writes a surface of a given genus, to try the parametrization on.
+
+#include "Failure.h"
+#include "Options.h"
+#include "commands.h"
+#include "files.h"
+#include "handle_body.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+
+#include <sstream>
+#include <string>
+
+void make_body(const Arguments& arguments)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+  Handle_body_options body;
+  std::string output;
+  Options options("body OUT",
+                  "Writes a closed surface, or one with border, of a given genus: a flat box with a\n"
+                  "row of holes, rounded or not. OUT is a .off or .obj file, or - for the standard\n"
+                  "output, in the OFF format.\n");
+  options.add_file("output", output);
+  options.add("genus", "G", body.genus, "the number of holes, at least 0 (default: 2)");
+  options.add("sharp", body.is_sharp, "keep the sharp edges of the box");
+  options.add("borders", "N", body.number_of_borders, "0, 1 or 2 ends are cut off (default: 0)");
+  options.add("edge-length", "L", body.edge_length, "of the triangles (default: 0.25)");
+  if(!options.parse(arguments))
+    return;
+  if(body.genus < 0 || body.number_of_borders < 0 || body.number_of_borders > 2
+     || !(body.edge_length > 0))
+    throw Failure(USAGE, "an option is out of its range; see seamless body --help");
+  const std::string suffix = is_special_file(output) ? "off" : suffix_of(output);
+  if(suffix != "off" && suffix != "obj")
+    throw Failure(USAGE, "'" + output + "': surfaces are written to .off and .obj files");
+
+  Mesh mesh;
+  make_handle_body(body, mesh);
+  std::ostringstream os;
+  os.precision(17);
+  const bool good = suffix == "off" ? CGAL::IO::write_OFF(os, mesh) : CGAL::IO::write_OBJ(os, mesh);
+  if(!good)
+    throw Failure(UNWRITABLE, "cannot write '" + output + "'");
+  write_file(output, os.str());
+  summary_stream({output}) << output << ": " << mesh.number_of_faces() << " faces" << std::endl;
+}

@@ -1,0 +1,206 @@
+#include "files.h"
+
+#include "Failure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#if __has_include(<unistd.h>) && __has_include(<sys/stat.h>)
+#include <sys/stat.h>
+#include <unistd.h>
+#define SEAMLESS_SNAPPING_FILES_HAVE_OWNERS
+#endif
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string standard_stream = "-";
+
+[[noreturn]] void fail(const Exit status, const std::string& what, const std::string& filename,
+                       const std::string& why)
+{
+  throw Failure(status, what + " '" + filename + "'" + (why.empty() ? "" : ": " + why));
+}
+
+std::string reason()
+{
+  return errno == 0 ? std::string() : std::generic_category().message(errno);
+}
+
+// The file that a name stands for, through symbolic links, even if it does not exist yet.
+fs::path resolved(const std::string& name)
+{
+  constexpr int longest_chain = 40; // of links; more of them are a circle
+  std::error_code error;
+  fs::path path = fs::absolute(name, error);
+  for(int i = 0; i < longest_chain && fs::is_symlink(path, error); ++i)
+    path = path.parent_path() / fs::read_symlink(path, error);
+  const fs::path result = fs::weakly_canonical(path, error);
+  return error ? path : result;
+}
+
+// Whether what is written under one name would be lost under the other.
+bool are_same_file(const std::string& a, const std::string& b)
+{
+  if(a.empty() || b.empty())
+    return false;
+  if(a == standard_stream || b == standard_stream)
+    return a == b;
+  if(is_special_file(a) || is_special_file(b))
+    return false;
+  std::error_code error; // of names that do not exist
+  return fs::equivalent(a, b, error) || resolved(a) == resolved(b);
+}
+
+// Gives `copy`, which is to replace `original`, its mode and owner. Returns whether that worked.
+bool take_mode_and_owner(const fs::path& original, const fs::path& copy)
+{
+  std::error_code error;
+#ifdef SEAMLESS_SNAPPING_FILES_HAVE_OWNERS
+  struct stat old_file, new_file;
+  if(stat(original.c_str(), &old_file) != 0 || stat(copy.c_str(), &new_file) != 0)
+    return false;
+  if((old_file.st_uid != new_file.st_uid || old_file.st_gid != new_file.st_gid)
+     && chown(copy.c_str(), old_file.st_uid, old_file.st_gid) != 0)
+    return false;
+  if(old_file.st_nlink > 1) // other names of the file would keep the old text
+    return false;
+#endif
+  fs::permissions(copy, fs::status(original, error).permissions(), error);
+  return !error;
+}
+
+void write_directly(const fs::path& place, const std::string& filename, const std::string& text)
+{
+  errno = 0;
+  std::ofstream os(place, std::ios::binary);
+  if(!os)
+    fail(UNWRITABLE, "cannot write", filename, reason());
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  os.close();
+  if(!os)
+    fail(UNWRITABLE, "cannot write", filename, reason());
+}
+
+// A file that may not be written to is not replaced either.
+void check_writable(const fs::path& place, const std::string& filename)
+{
+  errno = 0;
+  if(!std::ofstream(place, std::ios::binary | std::ios::app))
+    fail(UNWRITABLE, "cannot write", filename, reason());
+}
+
+fs::path unused_name(const fs::path& place)
+{
+  std::error_code error;
+  fs::path result = place.string() + ".unfinished";
+  for(int i = 2; fs::exists(result, error); ++i)
+    result = place.string() + ".unfinished" + std::to_string(i);
+  return result;
+}
+
+} // namespace
+
+std::string read_file(const std::string& filename)
+{
+  errno = 0;
+  if(filename == standard_stream) {
+    std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    if(std::cin.bad())
+      throw Failure(UNREADABLE, "cannot read the standard input");
+    return text;
+  }
+  std::ifstream is(filename, std::ios::binary);
+  if(!is)
+    fail(UNREADABLE, "cannot read", filename, reason());
+  std::string text;
+  std::vector<char> buffer(std::size_t(1) << 20);
+  while(is.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || is.gcount() > 0)
+    text.append(buffer.data(), static_cast<std::size_t>(is.gcount()));
+  if(is.bad() || fs::is_directory(filename))
+    fail(UNREADABLE, "cannot read", filename, reason());
+  return text;
+}
+
+void write_file(const std::string& filename, const std::string& text)
+{
+  if(filename == standard_stream) {
+    std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if(!std::cout.flush())
+      throw Failure(UNWRITABLE, "cannot write to the standard output");
+    return;
+  }
+  if(is_special_file(filename)) // to rename a file to it would replace it
+    return write_directly(filename, filename, text);
+
+  const fs::path place = resolved(filename), unfinished = unused_name(place);
+  std::error_code error;
+  try {
+    write_directly(unfinished, filename, "");
+    const bool exists = fs::exists(place, error);
+    if(exists)
+      check_writable(place, filename);
+    const bool may_replace = !exists || take_mode_and_owner(place, unfinished);
+    write_directly(unfinished, filename, text);
+    if(may_replace) {
+      fs::rename(unfinished, place, error);
+      if(error)
+        fail(UNWRITABLE, "cannot write", filename, error.message());
+    } else { // the text fits on the disk
+      write_directly(place, filename, text);
+      fs::remove(unfinished, error);
+    }
+  } catch(...) {
+    fs::remove(unfinished, error);
+    throw;
+  }
+}
+
+bool is_special_file(const std::string& filename)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(filename, error);
+  return filename == standard_stream
+         || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+std::string suffix_of(const std::string& filename)
+{
+  std::string suffix = fs::path(filename).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   const bool may_overwrite_input)
+{
+  for(auto file = outputs.begin(); file != outputs.end(); ++file) {
+    const auto same = std::find_if(outputs.begin(), file, [&](const std::string& other) {
+      return are_same_file(*file, other);
+    });
+    if(same != file)
+      throw Failure(USAGE, "'" + *same + "' and '" + *file + "' are the same file");
+    for(const std::string& input : inputs)
+      if(*file != standard_stream && are_same_file(*file, input)
+         && !(may_overwrite_input && file == outputs.begin()))
+        throw Failure(USAGE, "'" + *file + "' is the input"
+                               + (file == outputs.begin() ? "; --overwrite replaces it" : ""));
+  }
+}
+
+std::ostream& summary_stream(const std::vector<std::string>& outputs)
+{
+  return std::find(outputs.begin(), outputs.end(), standard_stream) == outputs.end() ? std::cout
+                                                                                     : std::cerr;
+}

@@ -1,0 +1,30 @@
+// Files by their names, "-" for the standard streams. What is written appears under its name when it is
+// complete, and not at all otherwise; a file that is replaced keeps its mode and its owner.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FILES_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_FILES_H
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+// Throws `Failure` with the reason.
+std::string read_file(const std::string& filename);
+void write_file(const std::string& filename, const std::string& text);
+
+// A standard stream, a device, a pipe, or the like: what is written to it goes through it, and its name
+// does not tell a format.
+bool is_special_file(const std::string& filename);
+
+// What is behind the last point of a name, in lower case: "obj".
+std::string suffix_of(const std::string& filename);
+
+// Throws `Failure` if two of the files that a command writes are one, or one of them is an input and
+// may not be. Empty names are ignored.
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                   bool may_overwrite_input);
+
+// Where to tell what was done: not where a file goes to.
+std::ostream& summary_stream(const std::vector<std::string>& outputs);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_FILES_H

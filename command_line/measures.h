@@ -1,0 +1,49 @@
+// What snapping is measured by, and which edges it is asked to align.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_MEASURES_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_MEASURES_H
+
+#include "Model.h"
+#include "Options.h"
+
+#include <CGAL/Seamless_snapping/is_seamless.h>
+
+#include <cstddef>
+
+// The options of all subcommands that look at seams.
+struct Seam_options
+{
+  Reading_options reading;
+  bool align_border = false;
+  bool features = false;
+  double tolerance = 1e-4;
+  bool has_tolerance = false; // given on the command line
+
+  void add_to(Options& options);
+  void check(const Options& options); // after parsing
+};
+
+// What the options ask to align: edges that lie on an isocurve up to the tolerance.
+struct Alignment
+{
+  Alignment(Model& model, const Seam_options& options);
+
+  Edge_bool_map is_aligned;
+  std::size_t number_of_aligned_edges = 0;
+  std::size_t number_of_left_out_edges = 0; // which lie on no isocurve
+};
+
+CGAL::Seamless_snapping::Seamlessness measure(const Model& model, const Alignment& alignment);
+
+// Cut edges, and how many of them no rotation by a multiple of 90 degrees fits up to the tolerance.
+struct Misfits
+{
+  std::size_t number_of_cut_edges = 0, number_of_misfits = 0;
+
+  // In an atlas, charts are laid out and scaled independently: hardly an edge fits by chance.
+  bool looks_like_atlas() const { return 2 * number_of_misfits > number_of_cut_edges; }
+};
+
+Misfits count_misfits(const Model& model, double tolerance);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_MEASURES_H

@@ -1,0 +1,72 @@
+// The program `seamless`: chooses the subcommand, and tells how it ended.
+
+#include "Failure.h"
+#include "Options.h"
+#include "commands.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <new>
+#include <string>
+
+struct Command
+{
+  const char* name;
+  const char* purpose;
+  void (*run)(const Arguments&);
+};
+
+const std::array<Command, 5> commands = {{
+  {"snap", "make the parametrization in a file exactly seamless", snap},
+  {"check", "tell whether the parametrization in a file is exactly seamless", check},
+  {"parametrize", "compute an exactly seamless parametrization of a mesh", parametrize},
+  {"trace", "trace isocurves from singular vertices, before and after snapping", trace},
+  {"body", "make a surface of a given genus to try these on", make_body}
+}};
+
+void print_help(std::ostream& os)
+{
+  os << "Usage: seamless COMMAND ...\n\n";
+  for(const Command& command : commands)
+    os << "  " << std::left << std::setw(13) << command.name << command.purpose << "\n";
+  os << "\nseamless COMMAND --help tells more; seamless --version tells the version.\n\n"
+     << exit_statuses;
+}
+
+void run(const Arguments& arguments)
+{
+  const std::string name = arguments.empty() ? "" : arguments.front();
+  if(name == "--help" || name == "-h" || name == "help")
+    return print_help(std::cout);
+  if(name == "--version")
+    return print_version(std::cout);
+  const auto command = std::find_if(commands.begin(), commands.end(),
+                                    [&](const Command& c) { return c.name == name; });
+  if(command == commands.end()) {
+    print_help(std::cerr);
+    throw Failure(USAGE, name.empty() ? "a command is needed"
+                                      : "'" + name + "' is not a command");
+  }
+  command->run(Arguments(arguments.begin() + 1, arguments.end()));
+  if(!std::cout.flush())
+    throw Failure(UNWRITABLE, "cannot write to the standard output");
+}
+
+int main(int argc, char** argv)
+{
+  try {
+    run(Arguments(argv + 1, argv + argc));
+    return SUCCESS;
+  } catch(const Failure& failure) {
+    std::cerr << "seamless: " << failure.what() << std::endl;
+    return failure.status;
+  } catch(const std::bad_alloc&) {
+    std::cerr << "seamless: out of memory" << std::endl;
+  } catch(const std::exception& error) {
+    std::cerr << "seamless: " << error.what() << std::endl;
+  }
+  return NOT_SOLVED;
+}

@@ -1,0 +1,124 @@
+// seamless snap IN OUT: makes the parametrization in a file exactly seamless.
+
+#include "Failure.h"
+#include "Options.h"
+#include "Summary.h"
+#include "commands.h"
+#include "files.h"
+#include "measures.h"
+#include "picture.h"
+#include "snap_model.h"
+
+#include <CGAL/Real_timer.h>
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+namespace {
+
+struct Snap_options
+{
+  Seam_options seams;
+  std::string input, output, report, svg;
+  bool overwrite = false;
+
+  // Returns whether there is something to do.
+  bool parse(const Arguments& arguments)
+  {
+    Options options("snap IN OUT",
+                    "Moves the texture coordinates of a triangle mesh, by about as much as they are\n"
+                    "inaccurate, so that they are exactly seamless: across each edge, the\n"
+                    "coordinates on both sides differ by a rotation by a multiple of 90 degrees\n"
+                    "and a translation. Files are .obj files, .ply files with a list 'texcoord' for\n"
+                    "each face, or - for the standard streams. All else in the file stays as it is\n"
+                    "where OUT is of the same format as IN; else materials, normals, colors and\n"
+                    "the like are lost.\n");
+    options.add_file("input", input);
+    options.add_file("output", output);
+    seams.add_to(options);
+    options.add("float", seams.reading.in_float,
+                "make the coordinates exact as 32-bit floats, for programs that read such numbers");
+    options.add("overwrite", overwrite, "let OUT replace IN");
+    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("svg", "PICTURE.svg", svg,
+                "draw the domain, and the largest gaps before and after");
+    if(!options.parse(arguments))
+      return false;
+    seams.check(options);
+    check_format(input);
+    check_format(output);
+    check_outputs({input}, {output, report, svg}, overwrite);
+    return true;
+  }
+};
+
+// Throws `Failure` unless the result is exact. The summary tells what was done till then.
+void snap(const Snap_options& options, Model& model, const Alignment& alignment, Summary& summary)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  summary.report = model.is_float ? snap_in_float(model, alignment, options.seams)
+                                  : snap_in_double(model, alignment, options.seams);
+  summary.has_report = true;
+  summary.snapping_time = timer.time();
+  if(!summary.report) {
+    std::string message = in_numbers_of_file(to_text(summary.report), model);
+    const Misfits misfits = count_misfits(model, options.seams.tolerance);
+    if(misfits.number_of_misfits > 0)
+      message += "\n" + to_text(misfits);
+    throw Failure(NOT_SOLVED, options.input + ": " + message);
+  }
+  summary.after = measure(model, alignment);
+  if(!summary.after.is_exact())
+    throw Failure(NOT_SOLVED, options.input + ": the result is not exact; please report this");
+}
+
+void write_results(const Snap_options& options, const Model& model, const Uv_map& old_uv_map,
+                   Summary& summary)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  write_file(options.output, text_of_model(model, options.output));
+  summary.writing_time = timer.time();
+  if(!options.svg.empty())
+    write_file(options.svg,
+               picture(model, old_uv_map, options.seams.tolerance,
+                       std::filesystem::path(options.input).filename().string()));
+  std::ostream& os = summary_stream({options.output, options.report, options.svg});
+  if(changes_format(model, options.output))
+    os << "note: what " << options.input << " holds besides the mesh, its coordinates and its "
+          "features is not in " << options.output << ", which is of another format\n";
+  write_snap(os, summary);
+}
+
+} // namespace
+
+void snap(const Arguments& arguments)
+{
+  Snap_options options;
+  if(!options.parse(arguments))
+    return;
+  CGAL::Real_timer timer;
+  timer.start();
+  Model model;
+  std::string message;
+  Exit status = SUCCESS;
+  read_model(options.input, options.seams.reading, model);
+  const Alignment alignment(model, options.seams);
+  Summary summary(model, alignment);
+  summary.reading_time = timer.time();
+  summary.before = measure(model, alignment);
+  const Uv_map old_uv_map = copy_of_uv_map(model);
+  try {
+    snap(options, model, alignment, summary);
+    write_results(options, model, old_uv_map, summary);
+  } catch(const Failure& failure) {
+    status = failure.status;
+    message = failure.what();
+  }
+  if(!options.report.empty())
+    write_file(options.report, to_json(summary, status == SUCCESS, message));
+  if(status != SUCCESS)
+    throw Failure(status, message);
+}

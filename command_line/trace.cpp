@@ -1,0 +1,221 @@
+// seamless trace IN: traces the isocurves that leave the singular vertices of a parametrization: in
+// floating point on the map as it is, and exactly on the snapped one. Tells how the curves end, and
+// writes them as polylines and pictures, among them one with an example of each failure.
+
+#include "Failure.h"
+#include "Model.h"
+#include "Options.h"
+#include "commands.h"
+#include "files.h"
+#include "tracing_constraint_figure.h"
+#include "tracing_failure_figure.h"
+#include "tracing_overview.h"
+#include "tracing_types.h"
+
+#include <CGAL/Seamless_snapping/isocurve_constraints.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Overview = Tracing_overview<Mesh, Uv_map>;
+
+struct Trace_options
+{
+  Reading_options reading;
+  std::string input, exact_input, output = "traced";
+  int maximum_number = 500;
+  double tolerance = 1e-4, near_by = 0;
+  bool features = false, border = false, constrain = false, starts_at_all_vertices = false;
+
+  // Returns whether there is something to do.
+  bool parse(const Arguments& arguments)
+  {
+    Options options("trace IN",
+                    "Traces the isocurves from the singular vertices of a parametrization, in\n"
+                    "floating point and, after snapping, exactly; tells how they end, and writes\n"
+                    "pictures (.svg) and the curves (.obj, .ply).\n");
+    options.add_file("input", input);
+    options.add("output", "NAME", output, "how the names of the files begin (default: traced)");
+    options.add("exact", "EXACT", exact_input,
+                "the same mesh with an exact map, which else is made by snapping");
+    options.add("weld", reading.weld, "weld border edges between the same points");
+    options.add("features", features, "align the edges of 'l' elements");
+    options.add("align-border", border, "align border edges");
+    options.add("constrain", constrain,
+                "snap with what fails as constraints: curves that miss a vertex as connections, "
+                "curves that spiral as cycles");
+    options.add("all", starts_at_all_vertices, "start at all vertices, not only at singular ones");
+    options.add("maximum-number", "N", maximum_number, "crossings per curve (default: 500)");
+    options.add("tolerance", "T", tolerance, "relative violation that is accepted (default: 1e-4)");
+    options.add("near", "D", near_by, "relative distance at which a target counts as missed");
+    if(!options.parse(arguments))
+      return false;
+    if(maximum_number < 1 || !(tolerance > 0 && tolerance < 1) || !(near_by >= 0 && near_by < 1))
+      throw Failure(USAGE, "an option is out of its range: N must be at least 1, T and D between 0 "
+                           "and 1");
+    if(output.empty() || output == "-")
+      throw Failure(USAGE, "--output: several files are written, whose names need a beginning");
+    check_format(input);
+    return true;
+  }
+};
+
+// Another map of the same mesh.
+void read_map(const std::string& filename, const Reading_options& options, const Model& model,
+              const Uv_map uv_map)
+{
+  Model other;
+  read_model(filename, options, other);
+  if(other.mesh.number_of_halfedges() != model.mesh.number_of_halfedges())
+    throw Failure(UNREADABLE, filename + ": another mesh than " + model.filename);
+  for(const Halfedge h : model.mesh.halfedges())
+    uv_map[h] = other.uv_map[h];
+}
+
+// The curves from all singular vertices, or from all vertices.
+std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Trace_options& options,
+                         const bool exactly)
+{
+  const auto how =
+    parameters::maximum_number(static_cast<std::size_t>(options.maximum_number))
+               .decide_exactly(exactly);
+  std::vector<Curve> curves;
+  for(const Vertex v : mesh.vertices())
+    if(options.starts_at_all_vertices || tracer.is_singular(v))
+      for(const auto& [start, direction] : tracer.outgoing(v))
+        curves.push_back(options.near_by > 0
+                           ? tracer.trace(start, direction, how.tolerance(options.near_by))
+                           : tracer.trace(start, direction, how));
+  return curves;
+}
+
+void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_feature,
+          const std::vector<Curve>& failures, const Trace_options& options)
+{
+  std::vector<SS::Connection_constraint<Mesh> > connections;
+  std::vector<SS::Cycle_constraint<Mesh> > cycles;
+  for(const Curve& curve : failures)
+    if(curve.status == SS::Isocurve_status::MISSED_TARGET)
+      connections.push_back(SS::connection_along_isocurve(model.mesh, curve));
+    else if(curve.status == SS::Isocurve_status::SPIRALS)
+      cycles.push_back(SS::cycle_along_isocurve(model.mesh, curve));
+  const auto report = SS::snap_to_seamless(
+    model.mesh, uv_map,
+    parameters::edge_is_constrained_map(is_feature).align_border(options.border)
+               .tolerance(options.tolerance).connection_constraints(connections)
+               .cycle_constraints(cycles));
+  std::ostringstream outcome;
+  outcome << report;
+  if(!report)
+    throw Failure(NOT_SOLVED, model.filename + ": " + in_numbers_of_file(outcome.str(), model));
+  std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
+            << " cycles: " << outcome.str() << ", largest change " << report.largest_change
+            << std::endl;
+}
+
+void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after)
+{
+  std::map<SS::Isocurve_status, std::pair<std::size_t, std::size_t> > counts;
+  for(const Curve& curve : before)
+    ++counts[curve.status].first;
+  for(const Curve& curve : after)
+    ++counts[curve.status].second;
+  std::cout << std::left << std::setw(22) << "end of the curve" << std::right << std::setw(10)
+            << "inexact" << std::setw(10) << "exact" << "\n";
+  for(const auto& [status, count] : counts)
+    std::cout << std::left << std::setw(22) << SS::to_string(status) << std::right << std::setw(10)
+              << count.first << std::setw(10) << count.second << "\n";
+  std::cout << std::flush;
+}
+
+void write_overview(std::ostream& os, const Overview& before, const Overview& after)
+{
+  write_head(os, 1240, 1300);
+  const std::string heading = "font-size=\"22\" text-anchor=\"middle\"";
+  write_text(os, 320, 44, "inexact, traced in floating point", heading);
+  write_text(os, 920, 44, "exactly seamless, traced exactly", heading);
+  before.write_domain(os, 320, 350, 540);
+  after.write_domain(os, 920, 350, 540);
+  before.write_projection(os, 320, 950, 540);
+  after.write_projection(os, 920, 950, 540);
+  os << "<path stroke-width=\"3\" stroke=\"#0072b2\" d=\"M60 1275H90\"/>"
+        "<path stroke-width=\"3\" stroke=\"#d55e00\" d=\"M420 1275H450\"/>\n";
+  write_text(os, 100, 1281, "isocurves that end as they should", "");
+  write_text(os, 460, 1281, "isocurves that fail, and where", "");
+  os << "</svg>\n";
+}
+
+// Calls `write(os)`, and tells of the file when it is written.
+template <typename Write>
+void write_and_tell(const std::string& filename, const Write& write)
+{
+  std::ostringstream os;
+  write(os);
+  write_file(filename, os.str());
+  std::cout << "written: " << filename << std::endl;
+}
+
+void write_curves(const std::string& name, const Overview& overview)
+{
+  write_and_tell(name + ".obj", [&](std::ostream& os) { overview.write_OBJ(os); });
+  write_and_tell(name + ".ply", [&](std::ostream& os) { overview.write_PLY(os); });
+}
+
+void write_results(const Trace_options& options, const Pair_of_maps& maps,
+                   const Tracer& inexact_tracer, const Tracer& exact_tracer,
+                   const std::vector<Curve>& before, const std::vector<Curve>& after)
+{
+  const Overview overview_before(maps.mesh, maps.inexact, before);
+  const Overview overview_after(maps.mesh, maps.exact, after);
+  write_and_tell(options.output + "_overview.svg", [&](std::ostream& os) {
+    write_overview(os, overview_before, overview_after);
+  });
+  write_and_tell(options.output + "_failures.svg", [&](std::ostream& os) {
+    write_failures(os, maps, before, exact_tracer);
+  });
+  if(options.constrain)
+    write_and_tell(options.output + "_constraints.svg", [&](std::ostream& os) {
+      Constraint_figure(os, maps, inexact_tracer, exact_tracer).write(before);
+    });
+  write_curves(options.output + "_curves_inexact", overview_before);
+  write_curves(options.output + "_curves_exact", overview_after);
+}
+
+} // namespace
+
+void trace(const Arguments& arguments)
+{
+  Trace_options options;
+  if(!options.parse(arguments))
+    return;
+  Model model;
+  read_model(options.input, options.reading, model);
+  const Uv_map exact_map = copy_of_uv_map(model);
+  if(!options.exact_input.empty())
+    read_map(options.exact_input, options.reading, model, exact_map);
+  if(!options.features)
+    for(const Edge e : model.mesh.edges())
+      model.is_feature[e] = false;
+
+  const Tracer inexact_tracer(model.mesh, model.uv_map, parameters::tolerance(options.tolerance));
+  if(!inexact_tracer)
+    throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance");
+  const auto before = trace(model.mesh, inexact_tracer, options, false);
+  snap(model, exact_map, model.is_feature,
+       options.constrain ? before : std::vector<Curve>(), options);
+  const Tracer exact_tracer(model.mesh, exact_map);
+  const auto after = trace(model.mesh, exact_tracer, options, true);
+  print_table(before, after);
+  const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
+  write_results(options, maps, inexact_tracer, exact_tracer, before, after);
+}

@@ -1,1 +1,0 @@
-data/genus3_features.obj parameterized.obj --feature-angle 45

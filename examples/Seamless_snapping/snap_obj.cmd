@@ -1,1 +1,0 @@
-data/genus3_features.obj snapped.obj --features --align-border

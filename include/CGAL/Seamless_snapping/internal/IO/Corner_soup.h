@@ -1,0 +1,55 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_CORNER_SOUP_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_CORNER_SOUP_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What a file holds, in any format: points, coordinates, triangles, and polylines, with the lines
+// they come from.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// All indices count from 0.
+template <typename PointNumber, typename UVNumber>
+struct Corner_soup
+{
+  struct Triangle
+  {
+    std::array<std::size_t, 3> vertices;
+    std::array<std::size_t, 3> uvs;
+    std::size_t line; // 0 in files that are not made of lines
+  };
+
+  struct Segment // one of a polyline
+  {
+    std::array<std::size_t, 2> vertices;
+    std::size_t line;
+  };
+
+  std::vector<std::array<PointNumber, 3> > points;
+  std::vector<std::array<UVNumber, 2> > uvs;
+  std::vector<Triangle> triangles;
+  std::vector<Segment> segments;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_CORNER_SOUP_H

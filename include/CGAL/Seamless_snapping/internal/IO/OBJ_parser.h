@@ -1,0 +1,226 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_PARSER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_PARSER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The text of an OBJ file as a triangle soup. Checks each statement, and no relation between
+// statements but that indices are in range.
+
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename PointNumber, typename UVNumber>
+class OBJ_parser
+{
+public:
+  using Soup = Corner_soup<PointNumber, UVNumber>;
+
+  explicit OBJ_parser(std::string_view text)
+    : m_scanner(text)
+  { }
+
+  // To be called once. Throws `File_refusal`.
+  Soup parse()
+  {
+    // the fast path of `std::from_chars` multiplies in the current rounding mode
+    const Protect_exact_arithmetic protect;
+
+    for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
+        keyword = m_scanner.next_statement()) {
+      if(keyword == "v")
+        m_soup.points.push_back(parse_point());
+      else if(keyword == "vt")
+        m_soup.uvs.push_back(parse_uv());
+      else if(keyword == "f")
+        parse_triangle();
+      else if(keyword == "l")
+        parse_polyline();
+    }
+    if(m_soup.triangles.empty())
+      m_scanner.refuse("the file ends without a face");
+    check_indices();
+    return std::move(m_soup);
+  }
+
+private:
+  using Triangle = typename Soup::Triangle;
+  using Segment = typename Soup::Segment;
+
+  // A fourth number is a weight, unless it begins a color, which is dropped.
+  std::array<PointNumber, 3> parse_point()
+  {
+    std::array<PointNumber, 4> numbers{};
+    if(parse_numbers("v", 3, numbers) == 4 && numbers[3] != 1)
+      m_scanner.refuse("point has a weight other than 1");
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
+  // The third coordinate of a texture is dropped.
+  std::array<UVNumber, 2> parse_uv()
+  {
+    std::array<UVNumber, 2> numbers{};
+    parse_numbers("vt", 2, numbers);
+    return numbers;
+  }
+
+  // Returns how many numbers there are; those for which there is no place are checked and dropped.
+  template <typename Number, std::size_t n>
+  std::size_t parse_numbers(const char* keyword, const std::size_t needed,
+                            std::array<Number, n>& numbers)
+  {
+    std::size_t count = 0;
+    for(std::string_view token = m_scanner.next_token(); !token.empty();
+        token = m_scanner.next_token()) {
+      const Number number = parse_number<Number>(m_scanner, token);
+      if(count < n)
+        numbers[count] = number;
+      ++count;
+    }
+    if(count < needed)
+      m_scanner.refuse(std::string(keyword) + " needs " + std::to_string(needed)
+                       + " coordinates, but has " + std::to_string(count));
+    return count;
+  }
+
+  void parse_triangle()
+  {
+    Triangle triangle;
+    triangle.line = m_scanner.line();
+    std::size_t count = 0;
+    for(std::string_view token = m_scanner.next_token(); !token.empty();
+        token = m_scanner.next_token()) {
+      if(count < 3)
+        parse_corner(token, triangle.vertices[count], triangle.uvs[count]);
+      ++count;
+    }
+    if(count != 3)
+      m_scanner.refuse("face has " + std::to_string(count) + " corners"
+                       + (count > 3 ? "; triangulate the mesh first" : ", but needs 3"));
+
+    const std::array<std::size_t, 3>& v = triangle.vertices;
+    if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2])
+      m_scanner.refuse("face uses vertex " + std::to_string((v[0] == v[1] ? v[0] : v[2]) + 1)
+                       + " twice");
+    m_soup.triangles.push_back(triangle);
+  }
+
+  // A corner is v/vt or v/vt/vn; the normal is checked to be an index and dropped.
+  void parse_corner(const std::string_view token, std::size_t& vertex, std::size_t& uv) const
+  {
+    const std::size_t first = token.find('/');
+    if(first == token.npos)
+      m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
+    const std::size_t second = token.find('/', first + 1);
+    const std::string_view uv_token = token.substr(first + 1, second - first - 1);
+    if(uv_token.empty())
+      m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
+
+    vertex = parse_index(token.substr(0, first), m_soup.points.size(), "vertex");
+    uv = parse_index(uv_token, m_soup.uvs.size(), "texture coordinate");
+    if(second != token.npos && second + 1 < token.size())
+      parse_signed_index(token.substr(second + 1), "normal");
+  }
+
+  void parse_polyline()
+  {
+    std::size_t count = 0;
+    Segment segment{};
+    segment.line = m_scanner.line();
+    for(std::string_view token = m_scanner.next_token(); !token.empty();
+        token = m_scanner.next_token()) {
+      const std::size_t slash = token.find('/'); // of an element v/vt
+      if(slash != token.npos)
+        parse_signed_index(token.substr(slash + 1), "texture coordinate");
+      segment.vertices[0] = segment.vertices[1];
+      segment.vertices[1] = parse_index(token.substr(0, slash), m_soup.points.size(),
+                                        "vertex");
+      if(count > 0)
+        m_soup.segments.push_back(segment);
+      ++count;
+    }
+    if(count < 2)
+      m_scanner.refuse("line element needs 2 vertices or more, but has " + std::to_string(count));
+  }
+
+  long long parse_signed_index(const std::string_view token, const char* of) const
+  {
+    long long index = 0;
+    const char* const end = token.data() + token.size();
+    const std::from_chars_result result = std::from_chars(token.data(), end, index);
+    if(result.ptr != end || result.ec == std::errc::invalid_argument)
+      m_scanner.refuse(quoted(token) + " is not the index of a " + of);
+    if(result.ec != std::errc())
+      m_scanner.refuse(of + (" index " + quoted(token)) + " is out of range");
+    if(index == 0)
+      m_scanner.refuse(of + std::string(" index 0: indices start at 1"));
+    return index;
+  }
+
+  // A negative index counts back from the last element so far. A positive one may point forward, so
+  // that its range is checked at the end.
+  std::size_t parse_index(const std::string_view token, std::size_t size, const char* of) const
+  {
+    const long long index = parse_signed_index(token, of);
+    if(index > 0)
+      return static_cast<std::size_t>(index - 1);
+    if(static_cast<std::size_t>(-(index + 1)) >= size)
+      m_scanner.refuse(of + (" index " + std::to_string(index)) + " is out of range: there are "
+                       + std::to_string(size) + " so far");
+    return size - static_cast<std::size_t>(-(index + 1)) - 1;
+  }
+
+  void check_indices() const
+  {
+    for(const Triangle& triangle : m_soup.triangles)
+      for(std::size_t i = 0; i < 3; ++i) {
+        check_index(triangle.vertices[i], m_soup.points.size(), "vertex", triangle.line);
+        check_index(triangle.uvs[i], m_soup.uvs.size(), "texture coordinate", triangle.line);
+      }
+    for(const Segment& segment : m_soup.segments)
+      for(const std::size_t vertex : segment.vertices)
+        check_index(vertex, m_soup.points.size(), "vertex", segment.line);
+  }
+
+  static void check_index(std::size_t index, std::size_t size, const char* of, std::size_t line)
+  {
+    if(index >= size)
+      throw File_refusal(line, of + (" index " + std::to_string(index + 1))
+                                + " is out of range: the file has " + std::to_string(size));
+  }
+
+  OBJ_scanner m_scanner;
+  Soup m_soup;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_PARSER_H

@@ -1,0 +1,255 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The text of an OBJ file with other texture coordinates, and all else as it was to the byte.
+//
+// A `vt` statement keeps its place, and its digits if its numbers stay. Where corners that share one
+// are to have different coordinates, further statements follow it; later ones then have higher indices.
+
+#include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Where the coordinates go: each old `vt` statement becomes one or more.
+class OBJ_uv_layout
+{
+public:
+  using UV = Distinct_uvs::UV;
+
+  // `uvs` are the new coordinates of all corners, `old_indices` their old statements, of which there
+  // are `n`.
+  OBJ_uv_layout(const std::size_t n, const std::vector<std::size_t>& old_indices,
+                const std::vector<UV>& uvs)
+    : m_first(n + 1, 0)
+  {
+    Distinct_uvs distinct(n);
+    std::vector<std::size_t> old_index; // of each distinct pair
+    m_index.reserve(uvs.size());
+    for(std::size_t c = 0; c < uvs.size(); ++c) {
+      m_index.push_back(distinct.insert(old_indices[c], uvs[c]));
+      if(m_index.back() == old_index.size())
+        old_index.push_back(old_indices[c]);
+    }
+
+    std::vector<std::size_t> count(n, 0);
+    for(const std::size_t k : old_index)
+      ++count[k];
+    for(std::size_t k = 0; k < n; ++k) // one that no corner uses stays
+      m_first[k + 1] = m_first[k] + (count[k] == 0 ? 1 : count[k]);
+
+    m_uvs.resize(m_first[n]);
+    m_is_used.resize(m_first[n], false);
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1), place(old_index.size());
+    for(std::size_t i = 0; i < old_index.size(); ++i) {
+      place[i] = next[old_index[i]]++;
+      m_uvs[place[i]] = distinct.uvs()[i];
+      m_is_used[place[i]] = true;
+    }
+    for(std::size_t& i : m_index)
+      i = place[i];
+  }
+
+  std::size_t index_of_corner(std::size_t c) const { return m_index[c]; }
+
+  // The new indices that old statement `k` has become: from `first(k)` to before `first(k + 1)`.
+  std::size_t first(std::size_t k) const { return m_first[k]; }
+  bool is_used(std::size_t i) const { return m_is_used[i]; }
+  const UV& uv(std::size_t i) const { return m_uvs[i]; }
+
+private:
+  std::vector<std::size_t> m_first;
+  std::vector<std::size_t> m_index; // per corner
+  std::vector<UV> m_uvs;            // per new statement
+  std::vector<bool> m_is_used;
+};
+
+template <typename Soup>
+class OBJ_rewriter
+{
+public:
+  using UV = OBJ_uv_layout::UV;
+
+  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
+  // coordinates of its corners.
+  OBJ_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
+    : m_text(text), m_soup(soup), m_layout(soup.uvs.size(), old_indices(soup), uvs), m_scanner(text)
+  { }
+
+  // To be called once. Throws if a coordinate is not finite.
+  std::string rewrite()
+  {
+    m_result.reserve(m_text.size() + m_text.size() / 8);
+    for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
+        keyword = m_scanner.next_statement()) {
+      if(keyword == "v")
+        ++m_number_of_points;
+      else if(keyword == "vt")
+        rewrite_uv();
+      else if(keyword == "f")
+        rewrite_face();
+      else if(keyword == "l")
+        rewrite_polyline();
+    }
+    m_result.append(m_text.substr(m_copied));
+    return std::move(m_result);
+  }
+
+private:
+  static std::vector<std::size_t> old_indices(const Soup& soup)
+  {
+    std::vector<std::size_t> result;
+    result.reserve(3 * soup.triangles.size());
+    for(const typename Soup::Triangle& triangle : soup.triangles)
+      result.insert(result.end(), triangle.uvs.begin(), triangle.uvs.end());
+    return result;
+  }
+
+  // Copies what is in front of `old`, a part of the text, and puts `replacement` in its place.
+  void replace(const std::string_view old, const std::string& replacement)
+  {
+    const std::size_t begin = static_cast<std::size_t>(old.data() - m_text.data());
+    m_result.append(m_text.substr(m_copied, begin - m_copied));
+    m_result += replacement;
+    m_copied = begin + old.size();
+  }
+
+  void rewrite_uv()
+  {
+    const std::size_t k = m_number_of_uvs++;
+    std::string further_numbers;
+    for(std::size_t i = 0; ; ++i) {
+      const std::string_view token = m_scanner.next_token();
+      if(token.empty())
+        break;
+      if(i >= 2)
+        further_numbers += " " + std::string(token);
+      else if(m_layout.is_used(m_layout.first(k)))
+        rewrite_number(token, m_soup.uvs[k][i], m_layout.uv(m_layout.first(k))[i]);
+    }
+    if(m_layout.first(k) + 1 == m_layout.first(k + 1))
+      return;
+
+    const std::string_view end = m_scanner.finish_statement();
+    const std::string_view rest = m_text.substr(m_copied);
+    m_result.append(rest.substr(0, static_cast<std::size_t>(end.data() + end.size() - rest.data())));
+    m_copied = static_cast<std::size_t>(end.data() + end.size() - m_text.data());
+    for(std::size_t i = m_layout.first(k) + 1; i < m_layout.first(k + 1); ++i) {
+      if(end.empty()) // of the text
+        m_result += '\n';
+      m_result += "vt ";
+      append_number(m_layout.uv(i)[0], m_result);
+      m_result += ' ';
+      append_number(m_layout.uv(i)[1], m_result);
+      m_result.append(further_numbers).append(end);
+    }
+  }
+
+  void rewrite_number(const std::string_view token, const double old_number, const double number)
+  {
+    if(std::memcmp(&old_number, &number, sizeof(double)) == 0) // tells 0 from -0
+      return;
+    std::string decimal;
+    append_number(number, decimal);
+    replace(token, decimal);
+  }
+
+  void rewrite_face()
+  {
+    const typename Soup::Triangle& triangle = m_soup.triangles[m_number_of_triangles];
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::string_view token = m_scanner.next_token();
+      const std::size_t first = token.find('/'), second = token.find('/', first + 1);
+      rewrite_index(token.substr(0, first), triangle.vertices[i], m_number_of_points);
+      rewrite_index(token.substr(first + 1, second - first - 1),
+                    m_layout.index_of_corner(3 * m_number_of_triangles + i),
+                    m_layout.first(m_number_of_uvs));
+    }
+    ++m_number_of_triangles;
+  }
+
+  void rewrite_polyline()
+  {
+    bool is_first = true;
+    for(std::string_view token = m_scanner.next_token(); !token.empty();
+        token = m_scanner.next_token()) {
+      const std::size_t slash = token.find('/');
+      // the first two vertices are of one segment
+      const std::size_t end = is_first ? 0 : 1;
+      rewrite_index(token.substr(0, slash), m_soup.segments[m_number_of_segments].vertices[end],
+                    m_number_of_points);
+      m_number_of_segments += end;
+      is_first = false;
+      if(slash != token.npos)
+        rewrite_uv_of_polyline(token.substr(slash + 1));
+    }
+  }
+
+  // A `vt` that exists becomes the first of the statements that have taken its place.
+  void rewrite_uv_of_polyline(const std::string_view token)
+  {
+    const long long index = parse_index(token);
+    const long long k = index > 0 ? index - 1 : index + static_cast<long long>(m_number_of_uvs);
+    if(k >= 0 && k < static_cast<long long>(m_soup.uvs.size()))
+      rewrite_index(token, m_layout.first(static_cast<std::size_t>(k)),
+                    m_layout.first(m_number_of_uvs));
+  }
+
+  static long long parse_index(const std::string_view token)
+  {
+    long long index = 0;
+    std::from_chars(token.data(), token.data() + token.size(), index);
+    return index;
+  }
+
+  // A negative index counts back from the number of elements so far.
+  void rewrite_index(const std::string_view token, const std::size_t index,
+                     const std::size_t number_so_far)
+  {
+    const long long old = parse_index(token);
+    long long written = static_cast<long long>(index) + 1;
+    if(old < 0)
+      written -= static_cast<long long>(number_so_far) + 1;
+    if(written != old)
+      replace(token, std::to_string(written));
+  }
+
+  std::string_view m_text;
+  const Soup& m_soup;
+  OBJ_uv_layout m_layout;
+  OBJ_scanner m_scanner;
+  std::string m_result;
+  std::size_t m_copied = 0; // up to this position
+  std::size_t m_number_of_points = 0, m_number_of_uvs = 0, m_number_of_triangles = 0,
+              m_number_of_segments = 0; // so far
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H

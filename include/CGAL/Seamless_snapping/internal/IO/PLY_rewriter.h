@@ -1,0 +1,186 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The text of a PLY file with other texture coordinates, and all else as it was to the byte, but for the
+// type of the coordinates: `float` becomes `double` where it has to.
+
+#include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
+#include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Soup>
+class PLY_rewriter
+{
+public:
+  using UV = std::array<double, 2>;
+
+  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
+  // coordinates of its corners.
+  PLY_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
+    : m_text(text), m_header(PLY_header_parser(text).parse()), m_values(text, m_header),
+      m_soup(soup), m_uvs(uvs)
+  { }
+
+  // To be called once. Throws if a coordinate is not finite.
+  std::string rewrite()
+  {
+    m_result.reserve(m_text.size() + m_text.size() / 4);
+    for(const PLY_element& element : m_header.elements)
+      if(element.name == "face")
+        change_type(element.properties[PLY_face_layout(element).uvs]);
+    for(const PLY_element& element : m_header.elements) {
+      const PLY_face_layout layout(element);
+      const std::size_t ends[2] = {element.find({"vertex1"}), element.find({"vertex2"})};
+      for(unsigned long long row = 0; !element.properties.empty() && row < element.count; ++row)
+        for(std::size_t i = 0; i < element.properties.size(); ++i)
+          if(element.name == "face" && i == layout.vertices)
+            rewrite_vertices(element.properties[i], static_cast<std::size_t>(row));
+          else if(element.name == "face" && i == layout.uvs)
+            rewrite_uvs(element.properties[i], static_cast<std::size_t>(row));
+          else if(element.name == "edge" && (i == ends[0] || i == ends[1]))
+            rewrite_index(element.properties[i],
+                          m_soup.segments[std::size_t(row)].vertices[i == ends[0] ? 0 : 1]);
+          else
+            m_values.skip(element.properties[i]);
+    }
+    m_result.append(m_text.substr(m_copied));
+    return std::move(m_result);
+  }
+
+private:
+  // Copies what is in front of `old`, a part of the text, and puts `replacement` in its place.
+  void replace(const std::string_view old, const std::string& replacement)
+  {
+    const std::size_t begin = static_cast<std::size_t>(old.data() - m_text.data());
+    m_result.append(m_text.substr(m_copied, begin - m_copied));
+    m_result += replacement;
+    m_copied = begin + old.size();
+  }
+
+  static bool is_same_number(const double a, const double b)
+  {
+    return a == b && std::signbit(a) == std::signbit(b);
+  }
+
+  static bool are_same(const UV& a, const UV& b)
+  {
+    return is_same_number(a[0], b[0]) && is_same_number(a[1], b[1]);
+  }
+
+  // Numbers that stay keep their type.
+  void change_type(const PLY_property& uvs)
+  {
+    const auto is_float = [](const UV& uv) {
+      return std::all_of(uv.begin(), uv.end(), [](const double x) {
+        return std::abs(x) <= (std::numeric_limits<float>::max)()
+               && x == static_cast<double>(static_cast<float>(x));
+      });
+    };
+    m_uv_type = uvs.type;
+    if(!std::equal(m_uvs.begin(), m_uvs.end(), m_soup.uvs.begin(), are_same)
+       && (is_integer(uvs.type)
+           || (uvs.type == PLY_type::FLOAT && !std::all_of(m_uvs.begin(), m_uvs.end(), is_float)))) {
+      m_uv_type = PLY_type::DOUBLE;
+      replace(uvs.type_name, "double");
+    }
+  }
+
+  // Only welding changes vertices, to some that come earlier in the file: their type has room for them.
+  void rewrite_vertices(const PLY_property& property, const std::size_t triangle)
+  {
+    m_values.next_length(property);
+    for(const std::size_t v : m_soup.triangles[triangle].vertices)
+      rewrite_index(property, v);
+  }
+
+  void rewrite_index(const PLY_property& property, const std::size_t v)
+  {
+    const std::string_view old = m_values.next(property.type);
+    if(m_values.integer(old, property.type) != static_cast<long long>(v))
+      replace(old, text_of_index(v, property.type));
+  }
+
+  void rewrite_uvs(const PLY_property& property, const std::size_t triangle)
+  {
+    m_values.next_length(property);
+    const bool changes_all = m_header.format != PLY_format::ASCII && m_uv_type != property.type;
+    for(std::size_t corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+      for(std::size_t c = 0; c < 2; ++c) {
+        const std::string_view old = m_values.next(property.type);
+        if(changes_all || !is_same_number(m_uvs[corner][c], m_soup.uvs[corner][c]))
+          replace(old, text_of_number(m_uvs[corner][c]));
+      }
+  }
+
+  std::string text_of_number(const double x) const
+  {
+    std::string text;
+    append_number(x, text); // throws if it is not finite
+    if(m_header.format == PLY_format::ASCII)
+      return text;
+    text.clear();
+    if(m_uv_type == PLY_type::FLOAT)
+      append_bytes(static_cast<float>(x), m_header.format, text);
+    else
+      append_bytes(x, m_header.format, text);
+    return text;
+  }
+
+  std::string text_of_index(const std::size_t v, const PLY_type type) const
+  {
+    if(m_header.format == PLY_format::ASCII)
+      return std::to_string(v);
+    std::string text;
+    if(size_of(type) == 1)
+      append_bytes(static_cast<std::uint8_t>(v), m_header.format, text);
+    else if(size_of(type) == 2)
+      append_bytes(static_cast<std::uint16_t>(v), m_header.format, text);
+    else
+      append_bytes(static_cast<std::uint32_t>(v), m_header.format, text);
+    return text;
+  }
+
+  std::string_view m_text;
+  PLY_header m_header;
+  PLY_values m_values;
+  const Soup& m_soup;
+  const std::vector<UV>& m_uvs;
+  PLY_type m_uv_type = PLY_type::DOUBLE;
+  std::string m_result;
+  std::size_t m_copied = 0; // up to this position
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_FILE_ACCESS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_FILE_ACCESS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Files and streams as whole texts, and how their failures become a status.
+
+#include <CGAL/Seamless_snapping/IO/File_status.h>
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <fstream>
+#include <ios>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Why the last call of the operating system failed, if it says so, to be put behind a message. Streams
+// don't tell; what they call sets `errno`.
+inline std::string reason_of_system()
+{
+  return errno == 0 ? std::string() : ": " + std::generic_category().message(errno);
+}
+
+// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the stream
+// would take the end for a failure, for which it may have been asked to throw.
+inline std::string text_of_stream(std::istream& is)
+{
+  if(!is)
+    throw File_refusal(0, "cannot read the stream");
+  std::string text;
+  std::vector<char> buffer(std::size_t(1) << 16);
+  const std::streamsize size = static_cast<std::streamsize>(buffer.size());
+  try {
+    for(std::streamsize count = size; count == size;) {
+      count = is.rdbuf()->sgetn(buffer.data(), size);
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+  } catch(const std::ios_base::failure&) { // how some libraries tell that a file cannot be read
+    is.setstate(std::ios::badbit);
+    throw File_refusal(0, "cannot read the stream");
+  }
+  if((is.exceptions() & std::ios::eofbit) == 0)
+    is.setstate(std::ios::eofbit);
+  return text;
+}
+
+inline std::string text_of_file(const std::string& filename)
+{
+  errno = 0;
+  std::ifstream is(filename, std::ios::binary);
+  if(!is)
+    throw File_refusal(0, "cannot open '" + filename + "'" + reason_of_system());
+  try {
+    return text_of_stream(is);
+  } catch(const File_refusal&) {
+    throw File_refusal(0, "cannot read '" + filename + "'" + reason_of_system());
+  }
+}
+
+inline void write_text(std::ostream& os, const std::string& text)
+{
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if(!os.flush())
+    throw File_refusal(0, "cannot write to the stream");
+}
+
+inline void write_text(const std::string& filename, const std::string& text)
+{
+  errno = 0;
+  std::ofstream os(filename, std::ios::binary);
+  if(!os)
+    throw File_refusal(0, "cannot open '" + filename + "' for writing" + reason_of_system());
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if(!os.flush() || !os.rdbuf()->close())
+    throw File_refusal(0, "cannot write to '" + filename + "'" + reason_of_system());
+}
+
+// Calls `f()`, which returns what was done to the vertices.
+template <typename F>
+IO::File_status status_of_reading(const F& f)
+{
+  IO::File_status status;
+  try {
+    const Vertex_changes changes = f();
+    status.number_of_split_vertices = changes.number_of_split_vertices;
+    status.number_of_welded_edges = changes.number_of_welded_edges;
+    status.number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+  } catch(const File_refusal& refusal) {
+    status.line = refusal.line();
+    status.message = refusal.message();
+  }
+  return status;
+}
+
+template <typename F>
+IO::File_status status_of_writing(const F& f)
+{
+  return status_of_reading([&f] {
+    f();
+    return Vertex_changes();
+  });
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_FILE_ACCESS_H

@@ -1,0 +1,110 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_TEXT_AND_MESH_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_TEXT_AND_MESH_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From the text of a file to a mesh, and from the mesh to a text with its coordinates, in any format.
+
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
+#include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
+#include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Throws unless the faces have the same points in the file and in the mesh: else coordinates would go to
+// corners that they do not belong to.
+template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
+std::vector<std::array<double, 2> > uvs_of_mesh(const Soup& soup, const TriangleMesh& tmesh,
+                                                const HalfedgeUVMap& uv_map,
+                                                const VertexPointMap& vpm)
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  const auto refuse_unless = [](const bool condition) {
+    if(!condition)
+      throw File_refusal(0, "the faces of the mesh are not those of the file");
+  };
+
+  std::vector<std::array<double, 2> > uvs;
+  uvs.reserve(3 * soup.triangles.size());
+  refuse_unless(faces(tmesh).size() == soup.triangles.size());
+  auto triangle = soup.triangles.begin();
+  for(const auto f : faces(tmesh)) {
+    auto h = halfedge(f, tmesh);
+    for(const std::size_t v : (triangle++)->vertices) {
+      const auto& p = soup.points[v];
+      const Point& q = get(vpm, target(h, tmesh));
+      refuse_unless(q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]));
+      const auto& uv = get(uv_map, h);
+      uvs.push_back({CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
+      h = next(h, tmesh);
+    }
+    refuse_unless(h == halfedge(f, tmesh));
+  }
+  return uvs;
+}
+
+// Throws `File_refusal`.
+template <template <typename, typename> class Parser, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters>
+Vertex_changes read_text(const std::string_view text, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                         const NamedParameters& np)
+{
+  using VPM = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::type;
+  auto soup = Parser<File_number<VPM>, File_number<HalfedgeUVMap> >(text).parse();
+  return build_mesh(soup, tmesh, uv_map, np);
+}
+
+// The text of a file with the coordinates of the mesh that was read from it. Throws `File_refusal`.
+template <template <typename, typename> class Parser, template <typename> class Rewriter,
+          typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+std::string rewritten_text(const std::string_view text, const TriangleMesh& tmesh,
+                           const HalfedgeUVMap& uv_map, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using VPM = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  const VPM vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                   CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+
+  auto soup = Parser<File_number<VPM>, double>(text).parse();
+  const std::vector<std::array<double, 2> > uvs = uvs_of_mesh(soup, tmesh, uv_map, vpm);
+  if(choose_parameter(get_parameter(np, CGAL::internal_np::weld), false)) {
+    const auto border = Soup_edges<typename decltype(soup)::Triangle>(soup.triangles).border_sides();
+    replace_vertices(welded_vertices(soup, find_coinciding_sides(soup, border).seams), soup);
+  }
+  return Rewriter<decltype(soup)>(text, soup, uvs).rewrite();
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_TEXT_AND_MESH_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_WELD_SOUP_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_WELD_SOUP_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Closes the seams of a mesh that was cut open, as the writers of many programs do: vertices are
+// doubled along the cuts, since a vertex has room for one pair of coordinates there. The two sides of
+// a seam are border edges between equal points. Only such edges are welded, never vertices that merely
+// lie in one place.
+// `Polygon_mesh_processing::stitch_borders()` does the like on a mesh, and drops the coordinates of
+// the halfedges that it removes.
+
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The pairs of border sides that are two sides of a seam, and how many sides lie on others.
+struct Coinciding_sides
+{
+  std::vector<std::array<Side_index, 2> > seams;
+  std::size_t number = 0; // of all that lie on others, also those of the seams
+};
+
+// Three sides or more in one place leave open which belong together, and two of the same direction
+// would make a surface that is not oriented: these are no seams.
+template <typename Soup>
+Coinciding_sides find_coinciding_sides(const Soup& soup, const std::vector<Side_index>& border)
+{
+  using Point = typename decltype(soup.points)::value_type;
+  Segments_in_space<typename Point::value_type> segments;
+  for(const Side_index s : border) {
+    const auto& v = soup.triangles[s / 3].vertices;
+    segments.add(soup.points[v[s % 3]], soup.points[v[next_side(s) % 3]], s);
+  }
+
+  Coinciding_sides result;
+  segments.for_each_coincidence([&result](const auto first, const auto last) {
+    const Side_index a = first->index, b = (last - 1)->index;
+    result.number += static_cast<std::size_t>(last - first);
+    if(last - first == 2 && first->runs_upwards != (last - 1)->runs_upwards && a / 3 != b / 3)
+      result.seams.push_back({a, b});
+  });
+  return result;
+}
+
+// For each vertex the one that it becomes: of those that are welded the one that is first in the file.
+template <typename Soup>
+std::vector<std::size_t>
+welded_vertices(const Soup& soup, const std::vector<std::array<Side_index, 2> >& seams)
+{
+  const std::size_t n = soup.points.size();
+  boost::disjoint_sets_with_storage<> sets(n);
+  for(std::size_t v = 0; v < n; ++v)
+    sets.make_set(v);
+  const auto vertex = [&soup](const Side_index s) {
+    return soup.triangles[s / 3].vertices[s % 3];
+  };
+  for(const std::array<Side_index, 2>& seam : seams) {
+    sets.union_set(vertex(seam[0]), vertex(next_side(seam[1])));
+    sets.union_set(vertex(next_side(seam[0])), vertex(seam[1]));
+  }
+
+  std::vector<std::size_t> first(n, n), result(n);
+  for(std::size_t v = 0; v < n; ++v) {
+    std::size_t& first_of_set = first[sets.find_set(v)];
+    first_of_set = (std::min)(first_of_set, v);
+    result[v] = first_of_set;
+  }
+  return result;
+}
+
+// Puts the welded vertices in place of the others, which stay in `points` without a face.
+template <typename Soup>
+void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
+{
+  for(auto& triangle : soup.triangles) {
+    auto& v = triangle.vertices;
+    for(std::size_t& vertex : v)
+      vertex = welded[vertex];
+    if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2])
+      throw File_refusal(triangle.line,
+                         (triangle.line == 0 ? "face " + std::to_string(&triangle - &soup.triangles[0])
+                                             : std::string("the face"))
+                         + " has no area, and welding makes two of its corners one vertex; remove it "
+                           "first");
+  }
+  for(auto& segment : soup.segments)
+    for(std::size_t& vertex : segment.vertices)
+      vertex = welded[vertex];
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_WELD_SOUP_H
