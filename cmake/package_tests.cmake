@@ -81,12 +81,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   if(TARGET seamless)
     set(program_dir "$<TARGET_FILE_DIR:seamless>")
   endif()
+  set(include_path "$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>")
   add_test(NAME readme
     COMMAND "${CMAKE_COMMAND}"
       "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
       "-DWORK_DIR=${PROJECT_BINARY_DIR}/readme"
       "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DINCLUDE_PATH=$<JOIN:$<FILTER:$<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>,:>"
+      "-DINCLUDE_PATH=$<JOIN:$<FILTER:${include_path},EXCLUDE,^/usr/include$>,:>"
       "-DPROGRAM_DIR=${program_dir}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_readme.cmake")
   set_tests_properties(readme PROPERTIES LABELS package SKIP_REGULAR_EXPRESSION "SKIPPED")

@@ -1,7 +1,7 @@
-# What README.md shows is so: its programs compile as they stand and print what it says, its commands
-# run, its CMake code is that of a project that is tested. Run by ctest, with the variables
-# PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does not find it) and,
-# if it is built, PROGRAM_DIR (the folder of the program seamless).
+# What README.md shows is so: its programs compile as they stand and print what it says, its
+# commands run, its CMake code is that of a project that is tested. Run by ctest, with the variables
+# PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does not find
+# it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
@@ -44,7 +44,8 @@ function(next_block)
   endforeach()
 endfunction()
 
-# Compiles program `number` by the command that README.md tells, which is faster without optimization.
+# Compiles program `number` by the command that README.md tells, which is faster without
+# optimization.
 function(compile number options libraries)
   string(REPLACE "-lgmp -lmpfr" "${libraries}" command "${compile_command}")
   string(REPLACE "g++" "'${COMPILER}' ${options}" command "${command}")

@@ -269,7 +269,8 @@ if(SHELL)
   shell(0 "echo earlier > mode.obj && chmod 640 mode.obj && \"$SEAMLESS\" snap in.obj mode.obj && \
            test \"$(ls -l mode.obj | cut -c 1-10)\" = -rw-r-----")
   expect_same_content(mode.obj out.obj)
-  shell(0 "echo earlier > name.obj && ln name.obj other_name.obj && \"$SEAMLESS\" snap in.obj name.obj")
+  shell(0 "echo earlier > name.obj && ln name.obj other_name.obj && \
+           \"$SEAMLESS\" snap in.obj name.obj")
   expect_same_content(other_name.obj out.obj)
   shell(0 "if test $(id -u) = 0 && chown 1:1 mode.obj; then \"$SEAMLESS\" snap in.obj mode.obj && \
            test \"$(ls -ln mode.obj | awk '{ print $3 $4 }')\" = 11; fi")

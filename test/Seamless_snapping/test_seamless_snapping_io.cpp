@@ -403,7 +403,8 @@ void test_failing_files()
   status = SS::IO::read_OBJ(".", model.mesh, model.uv_map);
   CHECK_EQUAL(status.message, "cannot read '.': Is a directory");
   status = SS::IO::write_OBJ(missing, model.mesh, model.uv_map);
-  CHECK_EQUAL(status.message, "cannot open '" + missing + "' for writing: No such file or directory");
+  CHECK_EQUAL(status.message,
+              "cannot open '" + missing + "' for writing: No such file or directory");
 
   std::ostringstream os;
   CHECK(model.read(square));

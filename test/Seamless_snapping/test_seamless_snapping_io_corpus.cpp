@@ -1,5 +1,5 @@
-// The files that a fuzzer has found to take different ways through the readers are read and written: see
-// fuzzing/fuzz_files.cpp.
+// The files that a fuzzer has found to take different ways through the readers are read and
+// written: see fuzzing/fuzz_files.cpp.
 
 #include "fuzzing/check_file_text.h"
 

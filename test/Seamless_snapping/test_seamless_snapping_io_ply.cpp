@@ -1,5 +1,5 @@
-// PLY files with coordinates per corner: read, written, and copied with other coordinates, in all forms
-// of the format; and what is refused.
+// PLY files with coordinates per corner: read, written, and copied with other coordinates, in all
+// forms of the format; and what is refused.
 
 #include "obj_models.h"
 
@@ -17,7 +17,8 @@
 
 using Random = std::mt19937_64;
 
-// A file as MeshLab writes it, in text form; the square of two triangles has a seam as its diagonal.
+// A file as MeshLab writes it, in text form; the square of two triangles has a seam as its
+// diagonal.
 const std::string head =
   "ply\nformat ascii 1.0\ncomment VCGLIB generated\ncomment TextureFile a b.png\n"
   "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
@@ -219,27 +220,30 @@ void test_refused()
   check(replaced(text, "ascii", "utf8"), "line 2: 'utf8' is not a format");
   check(replaced(text, "vertex 4", "vertex -4"), "line 5: '-4' is not a number of elements");
   check(replaced(text, "face 2", "vertex 2"), "line 10: there are two elements 'vertex'");
-  check(replaced(text, "uchar float", "float float"), "line 12: the length of a list is not an integer");
+  check(replaced(text, "uchar float", "float float"),
+        "line 12: the length of a list is not an integer");
   check(replaced(text, "uchar float", "uchar real"), "line 12: 'real' is not a type");
   check(replaced(text, "float x", "float"), "line 6: a property needs a type and a name");
   check(replaced(text, "element vertex 4\n", ""), "line 5: a property comes before any element");
   check(replaced(text, "comment V", "note V"), "line 3: 'note' is not a keyword");
   check(replaced(text, "float z", "float w"), "element vertex has no number z");
-  check(replaced(text, "texcoord", "uvs"), "element face has no list texcoord: coordinates per corner "
-                                           "are needed, not per vertex");
+  check(replaced(text, "texcoord", "uvs"),
+        "element face has no list texcoord: coordinates per corner are needed, not per vertex");
   check(replaced(text, "vertex_indices", "corners"), "element face has no list vertex_indices");
   check(replaced(text, "1 1 0.0", "1 nan 0.0"), "vertex 2: 'nan' is not a finite number");
-  check(replaced(text, "3 0 2 3", "4 0 2 3 1"), "face 1: has 4 corners; triangulate the mesh first");
+  check(replaced(text, "3 0 2 3", "4 0 2 3 1"),
+        "face 1: has 4 corners; triangulate the mesh first");
   check(replaced(text, "3 0 2 3", "2 0 2"), "face 1: has 2 corners, but needs 3");
   check(replaced(text, "3 0 2 3", "-3 0 2 3"), "face 1: a list has a negative length");
   check(replaced(text, "3 0 2 3", "3 0 2 2"), "face 1: uses vertex 2 twice");
-  check(replaced(text, "3 0 2 3", "3 0 2 4"), "face 1: vertex index 4 is out of range: the file has 4 "
-                                              "vertices");
+  check(replaced(text, "3 0 2 3", "3 0 2 4"),
+        "face 1: vertex index 4 is out of range: the file has 4 vertices");
   check(replaced(text, "3 0 2 3", "3 0 -2 3"), "face 1: vertex index -2 is negative");
   check(replaced(text, "3 0 2 3", "3 0 2. 3"), "face 1: '2.' is not an integer");
   check(replaced(text, "6 5 5 6 5 6 6", "0"), "face 1: has 0 texture coordinates, but needs 6");
-  check(replaced(text, "3 0 2 3", "3 2 0 3"), "edge 0 2 has the same direction in two faces (faces 0 and "
-                                              "1): orient the faces consistently first");
+  check(replaced(text, "3 0 2 3", "3 2 0 3"),
+        "edge 0 2 has the same direction in two faces (faces 0 and 1): orient the faces "
+        "consistently first");
   check(replaced(text, "face 2", "face 3"), "face 2: the file ends here");
   check(replaced(text, "face 2", "face 0"), "the file has no face");
   check(replaced(text, "element face 2", std::string("element \0face 3", 15)),
@@ -259,7 +263,8 @@ void test_mutations(Random& random, const std::string& valid, const int number)
       if(random() % 3 == 0)
         text.erase(at, random() % 4);
       else
-        text[at] = random() % 2 == 0 ? static_cast<char>(random()) : "0123456789- \n"[random() % 13];
+        text[at] = random() % 2 == 0 ? static_cast<char>(random())
+                                     : "0123456789- \n"[random() % 13];
     }
     Ply_model model, again;
     const SS::IO::File_status status = model.read(text, random() % 2 == 0);

@@ -42,7 +42,8 @@ const std::string everything =
   "\xEF\xBB\xBF# made by hand\r\nmtllib a b.mtl\r\no  square \r\n"
   "v 0 0 0 0.5 0.5 0.5\nv 1.0 0 0 # a comment\nvn 0 0 1\nvt 00.00 0.0e0\t\nvt 1 0 0.25 # another\n"
   "g\nusemtl red\ns off\n\nf 1/1/1 2/2 3/0003/-1\n"
-  "v 1 1 0\rv 0 1 0\rvt 1.00 +1\rvt 0 \\\n 1\nvp 0 0\ns 1\nusemtl blue\nf -4/-4 -2/-2/1 \\\n  -1/-1\n"
+  "v 1 1 0\rv 0 1 0\rvt 1.00 +1\rvt 0 \\\n 1\nvp 0 0\ns 1\n"
+  "usemtl blue\nf -4/-4 -2/-2/1 \\\n  -1/-1\n"
   "l 1/1 2/2 # a feature\nl 3 4\nvt 9 9\nend # without a new line";
 
 void test_nothing_changes()

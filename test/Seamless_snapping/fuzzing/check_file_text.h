@@ -1,5 +1,5 @@
-// What must hold of any text that is taken for a file: it is refused, and the mesh is untouched; or it
-// is read as a valid mesh, which comes back whole however it is written.
+// What must hold of any text that is taken for a file: it is refused, and the mesh is untouched; or
+// it is read as a valid mesh, which comes back whole however it is written.
 
 #ifndef SEAMLESS_SNAPPING_TEST_CHECK_FILE_TEXT_H
 #define SEAMLESS_SNAPPING_TEST_CHECK_FILE_TEXT_H
@@ -23,8 +23,8 @@ inline SS::IO::File_status read_text(const std::string& text, const File_format 
                                     : SS::IO::read_PLY(is, model.mesh, model.uv_map, np);
 }
 
-inline std::string rewritten_text(const std::string& text, const File_format format, const bool weld,
-                                  const Surface_model& model)
+inline std::string rewritten_text(const std::string& text, const File_format format,
+                                  const bool weld, const Surface_model& model)
 {
   std::istringstream is(text);
   std::ostringstream os;

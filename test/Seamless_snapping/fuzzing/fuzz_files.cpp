@@ -1,5 +1,5 @@
-// Lets libFuzzer invent files. The first byte of an input chooses the format and whether to weld. Built
-// with clang:
+// Lets libFuzzer invent files. The first byte of an input chooses the format and whether to weld.
+// Built with clang:
 //
 //   clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -Iinclude fuzz_files.cpp
 //

@@ -29,8 +29,8 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-What the functions that read and write files return. Converts to `bool`: `true` if and only if the mesh
-was read or written completely.
+What the functions that read and write files return. Converts to `bool`: `true` if and only if the
+mesh was read or written completely.
 
 \code{.cpp}
 const auto status = CGAL::Seamless_snapping::IO::read_OBJ("torus.obj", tmesh, uv_map);
@@ -53,9 +53,9 @@ struct File_status
   */
   std::size_t number_of_welded_edges = 0;
   /*!
-  The number of border edges of the mesh that was read that lie between the same two points as another
-  one. If there are any, the mesh may have been cut open along its seams, which are borders then: the
-  parameter `weld` closes them.
+  The number of border edges of the mesh that was read that lie between the same two points as
+  another one. If there are any, the mesh may have been cut open along its seams, which are borders
+  then: the parameter `weld` closes them.
   */
   std::size_t number_of_coinciding_border_edges = 0;
 
@@ -73,7 +73,8 @@ inline std::ostream& operator<<(std::ostream& os, const File_status& status)
     return os << status.message;
   os << "ok";
   if(status.number_of_coinciding_border_edges > 0)
-    os << "; " << internal::note_on_coinciding_border_edges(status.number_of_coinciding_border_edges);
+    os << "; "
+       << internal::note_on_coinciding_border_edges(status.number_of_coinciding_border_edges);
   return os;
 }
 

@@ -52,20 +52,22 @@ of face `f`, vertices without faces are kept, no face is reversed. There is one 
 faces around a vertex form several fans, which no halfedge data structure can hold, the fan that
 comes first in the file keeps the vertex and each other fan gets a copy, after all other vertices.
 
-Many programs write the mesh cut open along the seams, with vertices doubled: a vertex then has one pair
-of coordinates. Such seams are borders, and nothing makes them match, unless `weld` is `true`: then two
-border edges between the same points (their numbers agree exactly) that run in opposite directions become
-one. The vertices at their ends become one too: the first of them in the file; the others get no vertex.
-Vertices that lie in one place without such an edge stay apart, as do three border edges or more between
-the same points, and two that run in the same direction: what belongs together is then unknown. The
-result counts the edges that were welded, and those that still coincide.
+Many programs write the mesh cut open along the seams, with vertices doubled: a vertex then has one
+pair of coordinates. Such seams are borders, and nothing makes them match, unless `weld` is `true`:
+then two border edges between the same points (their numbers agree exactly) that run in opposite
+directions become one. The vertices at their ends become one too: the first of them in the file; the
+others get no vertex. Vertices that lie in one place without such an edge stay apart, as do three
+border edges or more between the same points, and two that run in the same direction: what belongs
+together is then unknown. The result counts the edges that were welded, and those that still
+coincide.
 
 A file is refused, with the line and the reason, if it has a statement of the above kinds that is
 malformed, a number that is not finite, an index out of range, a point with a weight other than 1,
 coordinates `vt` with one number only, a face that is no triangle, a corner without coordinates, an
 edge with more than two faces or with two faces that are not oriented
-consistently (before welding or after it), an `l` element that is no edge of the mesh (if `edge_is_constrained_map` is given), or
-no face at all. The mesh and the maps are then left as they were.
+consistently (before welding or after it), an `l` element that is no edge of the mesh (if
+`edge_is_constrained_map` is given), or no face at all. The mesh and the maps are then left as they
+were.
 
 The stream is left at its end. It may have been asked to throw exceptions: only one for `badbit` is
 thrown, if reading fails.
@@ -101,8 +103,8 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{weld}
-    \cgalParamDescription{whether border edges between the same points are made one, for meshes that were
-                          cut open along their seams}
+    \cgalParamDescription{whether border edges between the same points are made one, for meshes
+                          that were cut open along their seams}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -138,8 +140,8 @@ File_status read_OBJ(const std::string& filename, TriangleMesh& tmesh, HalfedgeU
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::status_of_reading([&] {
-    return internal::read_text<internal::OBJ_parser>(internal::text_of_file(filename), tmesh, uv_map,
-                                                     internal::strip(np));
+    return internal::read_text<internal::OBJ_parser>(internal::text_of_file(filename), tmesh,
+                                                     uv_map, internal::strip(np));
   });
 }
 
@@ -200,7 +202,8 @@ File_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::status_of_writing([&] {
-    internal::write_text(os, internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
+    internal::write_text(os,
+                         internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
   });
 }
 
@@ -228,11 +231,12 @@ File_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Ha
 
 \brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
 
-While `write_OBJ()` writes what the mesh holds, this function keeps the whole file to the byte: order,
-materials, groups, smoothing, normals, colors, polylines, comments, and the digits of numbers. Replaced
-are the numbers of `vt` statements that differ from those of the mesh, and, where corners that shared a
-statement have different coordinates now, the indices of `f` and `l` statements: further `vt` statements
-then follow the one that was shared. What is written reads back bit for bit, as with `write_OBJ()`.
+While `write_OBJ()` writes what the mesh holds, this function keeps the whole file to the byte:
+order, materials, groups, smoothing, normals, colors, polylines, comments, and the digits of
+numbers. Replaced are the numbers of `vt` statements that differ from those of the mesh, and, where
+corners that shared a statement have different coordinates now, the indices of `f` and `l`
+statements: further `vt` statements then follow the one that was shared. What is written reads back
+bit for bit, as with `write_OBJ()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
@@ -257,8 +261,8 @@ then follow the one that was shared. What is written reads back bit for bit, as 
   \cgalParamNEnd
   \cgalParamNBegin{weld}
     \cgalParamDescription{whether the faces of the file that is written share the vertices that
-                          `read_OBJ()` makes one if asked to; the statements of the other vertices stay,
-                          but no face uses them}
+                          `read_OBJ()` makes one if asked to; the statements of the other vertices
+                          stay, but no face uses them}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -284,8 +288,8 @@ File_status rewrite_OBJ(std::istream& original, std::ostream& os, const Triangle
 /*!
 \ingroup PkgSeamlessSnappingIO
 \brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
-Parameters, named parameters, and result are those of the function on streams. The two names may be the
-same.
+Parameters, named parameters, and result are those of the function on streams. The two names may be
+the same.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -39,12 +39,12 @@ namespace IO {
 \brief reads a triangle mesh with coordinates per corner from a stream in the PLY format.
 
 The file holds a list `texcoord` of six numbers for each face, as MeshLab writes it ("wedge" texture
-coordinates), in text or binary form. Elements `edge` with the properties `vertex1` and `vertex2` are
-the feature edges. All other elements and properties are skipped. A file with coordinates per vertex is
-refused: they can't tell the two sides of a seam apart.
+coordinates), in text or binary form. Elements `edge` with the properties `vertex1` and `vertex2`
+are the feature edges. All other elements and properties are skipped. A file with coordinates per
+vertex is refused: they can't tell the two sides of a seam apart.
 
-All else is as with `read_OBJ()`: named parameters, the order of vertices and faces, what is refused; but
-messages name faces and vertices by their indices, which count from 0, and no lines.
+All else is as with `read_OBJ()`: named parameters, the order of vertices and faces, what is
+refused; but messages name faces and vertices by their indices, which count from 0, and no lines.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`
 \tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
@@ -84,8 +84,8 @@ File_status read_PLY(const std::string& filename, TriangleMesh& tmesh, HalfedgeU
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::status_of_reading([&] {
-    return internal::read_text<internal::PLY_parser>(internal::text_of_file(filename), tmesh, uv_map,
-                                                     internal::strip(np));
+    return internal::read_text<internal::PLY_parser>(internal::text_of_file(filename), tmesh,
+                                                     uv_map, internal::strip(np));
   });
 }
 
@@ -94,8 +94,8 @@ File_status read_PLY(const std::string& filename, TriangleMesh& tmesh, HalfedgeU
 
 \brief writes a triangle mesh with coordinates per corner to a stream in the binary PLY format.
 
-Numbers are `double`s, so that what is written reads back bit for bit. Template parameters, parameters,
-named parameters, and result are those of `write_OBJ()`.
+Numbers are `double`s, so that what is written reads back bit for bit. Template parameters,
+parameters, named parameters, and result are those of `write_OBJ()`.
 
 \pre All faces are triangles.
 */
@@ -106,7 +106,8 @@ File_status write_PLY(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::status_of_writing([&] {
-    internal::write_text(os, internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np)));
+    internal::write_text(os,
+                         internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np)));
   });
 }
 
@@ -132,9 +133,9 @@ File_status write_PLY(const std::string& filename, const TriangleMesh& tmesh, Ha
 
 \brief copies a file in the PLY format with other texture coordinates, and all else as it is.
 
-Replaced are the numbers of the lists `texcoord` that differ from those of the mesh, and the type of these
-lists if it is `float` and does not hold the numbers: then it becomes `double`. Template parameters,
-parameters, named parameters, and result are those of `rewrite_OBJ()`.
+Replaced are the numbers of the lists `texcoord` that differ from those of the mesh, and the type of
+these lists if it is `float` and does not hold the numbers: then it becomes `double`. Template
+parameters, parameters, named parameters, and result are those of `rewrite_OBJ()`.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -152,8 +153,8 @@ File_status rewrite_PLY(std::istream& original, std::ostream& os, const Triangle
 /*!
 \ingroup PkgSeamlessSnappingIO
 \brief copies a file in the PLY format with other texture coordinates, and all else as it is.
-Parameters, named parameters, and result are those of the function on streams. The two names may be the
-same.
+Parameters, named parameters, and result are those of the function on streams. The two names may be
+the same.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

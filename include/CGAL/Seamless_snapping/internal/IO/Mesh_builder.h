@@ -73,8 +73,8 @@ struct Vertex_changes
   std::vector<std::size_t> file_vertices; // the index in the file of each new vertex of the mesh
 };
 
-// Makes the soup a surface that a halfedge data structure can hold: welds it, if asked to, and splits
-// vertices with several fans. Returns the edges of the surface. Throws `File_refusal`.
+// Makes the soup a surface that a halfedge data structure can hold: welds it, if asked to, and
+// splits vertices with several fans. Returns the edges of the surface. Throws `File_refusal`.
 template <typename Soup>
 Soup_edges<typename Soup::Triangle> connect_soup(const bool weld, Soup& soup,
                                                  Vertex_changes& changes)
@@ -106,7 +106,8 @@ Soup_edges<typename Soup::Triangle> connect_soup(const bool weld, Soup& soup,
   return edges;
 }
 
-// Returns the new vertex of each point; the null vertex for those that welding has left without faces.
+// Returns the new vertex of each point; the null vertex for those that welding has left without
+// faces.
 template <typename Points, typename TriangleMesh, typename VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 add_vertices(const Points& points, const Vertex_changes& changes, TriangleMesh& tmesh,

@@ -16,8 +16,9 @@
 
 // The text of an OBJ file with other texture coordinates, and all else as it was to the byte.
 //
-// A `vt` statement keeps its place, and its digits if its numbers stay. Where corners that share one
-// are to have different coordinates, further statements follow it; later ones then have higher indices.
+// A `vt` statement keeps its place, and its digits if its numbers stay. Where corners that share
+// one are to have different coordinates, further statements follow it; later ones then have higher
+// indices.
 
 #include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
@@ -41,8 +42,8 @@ class OBJ_uv_layout
 public:
   using UV = Distinct_uvs::UV;
 
-  // `uvs` are the new coordinates of all corners, `old_indices` their old statements, of which there
-  // are `n`.
+  // `uvs` are the new coordinates of all corners, `old_indices` their old statements, of which
+  // there are `n`.
   OBJ_uv_layout(const std::size_t n, const std::vector<std::size_t>& old_indices,
                 const std::vector<UV>& uvs)
     : m_first(n + 1, 0)
@@ -155,9 +156,9 @@ private:
       return;
 
     const std::string_view end = m_scanner.finish_statement();
-    const std::string_view rest = m_text.substr(m_copied);
-    m_result.append(rest.substr(0, static_cast<std::size_t>(end.data() + end.size() - rest.data())));
-    m_copied = static_cast<std::size_t>(end.data() + end.size() - m_text.data());
+    const std::size_t next = static_cast<std::size_t>(end.data() + end.size() - m_text.data());
+    m_result.append(m_text.substr(m_copied, next - m_copied));
+    m_copied = next;
     for(std::size_t i = m_layout.first(k) + 1; i < m_layout.first(k + 1); ++i) {
       if(end.empty()) // of the text
         m_result += '\n';

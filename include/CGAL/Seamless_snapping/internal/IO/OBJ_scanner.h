@@ -73,8 +73,8 @@ public:
     return m_text.substr(begin, m_position - begin);
   }
 
-  // Goes behind the end of the statement's last line, and returns that end, which is empty at the end of
-  // the text.
+  // Goes behind the end of the statement's last line, and returns that end, which is empty at the
+  // end of the text.
   std::string_view finish_statement()
   {
     while(!next_token().empty()) { }

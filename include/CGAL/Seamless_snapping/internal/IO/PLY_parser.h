@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of a PLY file as a triangle soup. Coordinates per corner are those that MeshLab writes: a
-// list `texcoord` of six numbers for each face.
+// The text of a PLY file as a triangle soup. Coordinates per corner are those that MeshLab writes:
+// a list `texcoord` of six numbers for each face.
 
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>

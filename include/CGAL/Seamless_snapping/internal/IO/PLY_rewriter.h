@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of a PLY file with other texture coordinates, and all else as it was to the byte, but for the
-// type of the coordinates: `float` becomes `double` where it has to.
+// The text of a PLY file with other texture coordinates, and all else as it was to the byte, but
+// for the type of the coordinates: `float` becomes `double` where it has to.
 
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
@@ -106,15 +106,18 @@ private:
       });
     };
     m_uv_type = uvs.type;
-    if(!std::equal(m_uvs.begin(), m_uvs.end(), m_soup.uvs.begin(), are_same)
-       && (is_integer(uvs.type)
-           || (uvs.type == PLY_type::FLOAT && !std::all_of(m_uvs.begin(), m_uvs.end(), is_float)))) {
+    const bool changes = !std::equal(m_uvs.begin(), m_uvs.end(), m_soup.uvs.begin(), are_same);
+    const bool fits = uvs.type == PLY_type::DOUBLE
+                      || (uvs.type == PLY_type::FLOAT
+                          && std::all_of(m_uvs.begin(), m_uvs.end(), is_float));
+    if(changes && !fits) {
       m_uv_type = PLY_type::DOUBLE;
       replace(uvs.type_name, "double");
     }
   }
 
-  // Only welding changes vertices, to some that come earlier in the file: their type has room for them.
+  // Only welding changes vertices, to some that come earlier in the file: their type has room for
+  // them.
   void rewrite_vertices(const PLY_property& property, const std::size_t triangle)
   {
     m_values.next_length(property);

@@ -41,8 +41,8 @@ inline Side_index next_side(Side_index s) { return s % 3 == 2 ? s - 2 : s + 1; }
 inline Side_index previous_side(Side_index s) { return s % 3 == 0 ? s + 2 : s - 1; }
 
 // The sides of all triangles, sorted by the edges they lie on.
-// `Triangle` has members `vertices` (three indices) and `line`, which is 0 in files that are not made of
-// lines: faces are told by their indices there, and these and vertices are counted from 0.
+// `Triangle` has members `vertices` (three indices) and `line`, which is 0 in files that are not
+// made of lines: faces are told by their indices there, and these and vertices are counted from 0.
 template <typename Triangle>
 class Soup_edges
 {

@@ -34,15 +34,15 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Why the last call of the operating system failed, if it says so, to be put behind a message. Streams
-// don't tell; what they call sets `errno`.
+// Why the last call of the operating system failed, if it says so, to be put behind a message.
+// Streams don't tell; what they call sets `errno`.
 inline std::string reason_of_system()
 {
   return errno == 0 ? std::string() : ": " + std::generic_category().message(errno);
 }
 
-// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the stream
-// would take the end for a failure, for which it may have been asked to throw.
+// Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the
+// stream would take the end for a failure, for which it may have been asked to throw.
 inline std::string text_of_stream(std::istream& is)
 {
   if(!is)

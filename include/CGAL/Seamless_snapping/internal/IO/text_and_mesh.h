@@ -14,7 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From the text of a file to a mesh, and from the mesh to a text with its coordinates, in any format.
+// From the text of a file to a mesh, and from the mesh to a text with its coordinates, in any
+// format.
 
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
@@ -38,8 +39,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Throws unless the faces have the same points in the file and in the mesh: else coordinates would go to
-// corners that they do not belong to.
+// Throws unless the faces have the same points in the file and in the mesh: else coordinates would
+// go to corners that they do not belong to.
 template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
 std::vector<std::array<double, 2> > uvs_of_mesh(const Soup& soup, const TriangleMesh& tmesh,
                                                 const HalfedgeUVMap& uv_map,
@@ -97,8 +98,9 @@ std::string rewritten_text(const std::string_view text, const TriangleMesh& tmes
   auto soup = Parser<File_number<VPM>, double>(text).parse();
   const std::vector<std::array<double, 2> > uvs = uvs_of_mesh(soup, tmesh, uv_map, vpm);
   if(choose_parameter(get_parameter(np, CGAL::internal_np::weld), false)) {
-    const auto border = Soup_edges<typename decltype(soup)::Triangle>(soup.triangles).border_sides();
-    replace_vertices(welded_vertices(soup, find_coinciding_sides(soup, border).seams), soup);
+    const Soup_edges edges(soup.triangles);
+    const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
+    replace_vertices(welded_vertices(soup, coinciding.seams), soup);
   }
   return Rewriter<decltype(soup)>(text, soup, uvs).rewrite();
 }

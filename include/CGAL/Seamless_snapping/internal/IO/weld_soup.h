@@ -15,11 +15,10 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Closes the seams of a mesh that was cut open, as the writers of many programs do: vertices are
-// doubled along the cuts, since a vertex has room for one pair of coordinates there. The two sides of
-// a seam are border edges between equal points. Only such edges are welded, never vertices that merely
-// lie in one place.
-// `Polygon_mesh_processing::stitch_borders()` does the like on a mesh, and drops the coordinates of
-// the halfedges that it removes.
+// doubled along the cuts, since a vertex has room for one pair of coordinates there. The two sides
+// of a seam are border edges between equal points. Only such edges are welded, never vertices that
+// merely lie in one place. `Polygon_mesh_processing::stitch_borders()` does the like on a mesh, and
+// drops the coordinates of the halfedges that it removes.
 
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
@@ -66,7 +65,8 @@ Coinciding_sides find_coinciding_sides(const Soup& soup, const std::vector<Side_
   return result;
 }
 
-// For each vertex the one that it becomes: of those that are welded the one that is first in the file.
+// For each vertex the one that it becomes: of those that are welded the one that is first in the
+// file.
 template <typename Soup>
 std::vector<std::size_t>
 welded_vertices(const Soup& soup, const std::vector<std::array<Side_index, 2> >& seams)
@@ -100,12 +100,13 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
     auto& v = triangle.vertices;
     for(std::size_t& vertex : v)
       vertex = welded[vertex];
-    if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2])
-      throw File_refusal(triangle.line,
-                         (triangle.line == 0 ? "face " + std::to_string(&triangle - &soup.triangles[0])
-                                             : std::string("the face"))
-                         + " has no area, and welding makes two of its corners one vertex; remove it "
-                           "first");
+    if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+      const std::string face = triangle.line == 0
+                                 ? "face " + std::to_string(&triangle - &soup.triangles[0])
+                                 : "the face";
+      throw File_refusal(triangle.line, face + " has no area, and welding makes two of its corners "
+                                               "one vertex; remove it first");
+    }
   }
   for(auto& segment : soup.segments)
     for(std::size_t& vertex : segment.vertices)
