@@ -30,6 +30,7 @@
 // The names that the package adds, one per line: tag type, tag, name of the function.
 #define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
   F(align_border_t, align_border, align_border)                                                    \
+  F(allow_holes_t, allow_holes, allow_holes)                                                       \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
   F(corner_constraints_t, corner_constraints, corner_constraints)                                  \
@@ -37,6 +38,7 @@
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
+  F(grid_scale_t, grid_scale, grid_scale)                                                          \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
@@ -44,6 +46,7 @@
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
   F(value_weights_t, value_weights, value_weights)                                                 \
+  F(vertex_location_t, vertex_location, vertex_location_map)                                       \
   F(weld_t, weld, weld)
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
@@ -160,12 +163,14 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *
  * Names of this package:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
+ * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
  *   parametrization
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `grid_scale`: what the coordinates are multiplied by before quads are extracted (`double`)
  * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
  *   where it is known
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
@@ -176,8 +181,9 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   traced in floating point, the distance below which a curve is taken to have missed what it
  *   passes by; both relative to the extent of the coordinates (`double`)
  * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
- *   small\
-  F(weld_t, weld, weld)
+ *   small
+ * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
+ * - `weld`: whether a reader joins border edges that coincide in space
  *
  * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,
  * `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,

@@ -65,17 +65,24 @@ public:
     return true;
   }
 
-  // The ray that continues the curve straight on: the opposite one, as many to its left as to its
-  // right. In a star without folds that is the only one but that of arrival.
   Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
                              Vertex_ray& chosen) const
+  {
+    return straight_ray(*m_mesh, state, around, chosen);
+  }
+
+  // The ray that continues the curve straight on: the opposite one, as many to its left as to its
+  // right. In a star without folds that is the only one but that of arrival.
+  template <typename AnyLevel>
+  static Isocurve_status straight_ray(const Chart_mesh& mesh, const Walk_state<AnyLevel>& state,
+                                      const Isocurve_rays& around, Vertex_ray& chosen)
   {
     const std::size_t n = around.rays.size();
     const std::size_t arrival = std::size_t(
       std::find_if(around.rays.begin(), around.rays.end(),
-                   [&](const Vertex_ray& ray) { return state.arrived_by(*m_mesh, ray); }) -
+                   [&](const Vertex_ray& ray) { return state.arrived_by(mesh, ray); }) -
       around.rays.begin());
-    const bool is_border = m_mesh->is_border[m_mesh->vertex(state.halfedge)];
+    const bool is_border = mesh.is_border[mesh.vertex(state.halfedge)];
     if(arrival == n || (!is_border && n % 2 != 0))
       return Isocurve_status::CONSTANT_ON_FACE;
     if(is_border && n == 1)

@@ -1,0 +1,405 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_EXTRACT_QUAD_MESH_H
+#define CGAL_SEAMLESS_SNAPPING_EXTRACT_QUAD_MESH_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Quad meshes out of exactly seamless integer-grid maps.
+
+#include <CGAL/Seamless_snapping/Extraction_report.h>
+#include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+inline Extraction_status extraction_status(const Snapping_status status)
+{
+  switch(status) {
+  case Snapping_status::NOT_TRIANGULAR: return Extraction_status::NOT_TRIANGULAR;
+  case Snapping_status::NOT_FINITE:     return Extraction_status::NOT_FINITE;
+  case Snapping_status::NOT_SEAMLESS:   return Extraction_status::NOT_SEAMLESS;
+  default:                              return Extraction_status::INVALID_ARGUMENT;
+  }
+}
+
+// Marks, per corner, the edges that are features; empty if none are given.
+template <typename TriangleMesh, typename NamedParameters>
+std::vector<char> feature_corners(const TriangleMesh& tmesh,
+                                  const Chart_mesh_builder<TriangleMesh>& builder,
+                                  const NamedParameters& np)
+{
+  std::vector<char> is_feature;
+  const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+  if constexpr(!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
+    for(const auto h : builder.halfedges_of_corners())
+      is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
+  return is_feature;
+}
+
+template <typename NamedParameters>
+Extraction_options extraction_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Extraction_options options;
+  options.scale = choose_parameter(get_parameter(np, CGAL::internal_np::grid_scale), options.scale);
+  options.maximum_number = static_cast<std::size_t>(choose_parameter(
+    get_parameter(np, CGAL::internal_np::maximum_number), options.maximum_number));
+  options.allow_holes = choose_parameter(get_parameter(np, CGAL::internal_np::allow_holes), false);
+  return options;
+}
+
+// Reads the map, makes the cells, and has them written: by write(extractor, embedding), which may
+// refuse that in the extractor's report.
+template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters, typename Write>
+Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                const NamedParameters& np, const Write& write)
+{
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  Extraction_report report;
+  const Chart_mesh_builder<TriangleMesh> builder(tmesh);
+  Chart_mesh mesh;
+  {
+    const auto seams = seam_transitions(tmesh, uv_map, np);
+    if(!seams) {
+      report.status = extraction_status(seams.status());
+      report.message = seams.message();
+      return report;
+    }
+    if(!seams.is_exact()) {
+      report.status = Extraction_status::NOT_SEAMLESS;
+      report.message = "the map is not exactly seamless: sides of edges differ by up to " +
+                       short_number(seams.violation()) + "; call snap_to_seamless() first";
+      return report;
+    }
+    mesh = builder.build(uv_map, seams);
+  }
+  Quad_extractor extractor(std::move(mesh), feature_corners(tmesh, builder, np),
+                           extraction_options(np));
+  if(extractor.template run<ConcurrencyTag>()) {
+    const auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    write(extractor, Grid_embedding<TriangleMesh, std::decay_t<decltype(point_map)> >(
+                       tmesh, point_map, builder, extractor));
+  }
+  return extractor.report();
+}
+
+inline bool is_face_graph(Quad_extractor& extractor, const Cell_vertices& vertices)
+{
+  const std::size_t v = vertex_with_double_edges(extractor.complex(), vertices);
+  if(v == vertices.size())
+    return true;
+  extractor.report().status = Extraction_status::NO_FACE_GRAPH;
+  extractor.report().message =
+    "the quads around point " + std::to_string(v) + " of the grid meet themselves, or each other "
+    "twice, which no face graph can hold; scale the map up by grid_scale, or call "
+    "extract_quad_soup()";
+  return false;
+}
+
+template <typename Polygon>
+struct Is_array : public std::false_type
+{ };
+
+template <typename Index, std::size_t n>
+struct Is_array<std::array<Index, n> > : public std::true_type
+{
+  static_assert(n == 4, "quads have four corners");
+};
+
+// The corners of a cell, from the index of the first vertex on.
+template <typename Polygon>
+Polygon polygon(const Quad_complex& complex, const Cell_vertices& vertices, const std::size_t cell,
+                const std::size_t first)
+{
+  boost::container::small_vector<std::size_t, 16> corners;
+  complex.cells.for_darts(cell, [&](const std::size_t d)
+                          { corners.push_back(first + vertices.vertex(d)); });
+  if constexpr(Is_array<Polygon>::value) {
+    using Index = typename Polygon::value_type;
+    return {Index(corners[0]), Index(corners[1]), Index(corners[2]), Index(corners[3])};
+  } else {
+    return Polygon(corners.begin(), corners.end());
+  }
+}
+
+// Whether all cells can be stored as polygons of this type.
+template <typename Polygon>
+bool fits(Extraction_report& report)
+{
+  if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
+    return true;
+  report.status = Extraction_status::NOT_INTEGER;
+  report.message = std::to_string(report.number_of_other_polygons) +
+                   " cells around cones are no quads, which arrays of four indices can't hold; double "
+                   "the map, grid_scale(2), if the cones are half-integers, or use "
+                   "std::vector<std::size_t> for polygons";
+  return false;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+extracts the quad mesh that an exactly seamless integer-grid map describes: its vertices are the
+points of the surface with integer coordinates, its edges the pieces of isocurves between them.
+
+If the map is exactly seamless with integer translations, all cones have integer coordinates, border
+edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
+result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of the
+map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4 elsewhere
+inside. All these conditions are checked before, and all these results are checked after the
+extraction, exactly; on success they hold. All decisions in between are comparisons and orientation
+tests that are exact. There is no tolerance, and nothing is repaired.
+
+Beyond that:
+- Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
+  coordinates, for instance): around a cone of index \f$ i \f$ the cell of the grid has
+  \f$ 4 - i \f$ corners. `Extraction_report::number_of_other_polygons` counts such cells.
+- Where the border does not lie on the grid, the result consists of the cells that the border leaves
+  whole; the others are counted.
+- Connected parts of the surface do not concern each other.
+- A result with loops or double edges, as coarse grids have them, is no face graph, and refused;
+  `extract_quad_soup()` gives it.
+
+The result is added to what is in `quads`. It is the same, to the bit, for any number of threads.
+Nothing is written unless the extraction succeeds.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
+        `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam QuadMesh a model of `MutableFaceGraph`
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and those of `seam_transitions()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{grid_scale}
+    \cgalParamDescription{a positive number that the coordinates are multiplied by first. The
+                          products must be exact, as those with powers of two are; see
+                          `snap_to_seamless()` for others.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the number of quads above which the extraction is refused}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{100 million}
+    \cgalParamExtra{More than \f$ 2^{28} \f$ quads are always refused.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges. Those on lines of the grid become edges of quads.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_holes}
+    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are taken for
+                          holes, so that the cells that touch or contain them are left out.
+                          Otherwise, they are refused.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{receives the points of the new vertices}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_location_map}
+    \cgalParamDescription{receives for each new vertex where it lies on the input: a face, and its
+                          barycentric coordinates there, in the order of
+                          `CGAL::Polygon_mesh_processing::Face_location`}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
+                   `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,
+                   std::array<double, 3> >` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cone_index_map}
+    \cgalParamDescription{receives for each new vertex the index of the cone there, in quarter
+                          turns; 0 if there is none}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `int` as value
+                   type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{receives for each new edge whether it runs along a feature edge, or is on
+                          the border of the result}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the outcome: why nothing was written, where that is, or how much was
+
+\par Complexity
+Linear in the number of faces, of quads, and of intersections of edges of the mesh with lines of the
+grid; with a logarithmic factor where a face contains many vertices of quads.
+
+\sa `extract_quad_soup()`
+\sa `is_integer_grid_map()`
+\sa `snap_to_seamless()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                    QuadMesh& quads,
+                                    const NamedParameters1& np1 =
+                                      CGAL::parameters::default_values(),
+                                    const NamedParameters2& np2 =
+                                      CGAL::parameters::default_values())
+{
+  using CGAL::parameters::get_parameter;
+  namespace np_tags = CGAL::internal_np;
+  const auto& output = internal::strip(np2);
+  auto point_map = CGAL::parameters::choose_parameter(
+    get_parameter(output, np_tags::vertex_point),
+    CGAL::get_property_map(CGAL::vertex_point, quads));
+  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+  const auto location_map = get_parameter(output, np_tags::vertex_location);
+  const auto cone_map = get_parameter(output, np_tags::cone_index);
+  const auto feature_map = get_parameter(output, np_tags::edge_is_constrained);
+  const auto is_given = [](const auto& map) {
+    return !std::is_same_v<std::decay_t<decltype(map)>, np_tags::Param_not_found>;
+  };
+  return internal::extract_quads<ConcurrencyTag>(
+    tmesh, uv_map, internal::strip(np1), [&](internal::Quad_extractor& extractor,
+                                             const auto& embedding) {
+      const internal::Quad_complex& complex = extractor.complex();
+      const internal::Cell_vertices vertices(complex.points, complex.darts, complex.cells);
+      if(!internal::is_face_graph(extractor, vertices))
+        return;
+      extractor.report().number_of_vertices = vertices.size();
+      internal::Quad_writer<QuadMesh>(complex, vertices, quads).run(
+        [&](const auto v, const std::size_t i) {
+          const internal::Grid_point& p = complex.points[vertices.point(i)];
+          put(point_map, v, embedding.template point<Point>(p));
+          if constexpr(is_given(location_map))
+            put(location_map, v, embedding.location(p));
+          if constexpr(is_given(cone_map))
+            put(cone_map, v, internal::cone_index(extractor.mesh(), complex, vertices.point(i)));
+        },
+        [&](const auto e, const std::size_t d) {
+          if constexpr(is_given(feature_map))
+            put(feature_map, e, complex.darts.are_features[d] || !complex.has_cell(d) ||
+                                  !complex.has_cell(complex.twin(d)));
+        });
+    });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
+edges are no obstacle here.
+
+\tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
+\tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair of
+        iterators over the indices of a polygon, in counterclockwise order, as
+        `std::vector<std::size_t>` is; or is `std::array<Index, 4>`: then maps with cones between the
+        lines of the grid are refused
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner, as for `extract_quad_mesh()`
+\param points the points of the quads are added to it
+\param polygons the quads, and the other cells, are added to it
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `extract_quad_mesh()` for `np1`
+
+\return the outcome
+
+\sa `extract_quad_mesh()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename PointRange, typename PolygonRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                    PointRange& points, PolygonRange& polygons,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Point = typename PointRange::value_type;
+  return internal::extract_quads<ConcurrencyTag>(
+    tmesh, uv_map, internal::strip(np), [&](internal::Quad_extractor& extractor,
+                                            const auto& embedding) {
+      const internal::Quad_complex& complex = extractor.complex();
+      const internal::Cell_vertices vertices(complex.points, complex.darts, complex.cells);
+      if(!internal::fits<typename PolygonRange::value_type>(extractor.report()))
+        return;
+      extractor.report().number_of_vertices = vertices.size();
+      const std::size_t first = points.size();
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        points.push_back(embedding.template point<Point>(complex.points[vertices.point(i)]));
+      for(std::size_t c = 0; c < complex.cells.size(); ++c)
+        polygons.push_back(
+          internal::polygon<typename PolygonRange::value_type>(complex, vertices, c, first));
+    });
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_EXTRACT_QUAD_MESH_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_DART_TRACER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_DART_TRACER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a dart to its twin: a walk of one unit, by exact decisions.
+
+#include <CGAL/Seamless_snapping/internal/quads/Grid_darts.h>
+#include <CGAL/Seamless_snapping/internal/quads/Integer_decisions.h>
+#include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// One for each thread.
+class Dart_tracer
+{
+public:
+  Dart_tracer(const Chart_mesh& mesh, const Grid_points& points, const Grid_darts& darts,
+              const std::vector<char>& is_feature)
+    : m_mesh(mesh), m_points(points), m_darts(darts), m_decisions(mesh, is_feature)
+  {
+    m_limits.is_stop = [&mesh](const std::size_t v)
+                       { return is_lattice_point(mesh.uv(mesh.corner_at_vertex[v])); };
+  }
+
+  // The twin, `open_dart`, or `untraced_dart`: then the dart meets a vertex that it can't pass.
+  Dart_index trace(const std::size_t dart)
+  {
+    const std::size_t p = m_darts.origin(dart);
+    const int k = int(dart - m_darts.first(p));
+    switch(m_points[p].place) {
+    case Grid_place::VERTEX: return trace_from_vertex(m_points[p], k);
+    case Grid_place::EDGE:   return trace_from_edge(m_points[p], k);
+    case Grid_place::FACE:   break;
+    }
+    return trace_through_face(m_points[p].corner, unit_step(m_points[p].uv, k), k);
+  }
+
+  // The twin of the dart that runs through a face of the chart, in this direction to `end`.
+  Dart_index trace_through_face(const Corner_index corner, const Uv& end, const int direction)
+  {
+    State state;
+    state.halfedge = corner;
+    state.direction = direction;
+    state.level = end[constant_component(direction)];
+    m_decisions.set_end(end);
+    leave_face_point<Integer_decisions>(m_mesh, state);
+    if(m_decisions.ends_before(state))
+      return twin_at_arrival();
+    return walk([&](Walk& w) { return w.run_from(state); });
+  }
+
+  bool ran_along_feature() const { return m_decisions.ran_along_feature(); }
+
+  // Where it was met.
+  std::size_t obstacle() const { return m_obstacle; }
+
+private:
+  struct Nothing
+  {
+    template <typename State> void edge(const State&) { }
+    template <typename State> void vertex(const State&) { }
+  };
+  using Walk = Isocurve_walk<Integer_decisions, Nothing>;
+  using State = Integer_decisions::State;
+
+  Dart_index trace_from_edge(const Grid_point& p, const int k)
+  {
+    const int direction = turned(Edge_directions(m_mesh, p.corner).first, k);
+    State state;
+    state.halfedge = p.corner;
+    state.direction = direction;
+    state.level = p.uv[constant_component(direction)];
+    m_decisions.set_end(unit_step(p.uv, direction));
+    bool enters = false;
+    leave_edge_point(m_mesh, m_decisions, state, enters);
+    if(state.is_at_vertex && m_decisions.ends_on_edge(p.corner, state.halfedge, direction))
+      return twin_at_arrival();
+    return walk([&](Walk& w) { return enters ? w.run_into(state) : w.run_from(state); });
+  }
+
+  Dart_index trace_from_vertex(const Grid_point& p, const int k)
+  {
+    const Vertex_ray ray = rays_from_vertex(m_mesh, m_mesh.vertex(p.corner))[std::size_t(k)];
+    m_decisions.set_end(unit_step(m_mesh.uv(ray.corner), ray.direction));
+    if(m_decisions.ends_on_first_step(ray))
+      return twin_at_arrival();
+    return walk([&](Walk& w) { return w.run_from_vertex(ray); });
+  }
+
+  template <typename Run>
+  Dart_index walk(const Run& run)
+  {
+    Nothing nothing;
+    Walk walk(m_mesh, m_decisions, m_limits, nothing);
+    const Isocurve_status status = run(walk);
+    if(status == Isocurve_status::TARGET)
+      return m_decisions.arrival().place == Grid_place::VERTEX ? twin_at_vertex(walk.state())
+                                                               : twin_at_arrival();
+    m_obstacle = m_mesh.vertex(walk.state().halfedge);
+    return status == Isocurve_status::BORDER || m_mesh.is_border[m_obstacle] ? open_dart
+                                                                             : untraced_dart;
+  }
+
+  Dart_index twin_at_vertex(const State& state) const
+  {
+    const std::size_t v = m_mesh.vertex(state.halfedge);
+    const Corner_index c = m_mesh.corner_at_vertex[v];
+    const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    const auto ray = std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& r)
+                                  { return state.arrived_by(m_mesh, r); });
+    return dart(face_of(c), m_mesh.uv(c), int(ray - rays.begin()));
+  }
+
+  Dart_index twin_at_arrival() const
+  {
+    const Integer_decisions::Arrival& end = m_decisions.arrival();
+    const int back = reversed(end.direction);
+    if(end.place == Grid_place::FACE)
+      return dart(face_of(end.corner), end.uv, back);
+    const Corner_index h = m_mesh.edge_key(end.corner);
+    if(h == end.corner)
+      return dart(face_of(h), end.uv, turned(back, -Edge_directions(m_mesh, h).first));
+    const Corner_index from = end.corner, to = Chart_mesh::prev(h); // corners at the same vertex
+    const int rotation = m_mesh.rotation(from);
+    return dart(face_of(h), carried(end.uv, rotation, m_mesh.uv(from), m_mesh.uv(to)),
+                turned(back, rotation));
+  }
+
+  // Dart k of the point of a face; `untraced_dart` if there is none.
+  Dart_index dart(const std::size_t face, const Uv& uv, const int k) const
+  {
+    const std::size_t p = m_points.find(face, uv);
+    return p < m_points.size() && std::size_t(k) < m_darts.degree(p)
+             ? Dart_index(m_darts.first(p) + std::size_t(k)) : untraced_dart;
+  }
+
+  const Chart_mesh& m_mesh;
+  const Grid_points& m_points;
+  const Grid_darts& m_darts;
+  Integer_decisions m_decisions;
+  Walk_limits m_limits;
+  std::size_t m_obstacle = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_DART_TRACER_H

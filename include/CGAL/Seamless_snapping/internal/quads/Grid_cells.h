@@ -1,0 +1,198 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_CELLS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_CELLS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The cells that darts enclose. A dart has its cell at the left; it is also the side of one corner of
+// that cell, at its origin, where the next dart counterclockwise is the other side.
+
+#include <CGAL/Seamless_snapping/internal/quads/Grid_darts.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Cell_index = std::int32_t;
+constexpr Cell_index no_cell = -1;
+
+class Grid_cells
+{
+public:
+  Grid_cells(const Chart_mesh& mesh, const Grid_points& points, const Grid_darts& darts)
+    : m_mesh(mesh), m_points(points), m_darts(darts), m_cells(darts.size(), no_cell)
+  {
+    constexpr Cell_index cut = -2; // no cell, and looked at
+    for(std::size_t d = 0; d < darts.size(); ++d) {
+      if(m_cells[d] != no_cell || !has_corner(d))
+        continue;
+      const bool is_closed = label_orbit(d, Cell_index(m_first_darts.size()));
+      if(is_closed)
+        m_first_darts.push_back(Dart_index(d));
+      else
+        label_orbit(d, cut);
+    }
+    for(Cell_index& cell : m_cells)
+      if(cell == cut)
+        cell = no_cell;
+  }
+
+  // Whether the dart and the next one counterclockwise enclose a corner: not at the border's end.
+  bool has_corner(const std::size_t d) const
+  {
+    const std::size_t p = m_darts.origin(d);
+    return d + 1 < m_darts.first(p + 1) || is_surrounded(p);
+  }
+
+  // Whether the point lies inside of the surface.
+  bool is_surrounded(const std::size_t p) const
+  {
+    const Grid_point& point = m_points[p];
+    switch(point.place) {
+    case Grid_place::VERTEX: return !m_mesh.is_border[m_mesh.vertex(point.corner)];
+    case Grid_place::EDGE:   return m_mesh.opposite(point.corner) != no_index;
+    case Grid_place::FACE:   break;
+    }
+    return true;
+  }
+
+  // The next dart around the cell at the left, or -1 where the border comes in between.
+  Dart_index next(const std::size_t d) const
+  {
+    if(m_darts.twins[d] < 0)
+      return -1;
+    const std::size_t e = m_darts.clockwise(std::size_t(m_darts.twins[d]));
+    return has_corner(e) ? Dart_index(e) : -1;
+  }
+
+  std::size_t size() const { return m_first_darts.size(); }
+  Cell_index cell(const std::size_t d) const { return m_cells[d]; }
+  std::size_t first_dart(const std::size_t cell) const { return std::size_t(m_first_darts[cell]); }
+
+  std::size_t degree(const std::size_t cell) const
+  {
+    std::size_t n = 0;
+    for_darts(cell, [&](std::size_t) { ++n; });
+    return n;
+  }
+
+  // Calls f(dart) for the sides of a cell, counterclockwise.
+  template <typename Function>
+  void for_darts(const std::size_t cell, const Function& f) const
+  {
+    std::size_t d = first_dart(cell);
+    do {
+      f(d);
+      d = std::size_t(next(d));
+    } while(d != first_dart(cell));
+  }
+
+  // Corners of cells that the border cuts off, in connected pieces.
+  std::size_t number_of_cut_cells() const
+  {
+    std::size_t n = 0;
+    for(std::size_t d = 0; d < m_darts.size(); ++d)
+      if(has_corner(d) && m_cells[d] == no_cell) {
+        const Dart_index before = m_darts.twins[m_darts.counterclockwise(d)];
+        n += before < 0 || !has_corner(std::size_t(before)) ? 1 : 0;
+      }
+    return n;
+  }
+
+  // Leaves out the cells that are marked.
+  void remove(const std::vector<char>& is_removed)
+  {
+    std::vector<Cell_index> number(size(), no_cell);
+    std::size_t n = 0;
+    for(std::size_t c = 0; c < size(); ++c)
+      if(!is_removed[c]) {
+        number[c] = Cell_index(n);
+        m_first_darts[n++] = m_first_darts[c];
+      }
+    m_first_darts.resize(n);
+    for(Cell_index& cell : m_cells)
+      if(cell != no_cell)
+        cell = number[std::size_t(cell)];
+  }
+
+private:
+  // Labels the darts from d on until one comes again, or there is none. Since no two darts have the
+  // same next one, the first that comes again is d.
+  bool label_orbit(const std::size_t d, const Cell_index label)
+  {
+    Dart_index e = Dart_index(d);
+    do {
+      m_cells[std::size_t(e)] = label;
+      e = next(std::size_t(e));
+    } while(e >= 0 && std::size_t(e) != d);
+    return e >= 0;
+  }
+
+  const Chart_mesh& m_mesh;
+  const Grid_points& m_points;
+  const Grid_darts& m_darts;
+  std::vector<Cell_index> m_cells;        // per dart
+  std::vector<Dart_index> m_first_darts;  // per cell
+};
+
+// The vertices of the cells: one for each point, but where cells around a point leave gaps, one for
+// each of their fans, since no halfedge data structure can hold several at a vertex.
+class Cell_vertices
+{
+public:
+  Cell_vertices(const Grid_points& points, const Grid_darts& darts, const Grid_cells& cells)
+    : m_vertices(darts.size(), -1)
+  {
+    for(std::size_t p = 0; p < points.size(); ++p)
+      add_fans(p, darts, cells);
+  }
+
+  std::size_t size() const { return m_points.size(); }
+  std::size_t point(const std::size_t vertex) const { return std::size_t(m_points[vertex]); }
+
+  // That of the corner of the cell at the left of the dart.
+  std::size_t vertex(const std::size_t d) const { return std::size_t(m_vertices[d]); }
+
+private:
+  void add_fans(const std::size_t p, const Grid_darts& darts, const Grid_cells& cells)
+  {
+    const std::size_t first = darts.first(p), end = darts.first(p + 1);
+    std::size_t start = first; // of a fan, if there is a gap
+    for(std::size_t d = first; d < end; ++d)
+      if(cells.cell(d) == no_cell)
+        start = d;
+    bool is_in_fan = false;
+    std::size_t d = start;
+    for(std::size_t i = first; i < end; ++i, d = darts.counterclockwise(d)) {
+      const bool has_cell = cells.cell(d) != no_cell;
+      if(has_cell && !is_in_fan)
+        m_points.push_back(Point_index(p));
+      if(has_cell)
+        m_vertices[d] = std::int32_t(m_points.size() - 1);
+      is_in_fan = has_cell;
+    }
+  }
+
+  std::vector<std::int32_t> m_vertices; // per dart
+  std::vector<Point_index> m_points;    // per vertex
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_CELLS_H

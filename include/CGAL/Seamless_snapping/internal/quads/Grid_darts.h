@@ -1,0 +1,121 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_DARTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_DARTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The unit steps along lines of the grid: darts. Those of a point are numbered in turn,
+// counterclockwise; around a point on the border, from the first that leads into the surface to the
+// last.
+
+#include <CGAL/Seamless_snapping/internal/quads/Grid_points.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Dart_index = std::int32_t;
+constexpr Dart_index open_dart = -1;     // it meets the border first: there is no twin
+constexpr Dart_index untraced_dart = -2;
+
+// The directions of the darts at a point inside of an edge, in the chart of its face.
+struct Edge_directions
+{
+  int first, number;
+
+  Edge_directions(const Chart_mesh& mesh, const Corner_index h) : first(0), number(4)
+  {
+    if(mesh.opposite(h) != no_index)
+      return;
+    const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
+    const bool is_aligned = a[0] == b[0] || a[1] == b[1]; // then it is a dart itself, both ways
+    first = turned(quadrant(a, b), is_aligned ? 0 : 1);
+    number = is_aligned ? 3 : 2;
+  }
+};
+
+class Grid_darts
+{
+public:
+  template <typename ConcurrencyTag>
+  static Grid_darts make(const Chart_mesh& mesh, const Grid_points& points)
+  {
+    Grid_darts result;
+    result.m_first.assign(points.size() + 1, 0);
+    const std::vector<Chunk> chunks = chunks_of(points.size());
+    for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
+      for(std::size_t p = chunk.begin; p < chunk.end; ++p)
+        result.m_first[p + 1] = number_at(mesh, points[p]);
+    });
+    for(std::size_t p = 0; p < points.size(); ++p)
+      result.m_first[p + 1] += result.m_first[p];
+    result.m_origin.resize(std::size_t(result.m_first.back()));
+    result.twins.assign(result.m_origin.size(), untraced_dart);
+    result.are_features.assign(result.m_origin.size(), false);
+    for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
+      for(std::size_t p = chunk.begin; p < chunk.end; ++p)
+        for(Dart_index d = result.m_first[p]; d < result.m_first[p + 1]; ++d)
+          result.m_origin[std::size_t(d)] = Point_index(p);
+    });
+    return result;
+  }
+
+  std::size_t size() const { return m_origin.size(); }
+  std::size_t origin(const std::size_t d) const { return std::size_t(m_origin[d]); }
+  std::size_t first(const std::size_t point) const { return std::size_t(m_first[point]); }
+  std::size_t degree(const std::size_t point) const { return first(point + 1) - first(point); }
+
+  // The next darts around the same point, as if there were no border.
+  std::size_t counterclockwise(const std::size_t d) const
+  {
+    const std::size_t p = origin(d);
+    return d + 1 == first(p + 1) ? first(p) : d + 1;
+  }
+  std::size_t clockwise(const std::size_t d) const
+  {
+    const std::size_t p = origin(d);
+    return d == first(p) ? first(p + 1) - 1 : d - 1;
+  }
+
+  std::vector<Dart_index> twins;
+  std::vector<char> are_features; // per dart: whether it runs along a feature edge
+
+private:
+  static Dart_index number_at(const Chart_mesh& mesh, const Grid_point& p)
+  {
+    switch(p.place) {
+    case Grid_place::VERTEX:
+      return Dart_index(rays_from_vertex(mesh, mesh.vertex(p.corner)).size());
+    case Grid_place::EDGE:
+      return Edge_directions(mesh, p.corner).number;
+    case Grid_place::FACE:
+      break;
+    }
+    return 4;
+  }
+
+  std::vector<Dart_index> m_first; // per point, and one more
+  std::vector<Point_index> m_origin;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_DARTS_H

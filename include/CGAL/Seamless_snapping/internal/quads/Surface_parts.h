@@ -1,0 +1,128 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_SURFACE_PARTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_SURFACE_PARTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The connected parts of a parametrized surface, and what the theorem needs to know of each: its
+// Euler characteristic, its area in the domain, and whether its border lies on the grid.
+
+#include <CGAL/Seamless_snapping/internal/quads/Grid_points.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Surface_part
+{
+  std::size_t first_face = 0;
+  std::ptrdiff_t euler_characteristic = 0;
+  std::size_t number_of_unaligned_edges = 0; // of the border, that don't lie on a line of the grid
+  Exact_rational twice_area{0};
+};
+
+// Whether the edge runs along a line of the grid.
+inline bool is_on_grid_line(const Chart_mesh& mesh, const Corner_index h)
+{
+  const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
+  return (a[0] == b[0] && is_integer(a[0])) || (a[1] == b[1] && is_integer(a[1]));
+}
+
+// a x b
+inline Exact_rational cross_product(const std::array<Exact_rational, 2>& a,
+                                    const std::array<Exact_rational, 2>& b)
+{
+  return Exact_rational(a[0] * b[1] - a[1] * b[0]);
+}
+
+inline std::array<Exact_rational, 2> exact(const Uv& u)
+{
+  return {Exact_rational(u[0]), Exact_rational(u[1])};
+}
+
+class Surface_parts
+{
+public:
+  explicit Surface_parts(const Chart_mesh& mesh)
+  {
+    const std::size_t n = mesh.corners.size() / 3;
+    std::vector<std::int32_t> ranks(n, 0), parents(n);
+    boost::disjoint_sets<std::int32_t*, std::int32_t*> sets(ranks.data(), parents.data());
+    for(std::size_t f = 0; f < n; ++f)
+      sets.make_set(std::int32_t(f));
+    for(std::size_t i = 0; i < mesh.corners.size(); ++i)
+      if(mesh.opposite(Corner_index(i)) > Corner_index(i))
+        sets.union_set(std::int32_t(i / 3), mesh.opposite(Corner_index(i)) / 3);
+    m_parts.assign(n, no_index);
+    for(std::size_t f = 0; f < n; ++f) {
+      std::int32_t& part = m_parts[std::size_t(sets.find_set(std::int32_t(f)))];
+      if(part == no_index) {
+        part = std::int32_t(m_data.size());
+        m_data.push_back({f});
+      }
+      m_parts[f] = part;
+    }
+    for(std::size_t i = 0; i < mesh.corners.size(); ++i)
+      add_corner(mesh, Corner_index(i));
+  }
+
+  std::size_t size() const { return m_data.size(); }
+  const Surface_part& operator[](const std::size_t i) const { return m_data[i]; }
+  std::size_t part_of_face(const std::size_t f) const { return std::size_t(m_parts[f]); }
+
+private:
+  void add_corner(const Chart_mesh& mesh, const Corner_index h)
+  {
+    Surface_part& part = m_data[part_of_face(face_of(h))];
+    part.euler_characteristic += (h % 3 == 0 ? 1 : 0) - (mesh.edge_key(h) == h ? 1 : 0) +
+                                 (mesh.corner_at_vertex[mesh.vertex(h)] == h ? 1 : 0);
+    const Corner_index p = Chart_mesh::prev(h), g = mesh.opposite(h);
+    if(g == no_index) {
+      part.number_of_unaligned_edges += is_on_grid_line(mesh, h) ? 0 : 1;
+      part.twice_area += cross_product(exact(mesh.uv(p)), exact(mesh.uv(h)));
+    } else if(mesh.corner(h).transition != no_index && h < g) {
+      add_cut(mesh, h, part);
+    }
+  }
+
+  // The area is the sum of the cross products of the ends of all halfedges. The two of an edge add
+  // up to 0 if both charts are the same, and to the cross product of t and a' - b' if not.
+  static void add_cut(const Chart_mesh& mesh, const Corner_index h, Surface_part& part)
+  {
+    const Corner_index g = mesh.opposite(h);
+    const auto& t = mesh.transitions[std::size_t(mesh.corner(h).transition)].translation;
+    if(t[0].rounded == 0 && t[1].rounded == 0)
+      return;
+    const auto a = exact(mesh.uv(g)), b = exact(mesh.uv(Chart_mesh::prev(g)));
+    part.twice_area += cross_product(exact({t[0].rounded, t[1].rounded}),
+                                     {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])});
+  }
+
+  std::vector<std::int32_t> m_parts; // per face
+  std::vector<Surface_part> m_data;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_SURFACE_PARTS_H

@@ -1,0 +1,85 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_CHECK_CELLS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_CHECK_CELLS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What the theorem says of the cells, checked exactly for each part of the surface whose border lies
+// on the grid: as many corners as the area has quarters of units, and the surface's Euler
+// characteristic.
+
+#include <CGAL/Seamless_snapping/internal/quads/Grid_cells.h>
+#include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Cell_counts
+{
+  std::ptrdiff_t points = 0, darts = 0, cells = 0;
+  std::size_t corners = 0, open_darts = 0; // corners of cells
+
+  std::ptrdiff_t euler_characteristic() const { return points - darts / 2 + cells; }
+};
+
+inline std::vector<Cell_counts> count_cells(const Grid_points& points, const Grid_darts& darts,
+                                            const Grid_cells& cells, const Surface_parts& parts)
+{
+  std::vector<Cell_counts> counts(parts.size());
+  for(std::size_t p = 0; p < points.size(); ++p) {
+    Cell_counts& c = counts[parts.part_of_face(face_of(points[p].corner))];
+    ++c.points;
+    for(std::size_t d = darts.first(p); d < darts.first(p + 1); ++d) {
+      ++c.darts;
+      c.open_darts += darts.twins[d] < 0 ? 1 : 0;
+      if(cells.cell(d) == no_cell)
+        continue;
+      ++c.corners;
+      c.cells += cells.first_dart(std::size_t(cells.cell(d))) == d ? 1 : 0;
+    }
+  }
+  return counts;
+}
+
+// The first part whose cells are not discs; or the number of parts. `is_area_right` tells whether
+// that is all that is wrong there.
+inline std::size_t first_bad_part(const Surface_parts& parts,
+                                  const std::vector<Cell_counts>& counts, bool& is_area_right)
+{
+  std::size_t i = 0;
+  for(is_area_right = true; i < parts.size(); ++i) {
+    const Surface_part& part = parts[i];
+    const Cell_counts& count = counts[i];
+    if(part.number_of_unaligned_edges > 0) {
+      is_area_right = 2 * part.twice_area >= Exact_rational(count.corners);
+      if(!is_area_right)
+        break;
+      continue;
+    }
+    is_area_right = count.open_darts == 0 &&
+                    2 * part.twice_area == Exact_rational(count.corners);
+    if(!is_area_right || count.euler_characteristic() != part.euler_characteristic)
+      break;
+  }
+  return i;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_CHECK_CELLS_H

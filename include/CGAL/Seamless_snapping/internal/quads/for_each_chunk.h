@@ -1,0 +1,58 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Loops over ranges of indices, by one thread or by several. What a chunk computes must depend on
+// its indices alone: then the result does not depend on the number of threads.
+
+#include <CGAL/for_each.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Chunk
+{
+  std::size_t index, begin, end;
+};
+
+inline std::vector<Chunk> chunks_of(const std::size_t n)
+{
+  constexpr std::size_t size = 4096;
+  std::vector<Chunk> chunks;
+  for(std::size_t begin = 0; begin < n; begin += size)
+    chunks.push_back({chunks.size(), begin, (std::min)(n, begin + size)});
+  return chunks;
+}
+
+// Calls f(chunk) for each.
+template <typename ConcurrencyTag, typename Function>
+void for_each_chunk(std::vector<Chunk> chunks, const Function& f)
+{
+  CGAL::for_each<ConcurrencyTag>(chunks, [&](Chunk& chunk) {
+    f(chunk);
+    return true;
+  });
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H

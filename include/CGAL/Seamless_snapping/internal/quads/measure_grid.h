@@ -1,0 +1,88 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_MEASURE_GRID_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_MEASURE_GRID_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// How far a parametrization in plain arrays is from an integer-grid map.
+
+#include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+inline double distance_to_integer(const double x) { return std::abs(x - std::round(x)); }
+
+inline double distance_to_integer(const Uv& u)
+{
+  return (std::max)(distance_to_integer(u[0]), distance_to_integer(u[1]));
+}
+
+inline bool is_integer(const Exact_difference& d)
+{
+  return d.error == 0 && d.rounded == std::round(d.rounded);
+}
+
+inline double distance_to_integer(const Exact_difference& d)
+{
+  return std::abs((d.rounded - std::round(d.rounded)) + d.error);
+}
+
+enum class Cone_place { ON_POINT, ON_LINE, IN_CELL };
+
+// The coordinates of a cone are integers or not in all charts alike, where these differ by integers.
+inline Cone_place cone_place(const Chart_mesh& mesh, const std::size_t vertex)
+{
+  const Uv& u = mesh.uv(mesh.corner_at_vertex[vertex]);
+  const int n = int(u[0] == std::round(u[0])) + int(u[1] == std::round(u[1]));
+  return n == 2 ? Cone_place::ON_POINT : n == 1 ? Cone_place::ON_LINE : Cone_place::IN_CELL;
+}
+
+// Half-integers, both.
+inline bool is_half_integer(const Uv& u)
+{
+  return std::abs(u[0] - std::floor(u[0])) == 0.5 && std::abs(u[1] - std::floor(u[1])) == 0.5;
+}
+
+inline std::vector<std::size_t> nonpositive_faces(const Chart_mesh& mesh)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f)
+    if(orientation(triangle(mesh, f)) != CGAL::POSITIVE)
+      result.push_back(f);
+  return result;
+}
+
+// In floating point.
+inline double area(const Chart_mesh& mesh)
+{
+  double result = 0;
+  for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f) {
+    const Uv_triangle t = triangle(mesh, f);
+    result += ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
+               (t[1][1] - t[0][1]) * (t[2][0] - t[0][0])) / 2;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_MEASURE_GRID_H

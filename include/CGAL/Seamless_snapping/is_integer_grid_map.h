@@ -1,0 +1,197 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_IS_INTEGER_GRID_MAP_H
+#define CGAL_SEAMLESS_SNAPPING_IS_INTEGER_GRID_MAP_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Checking and measuring integer-grid maps.
+
+#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+
+#include <CGAL/FPU.h>
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+What `measure_integer_grid()` returns. The counts are exact; distances and the area are computed in
+floating point.
+*/
+struct Integer_grid_measure
+{
+  /// whether transitions could be read off the map at all; otherwise, nothing is measured
+  bool is_seamless_up_to_tolerance = false;
+  bool is_exactly_seamless = false; ///< as `is_seamless()` tells, with the same alignments
+  std::size_t number_of_noninteger_cuts = 0; ///< cut edges whose translation is no integer
+  std::size_t number_of_cones = 0; ///< interior vertices whose angle is not 360 degrees
+  std::size_t number_of_half_integer_cones = 0; ///< those both of whose coordinates are
+  std::size_t number_of_noninteger_cones = 0;   ///< all those that are no point of the grid
+  std::size_t number_of_aligned_edges = 0; ///< edges that were asked to be aligned
+  std::size_t number_of_unaligned_edges = 0; ///< those of them that lie on no line of the grid
+  std::size_t number_of_nonpositive_faces = 0; ///< faces that are flipped or degenerate in the domain
+  double translation_distance = 0; ///< the largest distance of a translation from an integer
+  double cone_distance = 0; ///< the largest distance of a coordinate of a cone from an integer
+  double alignment_distance = 0; ///< the largest distance of an aligned edge from a line of the grid
+  double area = 0; ///< in units of one quad
+
+  /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
+  /// looked at.
+  explicit operator bool() const
+  {
+    return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
+           number_of_noninteger_cones == 0 && number_of_unaligned_edges == 0;
+  }
+};
+
+namespace internal {
+
+inline void measure_cuts_and_cones(const Chart_mesh& mesh, Integer_grid_measure& measure)
+{
+  for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
+    const std::int32_t t = mesh.corners[i].transition;
+    if(t == no_index || mesh.edge_key(Corner_index(i)) != Corner_index(i))
+      continue;
+    const auto& translation = mesh.transitions[std::size_t(t)].translation;
+    measure.number_of_noninteger_cuts +=
+      is_integer(translation[0]) && is_integer(translation[1]) ? 0 : 1;
+    measure.translation_distance =
+      (std::max)({measure.translation_distance, distance_to_integer(translation[0]),
+                  distance_to_integer(translation[1])});
+  }
+  for(std::size_t v = 0; v < mesh.is_singular.size(); ++v) {
+    if(!mesh.is_singular[v])
+      continue;
+    const Uv& u = mesh.uv(mesh.corner_at_vertex[v]);
+    ++measure.number_of_cones;
+    measure.number_of_half_integer_cones += is_half_integer(u) ? 1 : 0;
+    measure.number_of_noninteger_cones += distance_to_integer(u) != 0 ? 1 : 0;
+    measure.cone_distance = (std::max)(measure.cone_distance, distance_to_integer(u));
+  }
+}
+
+// Of the component that changes less.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+double distance_to_grid_line(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
+{
+  if(is_border(h, tmesh))
+    h = opposite(h, tmesh);
+  const Uv a = get_uv(uv_map, prev(h, tmesh)), b = get_uv(uv_map, h);
+  const Uv distances{(std::max)(distance_to_integer(a[0]), std::abs(b[0] - a[0])),
+                     (std::max)(distance_to_integer(a[1]), std::abs(b[1] - a[1]))};
+  return (std::min)(distances[0], distances[1]);
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                          const NamedParameters& np)
+{
+  Integer_grid_measure measure;
+  const auto seams = seam_transitions(tmesh, uv_map, np);
+  if(!seams)
+    return measure;
+  measure.is_seamless_up_to_tolerance = true;
+  measure.is_exactly_seamless = seams.is_exact();
+  const Chart_mesh mesh = Chart_mesh_builder<TriangleMesh>(tmesh).build(uv_map, seams);
+  measure_cuts_and_cones(mesh, measure);
+  measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
+  measure.area = area(mesh);
+  for_each_aligned_edge(tmesh, np, [&](const auto e) {
+    const double distance = distance_to_grid_line(tmesh, uv_map, halfedge(e, tmesh));
+    ++measure.number_of_aligned_edges;
+    measure.number_of_unaligned_edges += distance != 0 ? 1 : 0;
+    measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
+    return true;
+  });
+  return measure;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+measures how far a parametrization is from an integer-grid map: an exactly seamless one whose
+translations and cones have integer coordinates, and in which the edges that are asked for lie on
+isocurves of integer coordinates.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and those of `seam_transitions()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the edges that are to lie on lines of the grid}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{align_border}
+    \cgalParamDescription{whether all border edges are to lie on lines of the grid}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\par Complexity
+That of `seam_transitions()`, and linear in the number of faces.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                          const NamedParameters& np =
+                                            CGAL::parameters::default_values())
+{
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+returns `true` if and only if a parametrization is an integer-grid map, exactly; see
+`measure_integer_grid()`, whose parameters it has. Orientations are not looked at.
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return bool(measure_integer_grid(tmesh, uv_map, np));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_IS_INTEGER_GRID_MAP_H
