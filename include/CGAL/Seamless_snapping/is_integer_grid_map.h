@@ -43,7 +43,7 @@ struct Integer_grid_measure
 {
   /// whether transitions could be read off the map at all; otherwise, nothing is measured
   bool is_seamless_up_to_tolerance = false;
-  bool is_exactly_seamless = false; ///< as `is_seamless()` tells, with the same alignments
+  bool is_exactly_seamless = false; ///< whether all transitions hold exactly
   std::size_t number_of_noninteger_cuts = 0; ///< cut edges whose translation is no integer
   std::size_t number_of_cones = 0; ///< interior vertices whose angle is not 360 degrees
   std::size_t number_of_half_integer_cones = 0; ///< those both of whose coordinates are
@@ -188,7 +188,8 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return bool(measure_integer_grid(tmesh, uv_map, np));
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

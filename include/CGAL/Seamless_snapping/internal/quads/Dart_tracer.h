@@ -67,6 +67,21 @@ public:
     return walk([&](Walk& w) { return w.run_from(state); });
   }
 
+  // The same for the dart that runs along a halfedge.
+  Dart_index trace_along_edge(const Corner_index h, const Uv& end, const int direction)
+  {
+    State state;
+    state.is_at_vertex = true;
+    state.halfedge = h;
+    state.direction = direction;
+    state.level = end[constant_component(direction)];
+    state.arrival_key = m_mesh.edge_key(h);
+    m_decisions.set_end(end);
+    if(m_decisions.ends_on_edge(h, h, direction))
+      return twin_at_arrival();
+    return walk([&](Walk& w) { return w.run_from(state); });
+  }
+
   bool ran_along_feature() const { return m_decisions.ran_along_feature(); }
 
   // Where it was met.

@@ -24,7 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/pair_darts.h>
 #include <CGAL/Seamless_snapping/internal/quads/Quad_complex.h>
 #include <CGAL/Seamless_snapping/internal/quads/remove_faces.h>
-#include <CGAL/Seamless_snapping/internal/surface/Open_edges.h>
+#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ public:
   template <typename ConcurrencyTag>
   bool run()
   {
-    return scale() && check_integers() && check_faces() && check_size() && check_borders() &&
+    return scale() && check_faces() && check_integers() && check_size() && measure_parts() &&
            make_cells<ConcurrencyTag>() && check_cells();
   }
 
@@ -168,8 +168,11 @@ private:
   {
     m_report.nonpositive_faces = nonpositive_faces(m_mesh);
     const std::vector<std::size_t>& faces = m_report.nonpositive_faces;
-    if(faces.empty())
+    if(faces.empty()) {
+      if(std::find(m_mesh.is_border.begin(), m_mesh.is_border.end(), true) != m_mesh.is_border.end())
+        Fan_splitter(m_mesh).run();
       return true;
+    }
     if(!m_options.allow_holes)
       return fail(Extraction_status::NOT_POSITIVE,
                   std::to_string(faces.size()) + (faces.size() == 1 ? " face is" : " faces are") +
@@ -207,11 +210,15 @@ private:
                     std::to_string(crossings / 2) + " times; shrink the map by grid_scale");
   }
 
-  bool check_borders()
+  bool measure_parts()
   {
     m_parts = std::make_unique<Surface_parts>(m_mesh);
-    for(std::size_t i = 0; i < m_parts->size(); ++i)
+    Exact_rational twice_area{0};
+    for(std::size_t i = 0; i < m_parts->size(); ++i) {
+      twice_area += (*m_parts)[i].twice_area;
       m_report.number_of_unaligned_border_edges += (*m_parts)[i].number_of_unaligned_edges;
+    }
+    m_report.area = CGAL::to_double(twice_area) / 2;
     return true;
   }
 

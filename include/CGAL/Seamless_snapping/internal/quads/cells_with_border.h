@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -97,26 +96,33 @@ private:
     return carried(center, m_mesh.rotation(h), m_mesh.uv(h), m_mesh.uv(Chart_mesh::prev(g)));
   }
 
-  // Whether a side of the cell runs through the face; then that is followed to its end.
+  // Whether a side of the cell runs through the face or, if the face lies inside of the cell, along
+  // its edges; then that is followed to its end.
   bool find_side(const std::size_t face, const Uv& center, Cell_index& cell)
   {
-    static constexpr std::array<Uv, 4> corners{{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
     const Corner_index corner = Corner_index(3 * face);
-    for(int direction = 0; direction < number_of_rotations; ++direction) {
-      const auto place = [&](const int k) -> Uv {
-        const Uv& d = corners[std::size_t(turned(k, 0))];
-        return {center[0] + d[0], center[1] + d[1]};
-      };
-      const Uv start = place(direction), end = place(direction + 1);
-      if(!is_before_exit(corner, start, direction) ||
-         !is_before_exit(corner, end, reversed(direction)))
-        continue;
-      const Dart_index twin = m_tracer.trace_through_face(corner, end, direction);
-      if(twin >= 0)
-        cell = m_complex.cells.cell(m_complex.darts.clockwise(std::size_t(twin)));
-      return true;
+    Dart_index twin = untraced_dart;
+    for(int direction = 0; direction < number_of_rotations && twin == untraced_dart; ++direction) {
+      const Uv start = cell_corner(center, direction), end = cell_corner(center, direction + 1);
+      if(is_before_exit(corner, start, direction) &&
+         is_before_exit(corner, end, reversed(direction)))
+        twin = m_tracer.trace_through_face(corner, end, direction);
     }
-    return false;
+    for(Corner_index h = corner; h < corner + 3 && twin == untraced_dart; ++h)
+      if(is_on_grid_line(m_mesh, h)) {
+        const int direction = quadrant(m_mesh.uv(Chart_mesh::prev(h)), m_mesh.uv(h));
+        twin = m_tracer.trace_along_edge(h, cell_corner(center, direction + 1), direction);
+      }
+    if(twin >= 0)
+      cell = m_complex.cells.cell(m_complex.darts.clockwise(std::size_t(twin)));
+    return twin != untraced_dart;
+  }
+
+  // Corner k of a cell is where its side in direction k begins.
+  static Uv cell_corner(const Uv& center, const int k)
+  {
+    const int d = turned(k, 0);
+    return {center[0] + (d == 0 || d == 3 ? -0.5 : 0.5), center[1] + (d < 2 ? -0.5 : 0.5)};
   }
 
   // Whether the line through the point in this direction leads through the interior of the face, and

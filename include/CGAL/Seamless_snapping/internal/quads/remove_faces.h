@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A chart mesh without some of its faces. Their places become holes; a vertex around which several
-// fans of faces remain becomes several.
+// A chart mesh without some of its faces: their places become holes. And vertices on the border,
+// around which there may be several fans of faces: they become several vertices.
 
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
@@ -26,6 +26,52 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+class Fan_splitter
+{
+public:
+  explicit Fan_splitter(Chart_mesh& mesh) : m_mesh(mesh), m_is_done(mesh.corners.size(), false) { }
+
+  void run()
+  {
+    for(std::size_t v = 0; v < m_mesh.is_border.size(); ++v)
+      if(m_mesh.is_border[v]) {
+        m_mesh.corner_at_vertex[v] = no_index;
+        m_mesh.is_singular[v] = false;
+      }
+    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i)
+      if(!m_is_done[i] && m_mesh.is_border[m_mesh.vertex(Corner_index(i))])
+        number_fan(Corner_index(i));
+  }
+
+private:
+  // The first fan of a vertex keeps its number.
+  void number_fan(const Corner_index h)
+  {
+    std::size_t v = m_mesh.vertex(h);
+    if(m_mesh.corner_at_vertex[v] != no_index) {
+      v = m_mesh.corner_at_vertex.size();
+      m_mesh.corner_at_vertex.push_back(no_index);
+      m_mesh.is_border.push_back(true);
+      m_mesh.is_singular.push_back(false);
+    }
+    m_mesh.corner_at_vertex[v] = h;
+    number(h, v);
+    for(Corner_index c = m_mesh.counterclockwise(h); c != no_index; c = m_mesh.counterclockwise(c))
+      number(c, v);
+    for(Corner_index c = m_mesh.clockwise(h); c != no_index; c = m_mesh.clockwise(c))
+      number(c, v);
+  }
+
+  void number(const Corner_index c, const std::size_t v)
+  {
+    m_is_done[std::size_t(c)] = true;
+    m_mesh.corners[std::size_t(c)].vertex = Chart_vertex_index(v);
+  }
+
+  Chart_mesh& m_mesh;
+  std::vector<char> m_is_done; // per corner
+};
 
 class Face_remover
 {
@@ -49,6 +95,9 @@ public:
   Chart_mesh run() const
   {
     Chart_mesh mesh = m_original;
+    for(std::size_t i = 0; i < m_original.corners.size(); ++i)
+      if(m_new_index[i / 3] == no_index)
+        mesh.is_border[m_original.vertex(Corner_index(i))] = true;
     mesh.corners.resize(3 * m_kept.size());
     for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
       Chart_corner& c = mesh.corners[i];
@@ -57,7 +106,9 @@ public:
       if(c.opposite == no_index)
         c.transition = no_index;
     }
-    number_vertices(mesh);
+    for(Corner_index& h : mesh.corner_at_vertex)
+      h = new_corner(h);
+    Fan_splitter(mesh).run();
     return mesh;
   }
 
@@ -66,42 +117,6 @@ private:
   {
     const std::int32_t f = h == no_index ? no_index : m_new_index[std::size_t(h / 3)];
     return f == no_index ? no_index : 3 * f + h % 3;
-  }
-
-  // The first fan of a vertex keeps its number.
-  static void number_vertices(Chart_mesh& mesh)
-  {
-    mesh.corner_at_vertex.assign(mesh.corner_at_vertex.size(), no_index);
-    std::vector<char> is_numbered(mesh.corners.size(), false);
-    for(std::size_t i = 0; i < mesh.corners.size(); ++i)
-      if(!is_numbered[i])
-        number_fan(mesh, Corner_index(i), is_numbered);
-  }
-
-  static void number_fan(Chart_mesh& mesh, const Corner_index h, std::vector<char>& is_numbered)
-  {
-    std::size_t v = mesh.vertex(h);
-    if(mesh.corner_at_vertex[v] != no_index) {
-      v = mesh.corner_at_vertex.size();
-      mesh.corner_at_vertex.push_back(no_index);
-      mesh.is_border.push_back(true);
-      mesh.is_singular.push_back(false);
-    }
-    mesh.corner_at_vertex[v] = h;
-    const auto number = [&](const Corner_index c) {
-      is_numbered[std::size_t(c)] = true;
-      mesh.corners[std::size_t(c)].vertex = Chart_vertex_index(v);
-    };
-    number(h);
-    Corner_index c = mesh.counterclockwise(h);
-    for(; c != no_index && c != h; c = mesh.counterclockwise(c))
-      number(c);
-    if(c == h)
-      return;
-    mesh.is_border[v] = true;
-    mesh.is_singular[v] = false;
-    for(c = mesh.clockwise(h); c != no_index; c = mesh.clockwise(c))
-      number(c);
   }
 
   const Chart_mesh& m_original;

@@ -1,0 +1,397 @@
+// Tests of the extraction of quads: all of them are known in advance, from surfaces of squares, or
+// found by brute force; the result does not depend on numberings, mesh data structures, or threads.
+
+#include "Polyhedron_copy.h"
+#include "quad_reference.h"
+#include "test_surfaces.h"
+
+#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+
+using namespace quad_reference;
+namespace surfaces = test_meshes;
+namespace parameters = SS::parameters;
+using Status = SS::Extraction_status;
+using CGAL::Exact_rational;
+
+// --- points of the grid in edges and triangles -----------------------------------------------------
+
+// Coordinates are multiples of 1/8, so that integers of 64 bits tell the truth.
+void test_lattice_points()
+{
+  std::mt19937_64 random(1);
+  std::size_t wrong = 0, number = 0;
+  for(int run = 0; run < 4000; ++run) {
+    std::array<std::array<long, 2>, 3> t;
+    SS::internal::Uv_triangle uv;
+    const long offset = run % 3 == 0 ? (1l << 40) : 0, unit = run % 2 == 0 ? 8 : 1;
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 2; ++c) {
+        t[k][c] = 8 * offset + unit * (long(random() % 60) - 30);
+        uv[k][c] = double(t[k][c]) / 8;
+      }
+    const auto side = [&](const std::size_t i, const std::size_t j, const long x, const long y) {
+      return (t[j][0] - t[i][0]) * (8 * y - t[i][1]) - (t[j][1] - t[i][1]) * (8 * x - t[i][0]);
+    };
+    std::set<std::array<double, 2> > inside, on_edge;
+    const bool is_positive = side(0, 1, 0, 0) + side(1, 2, 0, 0) + side(2, 0, 0, 0) > 0;
+    for(long x = offset - 40; x <= offset + 40; ++x)
+      for(long y = offset - 40; y <= offset + 40; ++y) {
+        if(is_positive && side(0, 1, x, y) > 0 && side(1, 2, x, y) > 0 && side(2, 0, x, y) > 0)
+          inside.insert({double(x), double(y)});
+        const auto along = [&](const std::size_t k) {
+          return (t[1][0] - t[0][0]) * (8 * x - t[k][0]) + (t[1][1] - t[0][1]) * (8 * y - t[k][1]);
+        };
+        if(side(0, 1, x, y) == 0 && along(0) > 0 && along(1) < 0)
+          on_edge.insert({double(x), double(y)});
+      }
+    std::multiset<std::array<double, 2> > found_inside, found_on_edge;
+    if(is_positive)
+      SS::internal::for_lattice_points_inside(uv, [&](const SS::internal::Uv& p)
+                                              { found_inside.insert(p); });
+    if(t[0] != t[1])
+      SS::internal::for_lattice_points_on_edge(uv[0], uv[1], [&](const SS::internal::Uv& p)
+                                               { found_on_edge.insert(p); });
+    wrong += std::equal(inside.begin(), inside.end(), found_inside.begin(), found_inside.end())
+               ? 0 : 1;
+    wrong += std::equal(on_edge.begin(), on_edge.end(), found_on_edge.begin(), found_on_edge.end())
+               ? 0 : 1;
+    number += inside.size() + on_edge.size();
+  }
+  CHECK_EQUAL(wrong, std::size_t(0));
+  CHECK(number > 10000);
+}
+
+// --- surfaces whose quads are known ----------------------------------------------------------------
+
+// The same in other words: is it the expected mesh, up to the numbering?
+void check_quads(const Mesh& quads, const SS::Extraction_report& report, const Mesh& expected)
+{
+  CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+  CHECK_EQUAL(report.message, std::string());
+  CHECK(CGAL::is_valid_polygon_mesh(quads));
+  CHECK_EQUAL(report.number_of_faces, std::size_t(expected.number_of_faces()));
+  CHECK_EQUAL(report.number_of_vertices, std::size_t(quads.number_of_vertices()));
+  CHECK_EQUAL(report.number_of_other_polygons, std::size_t(0));
+  CHECK_EQUAL(report.number_of_cut_cells, std::size_t(0));
+  CHECK(are_isomorphic(quads, expected));
+}
+
+void test_surface(const Square_complex& complex, const int side, const int n, const bool is_in_space)
+{
+  const Mesh expected = expected_quads(complex, side);
+  Grid_map map(complex, side, n);
+  for(const unsigned seed : {0u, 1u, 2u, 3u}) {
+    if(seed > 0)
+      map.perturb(seed, 0.4 * side / n, seed == 1 ? 3 : 30);
+    CHECK(SS::is_seamless(map.mesh, map.uv));
+    CHECK(SS::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
+    Mesh quads;
+    const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    check_quads(quads, report, expected);
+    CHECK_EQUAL(report.area, double(complex.number_of_squares()) * side * side);
+    if(is_in_space && seed == 0)
+      CHECK(rounded_quads(quads) == rounded_quads(expected));
+  }
+}
+
+void test_surfaces()
+{
+  const auto in_space = [](const Square_complex& complex) {
+    for(const auto& [side, n] : {std::pair{2, 4}, {3, 4}, {3, 8}, {5, 2}, {4, 1}})
+      test_surface(complex, side, n, true);
+  };
+  in_space(surfaces::box(1, 1, 1));
+  in_space(surfaces::box(2, 1, 3));
+  in_space(surfaces::notched_cube());
+  in_space(surfaces::double_torus());
+  in_space(surfaces::box_with_holes());
+  in_space(surfaces::disc(3, 2));
+  const auto glued = [](const Square_complex& complex) {
+    for(const auto& [side, n] : {std::pair{3, 4}, {3, 8}, {5, 2}})
+      test_surface(complex, side, n, false);
+  };
+  glued(surfaces::torus(1, 2));
+  glued(surfaces::genus_2()); // with a cone of 1080 degrees, around which the rotations cancel
+  glued(surfaces::tetrahedron());
+  glued(surfaces::cylinder(2, 3));
+  glued(surfaces::pair_of_pants());
+  glued(surfaces::two_islands());
+  for(const int quarter_turns : {1, 2, 3, 5, 8})
+    glued(surfaces::cone_ring(quarter_turns));
+  Square_complex scattered = surfaces::double_torus(); // each square with a chart of its own
+  surfaces::scatter_charts(scattered);
+  in_space(scattered);
+  Square_complex parts = surfaces::box(1, 1, 1);
+  parts.append(surfaces::disc(2, 2));
+  parts.append(surfaces::double_torus());
+  in_space(parts);
+}
+
+// --- cones between the lines of the grid -----------------------------------------------------------
+
+// A quarter of the corners of all cells is the area; the cell around a cone of index i has 4 - i.
+void check_cells_around_cones(const Grid_map& map, const std::map<int, int>& expected_degrees)
+{
+  std::vector<Point_3> points;
+  std::vector<std::vector<std::size_t> > polygons;
+  const auto report = SS::extract_quad_soup(map.mesh, map.uv, points, polygons);
+  CHECK(bool(report));
+  std::map<int, int> degrees;
+  double corners = 0;
+  for(const auto& polygon : polygons) {
+    corners += double(polygon.size());
+    if(polygon.size() != 4)
+      ++degrees[int(polygon.size())];
+  }
+  CHECK(degrees == expected_degrees);
+  CHECK_EQUAL(corners, 4 * report.area);
+  CHECK_EQUAL(report.number_of_faces, polygons.size());
+  CHECK_EQUAL(report.number_of_vertices, points.size());
+  int number = 0;
+  for(const auto& [degree, n] : expected_degrees)
+    number += n;
+  CHECK_EQUAL(report.number_of_other_polygons, std::size_t(number));
+  CHECK_EQUAL(report.number_of_cones_in_cells, std::size_t(number));
+
+  std::vector<std::array<std::size_t, 4> > quads(1);
+  const auto refusal = SS::extract_quad_soup(map.mesh, map.uv, points, quads);
+  CHECK(refusal.status == Status::NOT_INTEGER);
+  CHECK_EQUAL(quads.size(), std::size_t(1));
+}
+
+void test_half_integer_cones()
+{
+  Grid_map box(surfaces::box(1, 2, 1), 3, 4);
+  box.shift(0.5, 0.5);
+  CHECK(SS::is_seamless(box.mesh, box.uv) && !SS::is_integer_grid_map(box.mesh, box.uv));
+  const auto measure = SS::measure_integer_grid(box.mesh, box.uv);
+  CHECK_EQUAL(measure.number_of_half_integer_cones, std::size_t(8));
+  CHECK_EQUAL(measure.number_of_noninteger_cones, std::size_t(8));
+  CHECK_EQUAL(measure.number_of_noninteger_cuts, std::size_t(0));
+  CHECK_EQUAL(measure.cone_distance, 0.5);
+  check_cells_around_cones(box, {{3, 8}});
+  Mesh quads;
+  CHECK(bool(SS::extract_quad_mesh(box.mesh, box.uv, quads)));
+  CHECK(CGAL::is_valid_polygon_mesh(quads));
+  CHECK_EQUAL(euler_characteristic(quads), 2);
+  const auto doubled = [](const Grid_map& map) {
+    Mesh result;
+    CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, result, parameters::grid_scale(2))));
+    return result;
+  };
+  CHECK(are_isomorphic(doubled(box), expected_quads(surfaces::box(1, 2, 1), 6)));
+
+  Grid_map notched(surfaces::notched_cube(), 3, 4);
+  notched.shift(0.5, 0.5);
+  check_cells_around_cones(notched, {{3, 11}, {5, 3}}); // corners, and the ends of the inner edges
+
+  Grid_map pillow(surfaces::tetrahedron(), 3, 4);
+  pillow.shift(0.5, 0.5);
+  check_cells_around_cones(pillow, {{2, 4}});
+  Mesh two_gons;
+  const auto report = SS::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
+  CHECK(report.status == Status::NO_FACE_GRAPH);
+  CHECK(two_gons.is_empty());
+  CHECK(are_isomorphic(doubled(pillow), expected_quads(surfaces::tetrahedron(), 6)));
+  pillow.shift(0.5, 0); // cones on lines of the grid
+  const auto on_line = SS::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
+  CHECK(on_line.status == Status::NOT_INTEGER);
+  CHECK(on_line.message.find("vertex") != std::string::npos);
+  CHECK(are_isomorphic(doubled(pillow), expected_quads(surfaces::tetrahedron(), 6)));
+
+  Grid_map genus_2(surfaces::genus_2(), 3, 4); // whose cone of 1080 degrees can be anywhere
+  genus_2.shift(0.25, 0.125);
+  check_cells_around_cones(genus_2, {{12, 1}});
+}
+
+// --- results that are no face graph ----------------------------------------------------------------
+
+void test_loops()
+{
+  const auto status = [](const Square_complex& complex, const int side, const std::size_t quads) {
+    const Grid_map map(complex, side, 4);
+    Mesh mesh;
+    std::vector<Point_3> points;
+    std::vector<std::array<int, 4> > polygons;
+    CHECK(bool(SS::extract_quad_soup(map.mesh, map.uv, points, polygons)));
+    CHECK_EQUAL(polygons.size(), quads);
+    const auto report = SS::extract_quad_mesh(map.mesh, map.uv, mesh);
+    CHECK(bool(report) != mesh.is_empty());
+    return report.status;
+  };
+  CHECK(status(surfaces::torus(1, 1), 1, 1) == Status::NO_FACE_GRAPH); // two loops at one vertex
+  CHECK(status(surfaces::torus(1, 1), 2, 4) == Status::NO_FACE_GRAPH); // double edges
+  CHECK(status(surfaces::torus(1, 1), 3, 9) == Status::EXTRACTED);
+  CHECK(status(surfaces::cone_ring(1), 1, 3) == Status::NO_FACE_GRAPH);
+  CHECK(status(surfaces::cylinder(1, 1), 3, 9) == Status::EXTRACTED);
+  CHECK(status(surfaces::tetrahedron(), 1, 2) == Status::EXTRACTED); // a pillow of two quads
+}
+
+// --- borders beside the grid, holes, and faces that are not positive -------------------------------
+
+using Polygon = std::vector<std::array<Exact_rational, 2> >;
+
+// The part of a convex polygon where sign * (component - value) is positive.
+Polygon clipped(const Polygon& polygon, const std::size_t c, const int sign, const int value)
+{
+  Polygon result;
+  for(std::size_t i = 0; i < polygon.size(); ++i) {
+    const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Exact_rational da(sign * (a[c] - value)), db(sign * (b[c] - value));
+    if(da > 0)
+      result.push_back(a);
+    if((da > 0) != (db > 0) && da != db) {
+      const Exact_rational t(da / (da - db));
+      result.push_back({Exact_rational(a[0] + t * (b[0] - a[0])),
+                        Exact_rational(a[1] + t * (b[1] - a[1]))});
+    }
+  }
+  return result;
+}
+
+Exact_rational twice_area(const Polygon& p)
+{
+  Exact_rational sum(0);
+  for(std::size_t i = 0; i < p.size(); ++i) {
+    const auto &a = p[i], &b = p[(i + 1) % p.size()];
+    sum += a[0] * b[1] - a[1] * b[0];
+  }
+  return sum;
+}
+
+// In a single chart without folds: the cells that the faces cover, by their lower left corners.
+std::set<std::array<int, 2> > covered_cells(const Grid_map& map)
+{
+  std::map<std::array<int, 2>, Exact_rational> areas;
+  for(const auto f : map.mesh.faces()) {
+    const Halfedge h = map.mesh.halfedge(f);
+    Polygon triangle;
+    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+    for(const Halfedge g : {h, map.mesh.next(h), map.mesh.prev(h)}) {
+      const Point_2 p = map.uv[g];
+      triangle.push_back({Exact_rational(p.x()), Exact_rational(p.y())});
+      for(int c = 0; c < 2; ++c) {
+        low[c] = (std::min)(low[c], p[c]);
+        high[c] = (std::max)(high[c], p[c]);
+      }
+    }
+    for(int x = int(std::floor(low[0])); x < high[0]; ++x)
+      for(int y = int(std::floor(low[1])); y < high[1]; ++y)
+        areas[{x, y}] += twice_area(clipped(clipped(clipped(clipped(triangle, 0, 1, x), 0, -1, x + 1),
+                                                    1, 1, y), 1, -1, y + 1));
+  }
+  std::set<std::array<int, 2> > result;
+  for(const auto& [cell, area] : areas)
+    if(area == 2)
+      result.insert(cell);
+  return result;
+}
+
+// Cells of a flat map whose points in space are made those of the domain.
+std::set<std::array<int, 2> > extracted_cells(Grid_map& map, const bool allow_holes,
+                                              SS::Extraction_report& report)
+{
+  for(const auto h : map.mesh.halfedges())
+    if(!map.mesh.is_border(h))
+      map.mesh.point(map.mesh.target(h)) = Point_3(map.uv[h].x(), map.uv[h].y(), 0);
+  Mesh quads;
+  report = SS::extract_quad_mesh(map.mesh, map.uv, quads, parameters::allow_holes(allow_holes));
+  CHECK(CGAL::is_valid_polygon_mesh(quads));
+  std::set<std::array<int, 2> > result;
+  for(const auto& corners : rounded_quads(quads)) {
+    CHECK_EQUAL(corners.size(), std::size_t(4));
+    result.insert({int(corners[0][0] / 1000000), int(corners[0][1] / 1000000)});
+    CHECK(corners[2][0] == corners[0][0] + 1000000 && corners[2][1] == corners[0][1] + 1000000);
+  }
+  CHECK_EQUAL(result.size(), std::size_t(quads.number_of_faces()));
+  return result;
+}
+
+void remove_faces(Mesh& mesh, std::mt19937_64& random, const unsigned one_in)
+{
+  std::vector<Mesh::Face_index> removed;
+  for(const auto f : mesh.faces())
+    if(random() % one_in == 0)
+      removed.push_back(f);
+  for(const auto f : removed)
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+}
+
+void test_borders()
+{
+  std::size_t kept = 0, cut = 0, inside = 0;
+  for(unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937_64 random(seed);
+    Grid_map map(surfaces::disc(3, 3), 2 + int(seed % 3), 8);
+    map.perturb(seed, 0.1, seed % 2 == 0 ? 4 : 30);
+    if(seed % 4 == 0)
+      map.shift(0.25, 0.125);
+    remove_faces(map.mesh, random, seed < 30 ? 40 : 200);
+    SS::Extraction_report report;
+    const auto expected = covered_cells(map);
+    CHECK(expected == extracted_cells(map, false, report));
+    CHECK(bool(report) != expected.empty());
+    kept += expected.size();
+    cut += report.number_of_cut_cells;
+    inside += report.number_of_unaligned_border_edges;
+  }
+  CHECK(kept > 500 && cut > 500 && inside > 1000);
+}
+
+// A corner is moved across the opposite edge; what remains positive is as if the others were holes.
+void test_flips()
+{
+  std::size_t flips = 0, kept = 0;
+  for(unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937_64 random(seed);
+    Grid_map map(surfaces::disc(3, 3), 3, 8);
+    map.perturb(seed, 0.1, seed % 2 == 0 ? 4 : 30);
+    const auto seams = SS::seam_transitions(map.mesh, map.uv);
+    for(int i = 0; i < int(seed % 5) + 1; ++i) {
+      const Vertex v(Mesh::size_type(random() % map.mesh.number_of_vertices()));
+      if(!CGAL::is_border(v, map.mesh))
+        map.move_vertex(seams, map.mesh.halfedge(v), Kernel::Vector_2(0.5, 0.25));
+    }
+    std::vector<std::size_t> expected_faces;
+    for(const auto f : map.mesh.faces())
+      if(!map.is_positive(map.mesh.halfedge(f)))
+        expected_faces.push_back(std::size_t(f));
+    SS::Extraction_report report;
+    const auto without_holes = extracted_cells(map, false, report);
+    CHECK(expected_faces == report.nonpositive_faces);
+    CHECK_EQUAL(without_holes.empty(), !expected_faces.empty());
+    CHECK(report.status == (expected_faces.empty() ? Status::EXTRACTED : Status::NOT_POSITIVE));
+    const auto cells = extracted_cells(map, true, report);
+    CHECK(bool(report));
+    flips += expected_faces.size();
+    kept += cells.size();
+    for(const std::size_t f : expected_faces)
+      CGAL::Euler::remove_face(map.mesh.halfedge(Mesh::Face_index(Mesh::size_type(f))), map.mesh);
+    map.mesh.collect_garbage();
+    CHECK(cells == extracted_cells(map, false, report)); // faces around the holes may overlap
+  }
+  CHECK(flips > 40 && kept > 1000);
+}
+
+int main()
+{
+  std::cout.precision(17);
+  test_lattice_points();
+  test_surfaces();
+  test_half_integer_cones();
+  test_loops();
+  test_borders();
+  test_flips();
+  return report_checks();
+}
