@@ -73,8 +73,16 @@ struct Grid_map
     } while(g != h);
   }
 
-  // Moves inner vertices without a cone at random, by multiples of 2^-bits, where faces stay
-  // positive.
+  bool is_on_feature(const Vertex v) const
+  {
+    for(const auto h : CGAL::halfedges_around_target(v, mesh))
+      if(is_feature[mesh.edge(h)])
+        return true;
+    return false;
+  }
+
+  // Moves inner vertices that are no cones and not on features at random, by multiples of 2^-bits,
+  // where faces stay positive.
   void perturb(const unsigned seed, const double reach, const int bits)
   {
     const auto seams = SS::seam_transitions(mesh, uv);
@@ -87,7 +95,8 @@ struct Grid_map
     for(const auto v : mesh.vertices()) {
       const Kernel::Vector_2 d(number(), number());
       const Halfedge h = mesh.halfedge(v);
-      if(mesh.is_isolated(v) || CGAL::is_border(v, mesh) || tracer.is_singular(v))
+      if(mesh.is_isolated(v) || CGAL::is_border(v, mesh) || tracer.is_singular(v) ||
+         is_on_feature(v))
         continue;
       move_vertex(seams, h, d);
       if(!is_positive_around(v))

@@ -12,7 +12,10 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstring>
+#include <memory>
 #include <limits>
 #include <set>
 #include <string>
@@ -384,6 +387,246 @@ void test_flips()
   CHECK(flips > 40 && kept > 1000);
 }
 
+// --- what is known of each vertex and edge ---------------------------------------------------------
+
+void test_property_maps()
+{
+  const Square_complex complex = [] {
+    Square_complex box = surfaces::box(1, 2, 1);
+    surfaces::mark_creases(box);
+    return box;
+  }();
+  Grid_map map(complex, 3, 8);
+  map.perturb(1, 0.1, 30);
+  Mesh quads;
+  using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+  auto location = quads.add_property_map<Vertex, Location>("v:location").first;
+  auto cone = quads.add_property_map<Vertex, int>("v:cone", 7).first;
+  auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  std::map<Vertex, Point_3> points;
+  const auto report = SS::extract_quad_mesh(
+    map.mesh, map.uv, quads, parameters::edge_is_constrained_map(map.is_feature),
+    parameters::vertex_location_map(location).cone_index_map(cone)
+      .edge_is_constrained_map(is_feature)
+      .vertex_point_map(boost::make_assoc_property_map(points)));
+  CHECK(bool(report));
+  CHECK_EQUAL(points.size(), std::size_t(quads.number_of_vertices()));
+  std::map<int, int> cones;
+  double off_grid = 0, off_place = 0;
+  for(const auto v : quads.vertices()) {
+    ++cones[cone[v]];
+    CHECK_EQUAL(cone[v], 4 - int(quads.degree(v)));
+    const auto& [f, w] = location[v];
+    const Halfedge h = map.mesh.halfedge(f);
+    double u[2] = {0, 0}, x[3] = {0, 0, 0};
+    int k = 0;
+    for(const Halfedge g : {map.mesh.prev(h), h, map.mesh.next(h)}) { // source, target, third
+      CHECK(w[std::size_t(k)] >= 0 && w[std::size_t(k)] <= 1);
+      for(int c = 0; c < 2; ++c)
+        u[c] += w[std::size_t(k)] * map.uv[g][c];
+      for(int c = 0; c < 3; ++c)
+        x[c] += w[std::size_t(k)] * map.mesh.point(map.mesh.target(g))[c];
+      ++k;
+    }
+    for(int c = 0; c < 2; ++c)
+      off_grid = (std::max)(off_grid, std::abs(u[c] - std::round(u[c])));
+    for(int c = 0; c < 3; ++c)
+      off_place = (std::max)(off_place, std::abs(points[v][c] - x[c]));
+  }
+  CHECK(off_grid < 1e-12 && off_place < 1e-12);
+  CHECK((cones == std::map<int, int>{{0, int(quads.number_of_vertices()) - 8}, {1, 8}}));
+  // 8 edges of length 1, and 4 of length 2, in chains between the cones
+  std::size_t number = 0;
+  std::map<Vertex, int> ends;
+  for(const auto e : quads.edges())
+    if(is_feature[e]) {
+      ++number;
+      ++ends[quads.vertex(e, 0)];
+      ++ends[quads.vertex(e, 1)];
+    }
+  CHECK_EQUAL(number, std::size_t(3 * (8 + 2 * 4)));
+  for(const auto& [v, degree] : ends)
+    CHECK_EQUAL(degree, cone[v] == 1 ? 3 : 2);
+  CHECK_EQUAL(report.number_of_unaligned_features, std::size_t(0));
+  map.shift(0.5, 0.5);
+  Mesh others;
+  CHECK_EQUAL(SS::extract_quad_mesh(map.mesh, map.uv, others,
+                                    parameters::edge_is_constrained_map(map.is_feature))
+                .number_of_unaligned_features, std::size_t(8 * (8 + 2 * 4)));
+}
+
+// --- the same in all forms -------------------------------------------------------------------------
+
+// Vertices and faces in a random order, and faces beginning anywhere.
+Mesh renumbered(const Grid_map& map, const unsigned seed, UV_map& uv)
+{
+  std::mt19937_64 random(seed);
+  Mesh result;
+  std::vector<Vertex> order(map.mesh.vertices().begin(), map.mesh.vertices().end());
+  std::vector<Mesh::Face_index> faces(map.mesh.faces().begin(), map.mesh.faces().end());
+  std::shuffle(order.begin(), order.end(), random);
+  std::shuffle(faces.begin(), faces.end(), random);
+  std::map<Vertex, Vertex> image;
+  for(const Vertex v : order)
+    image[v] = result.add_vertex(map.mesh.point(v));
+  uv = square_complex::uv_map(result);
+  for(const auto f : faces) {
+    Halfedge h = map.mesh.halfedge(f);
+    for(auto k = random() % 3; k > 0; --k)
+      h = map.mesh.next(h);
+    std::vector<Vertex> corners;
+    for(const auto v : CGAL::vertices_around_face(h, map.mesh))
+      corners.push_back(image.at(v));
+    Halfedge g = result.halfedge(result.add_face(corners));
+    while(result.target(g) != image.at(map.mesh.target(h)))
+      g = result.next(g);
+    for(int i = 0; i < 3; ++i, h = map.mesh.next(h), g = result.next(g))
+      uv[g] = map.uv[h];
+  }
+  return result;
+}
+
+bool are_identical(const Mesh& a, const Mesh& b)
+{
+  if(a.number_of_vertices() != b.number_of_vertices() ||
+     a.number_of_halfedges() != b.number_of_halfedges() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for(const auto h : a.halfedges())
+    if(a.next(h) != b.next(h) || a.target(h) != b.target(h) || a.face(h) != b.face(h))
+      return false;
+  for(const auto v : a.vertices())
+    if(std::memcmp(&a.point(v), &b.point(v), sizeof(Point_3)) != 0)
+      return false;
+  return true;
+}
+
+void test_forms()
+{
+  Grid_map map(surfaces::box(2, 1, 3), 13, 16);
+  map.perturb(5, 0.3, 30);
+  Mesh quads;
+  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, quads)));
+
+  Mesh parallel;
+  CHECK(bool(SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(map.mesh, map.uv, parallel)));
+  CHECK(are_identical(quads, parallel));
+
+  const test_meshes::Polyhedron_copy<Kernel> copy(map.mesh);
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CHECK(bool(SS::extract_quad_mesh(copy.polyhedron, copy.uv, polyhedron)));
+  CHECK(polyhedron.is_valid());
+  Mesh from_polyhedron;
+  CGAL::copy_face_graph(polyhedron, from_polyhedron);
+  CHECK(are_isomorphic(quads, from_polyhedron));
+  CHECK(rounded_quads(quads) == rounded_quads(from_polyhedron));
+
+  for(unsigned seed = 1; seed <= 5; ++seed) {
+    UV_map uv;
+    const Mesh mesh = renumbered(map, seed, uv);
+    Mesh result;
+    CHECK(bool(SS::extract_quad_mesh(mesh, uv, result)));
+    CHECK(rounded_quads(quads) == rounded_quads(result));
+  }
+
+  Mesh scaled; // the result is added to what is there
+  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(2))));
+  CHECK_EQUAL(scaled.number_of_faces(), 4 * quads.number_of_faces());
+  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(4))));
+  CHECK_EQUAL(scaled.number_of_faces(), 20 * quads.number_of_faces());
+  CHECK(CGAL::is_valid_polygon_mesh(scaled));
+
+  std::vector<Point_3> points(3);
+  std::vector<std::vector<unsigned> > polygons;
+  CHECK(bool(SS::extract_quad_soup(map.mesh, map.uv, points, polygons)));
+  CHECK_EQUAL(points.size(), std::size_t(3 + quads.number_of_vertices()));
+  Mesh from_soup;
+  for(const Point_3& p : points)
+    from_soup.add_vertex(p);
+  for(const auto& polygon : polygons) {
+    std::vector<Vertex> corners;
+    for(const unsigned i : polygon)
+      corners.emplace_back(i);
+    from_soup.add_face(corners);
+  }
+  CHECK(rounded_quads(quads) == rounded_quads(from_soup));
+}
+
+// --- bad input -------------------------------------------------------------------------------------
+
+template <typename NamedParameters>
+void check_refusal(const Grid_map& map, const Status expected, const std::string& word,
+                   const NamedParameters& np)
+{
+  Mesh quads;
+  quads.add_vertex(Point_3(1, 2, 3));
+  std::vector<Point_3> points(1);
+  std::vector<std::vector<std::size_t> > polygons(2);
+  const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads, np);
+  const auto soup = SS::extract_quad_soup(map.mesh, map.uv, points, polygons, np);
+  CHECK_EQUAL(SS::to_string(report.status), std::string(SS::to_string(expected)));
+  CHECK(soup.status == report.status && soup.message == report.message);
+  if(!CHECK(report.message.find(word) != std::string::npos))
+    std::cerr << report.message << std::endl;
+  CHECK(quads.number_of_vertices() == 1 && quads.number_of_faces() == 0);
+  CHECK(points.size() == 1 && polygons.size() == 2);
+  CHECK(!report);
+}
+
+void test_refusals()
+{
+  const auto none = CGAL::parameters::default_values();
+  const auto fresh = [] { return std::make_unique<Grid_map>(surfaces::box(1, 1, 1), 3, 4); };
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  auto map = fresh();
+  for(const double bad : {0., -1., infinity, nan})
+    check_refusal(*map, Status::INVALID_ARGUMENT, "grid_scale", parameters::grid_scale(bad));
+  check_refusal(*map, Status::INVALID_ARGUMENT, "power of two", parameters::grid_scale(1 + 1e-15));
+  check_refusal(*map, Status::TOO_LARGE, "2^46", parameters::grid_scale(1e300));
+  check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::grid_scale(1 << 15));
+  check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::maximum_number(53));
+  CHECK(bool(SS::extract_quad_mesh(map->mesh, map->uv, *std::make_unique<Mesh>(),
+                                   parameters::maximum_number(54))));
+  check_refusal(*map, Status::NOT_INTEGER, "integer", parameters::grid_scale(0.25));
+  check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::grid_scale(1 << 20)
+                                                               .maximum_number(~std::size_t(0)));
+  const Halfedge h = map->mesh.halfedge(Mesh::Face_index(5));
+  const Point_2 good = map->at(h);
+  for(const double bad : {infinity, -infinity, nan, 1e301}) {
+    map->at(h) = Point_2(bad, 0);
+    check_refusal(*map, Status::NOT_FINITE, "face 5", none);
+  }
+  map->at(h) = Point_2(good.x() + 1e-9, good.y());
+  check_refusal(*map, Status::NOT_SEAMLESS, "snap_to_seamless", none);
+  map->at(h) = Point_2(std::nextafter(good.x(), 9), good.y());
+  check_refusal(*map, Status::NOT_SEAMLESS, "snap_to_seamless", none);
+  map = fresh();
+  map->shift(0.25, 0); // translations across cuts with rotations
+  check_refusal(*map, Status::NOT_INTEGER, "edge from vertex", none);
+  map = fresh();
+  map->shift(0, 1e15);
+  check_refusal(*map, Status::TOO_LARGE, "2^46", none);
+
+  Grid_map small(surfaces::tetrahedron(), 1, 4); // too small for the grid
+  for(const auto g : small.mesh.halfedges())
+    small.uv[g] = Point_2(small.uv[g].x() + 0.5, small.uv[g].y() + 0.5);
+  std::vector<Point_3> points;
+  std::vector<std::vector<std::size_t> > polygons;
+  const auto report = SS::extract_quad_soup(small.mesh, small.uv, points, polygons);
+  CHECK(bool(report)); // four 2-gons
+  CHECK_EQUAL(polygons.size(), std::size_t(4));
+  Grid_map disc(surfaces::disc(1, 1), 1, 4);
+  disc.shift(0.5, 0.5);
+  check_refusal(disc, Status::TOO_COARSE, "grid_scale", none);
+
+  // A sliver that crosses a great many lines without any area.
+  Grid_map sliver(surfaces::disc(1, 1), 1, 1);
+  for(const auto g : sliver.mesh.halfedges())
+    if(!sliver.mesh.is_border(g))
+      sliver.uv[g] = Point_2(std::ldexp(sliver.uv[g].x(), -20) + std::ldexp(sliver.uv[g].y(), 32),
+                             std::ldexp(sliver.uv[g].y(), 32));
+  check_refusal(sliver, Status::TOO_LARGE, "would cross", none);
+}
+
 int main()
 {
   std::cout.precision(17);
@@ -393,5 +636,8 @@ int main()
   test_loops();
   test_borders();
   test_flips();
+  test_property_maps();
+  test_forms();
+  test_refusals();
   return report_checks();
 }

@@ -92,7 +92,7 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
   {
     const auto seams = seam_transitions(tmesh, uv_map, np);
     if(!seams) {
-      report.status = extraction_status(seams.status());
+      report.status = extraction_status(*seams.failure());
       report.message = seams.message();
       return report;
     }

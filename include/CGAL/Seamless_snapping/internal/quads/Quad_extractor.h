@@ -24,7 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/pair_darts.h>
 #include <CGAL/Seamless_snapping/internal/quads/Quad_complex.h>
 #include <CGAL/Seamless_snapping/internal/quads/remove_faces.h>
-#include <CGAL/Seamless_snapping/internal/surface/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
 #include <algorithm>
 #include <cmath>
