@@ -54,13 +54,13 @@ inline Extraction_status extraction_status(const Snapping_status status)
 // Marks, per corner, the edges that are features; empty if none are given.
 template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> feature_corners(const TriangleMesh& tmesh,
-                                  const Chart_mesh_builder<TriangleMesh>& builder,
+                                  const Flat_numbering<TriangleMesh>& numbering,
                                   const NamedParameters& np)
 {
   std::vector<char> is_feature;
   const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
   if constexpr(!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
-    for(const auto h : builder.halfedges_of_corners())
+    for(const auto h : numbering.halfedges_of_corners())
       is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
   return is_feature;
 }
@@ -87,7 +87,7 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
 {
   const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   Extraction_report report;
-  const Chart_mesh_builder<TriangleMesh> builder(tmesh);
+  const Flat_numbering<TriangleMesh> numbering(tmesh);
   Chart_mesh mesh;
   {
     const auto seams = seam_transitions(tmesh, uv_map, np);
@@ -102,16 +102,19 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
                        short_number(seams.violation()) + "; call snap_to_seamless() first";
       return report;
     }
-    mesh = builder.build(uv_map, seams);
+    mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
   }
-  Quad_extractor extractor(std::move(mesh), feature_corners(tmesh, builder, np),
-                           extraction_options(np));
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto vertex_name = [&](const std::size_t v)
+    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
+  Quad_extractor extractor(std::move(mesh), feature_corners(tmesh, numbering, np),
+                           extraction_options(np), vertex_name);
   if(extractor.template run<ConcurrencyTag>()) {
     const auto point_map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     write(extractor, Grid_embedding<TriangleMesh, std::decay_t<decltype(point_map)> >(
-                       tmesh, point_map, builder, extractor));
+                       tmesh, point_map, numbering, extractor));
   }
   return extractor.report();
 }

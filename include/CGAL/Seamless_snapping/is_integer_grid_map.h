@@ -113,7 +113,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
     return measure;
   measure.is_seamless_up_to_tolerance = true;
   measure.is_exactly_seamless = seams.is_exact();
-  const Chart_mesh mesh = Chart_mesh_builder<TriangleMesh>(tmesh).build(uv_map, seams);
+  const Chart_mesh mesh =
+    build_chart_mesh(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = area(mesh);

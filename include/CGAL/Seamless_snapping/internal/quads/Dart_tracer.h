@@ -152,7 +152,7 @@ private:
       return dart(face_of(end.corner), end.uv, back);
     const Corner_index h = m_mesh.edge_key(end.corner);
     if(h == end.corner)
-      return dart(face_of(h), end.uv, turned(back, -Edge_directions(m_mesh, h).first));
+      return dart(face_of(h), end.uv, turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
     const Corner_index from = end.corner, to = Chart_mesh::prev(h); // corners at the same vertex
     const int rotation = m_mesh.rotation(from);
     return dart(face_of(h), carried(end.uv, rotation, m_mesh.uv(from), m_mesh.uv(to)),

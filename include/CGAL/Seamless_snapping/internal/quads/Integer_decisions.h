@@ -145,7 +145,7 @@ public:
     const Isocurve_status status = Exact_decisions::straight_ray(m_mesh, state, around, chosen);
     if(status != Isocurve_status::CONTINUES)
       return status;
-    m_arrival.uv = carried(m_arrival.uv, turned(chosen.direction, -state.direction),
+    m_arrival.uv = carried(m_arrival.uv, turned(chosen.direction, Quarter_turns::inverse(state.direction)),
                            m_mesh.uv(state.halfedge), m_mesh.uv(chosen.corner));
     return ends_on_first_step(chosen) ? Isocurve_status::TARGET : Isocurve_status::CONTINUES;
   }

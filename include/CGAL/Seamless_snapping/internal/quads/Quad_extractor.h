@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -51,10 +53,13 @@ constexpr std::size_t largest_number_of_quads = std::size_t(1) << 28;
 class Quad_extractor
 {
 public:
-  // `is_feature` tells of corners whether their edge is one; or is empty.
+  // `is_feature` tells of corners whether their edge is one; or is empty. `vertex_name` is for
+  // messages.
   Quad_extractor(Chart_mesh&& mesh, std::vector<char>&& is_feature,
-                 const Extraction_options& options)
-    : m_mesh(std::move(mesh)), m_is_feature(std::move(is_feature)), m_options(options)
+                 const Extraction_options& options,
+                 const std::function<std::string(std::size_t)>& vertex_name)
+    : m_mesh(std::move(mesh)), m_is_feature(std::move(is_feature)), m_options(options),
+      m_vertex_name(vertex_name)
   { }
 
   template <typename ConcurrencyTag>
@@ -82,8 +87,8 @@ private:
 
   std::string edge_name(const Corner_index h) const
   {
-    return "the edge from vertex " + std::to_string(m_mesh.vertex(Chart_mesh::prev(h))) +
-           " to vertex " + std::to_string(m_mesh.vertex(h));
+    return "the edge from vertex " + m_vertex_name(m_mesh.source(h)) +
+           " to vertex " + m_vertex_name(m_mesh.vertex(h));
   }
 
   // Exactly, or not at all.
@@ -97,11 +102,11 @@ private:
         const double product = u * k;
         if(std::abs(product) > largest_grid_coordinate)
           return fail(Extraction_status::TOO_LARGE,
-                      "a coordinate of vertex " + std::to_string(m_mesh.vertex(Corner_index(i))) +
+                      "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
                         " is beyond 2^46, where units can't be counted safely; move or shrink the map");
         if(k != 1 && (std::fma(u, k, -product) != 0 || (u != 0 && std::abs(product) < 1e-200)))
           return fail(Extraction_status::INVALID_ARGUMENT,
-                      "a coordinate of vertex " + std::to_string(m_mesh.vertex(Corner_index(i))) +
+                      "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
                         " can't be multiplied by grid_scale exactly; scale by a power of two, or scale "
                         "before the map is made exact: snap_to_seamless() has grid_scale, too");
         u = product;
@@ -160,7 +165,7 @@ private:
     m_report.number_of_cones_in_cells += place == Cone_place::IN_CELL ? 1 : 0;
     return place != Cone_place::ON_LINE ||
            fail(Extraction_status::NOT_INTEGER,
-                "the cone at vertex " + std::to_string(v) + " lies on a line of the grid, but on no "
+                "the cone at vertex " + m_vertex_name(v) + " lies on a line of the grid, but on no "
                 "point of it" + make_integer() + ", or double the map: grid_scale(2)");
   }
 
@@ -230,7 +235,7 @@ private:
     const Dart_failure failure = pair_darts<ConcurrencyTag>(m_mesh, points, m_is_feature, darts);
     if(failure.is_obstacle)
       return fail(Extraction_status::NOT_INTEGER,
-                  "a line of the grid meets vertex " + std::to_string(failure.vertex) +
+                  "a line of the grid meets vertex " + m_vertex_name(failure.vertex) +
                     ", which is a cone or a corner of the border, between two points of the grid" +
                     make_integer());
     if(failure)
@@ -273,13 +278,10 @@ private:
       const std::size_t n = m_complex->darts.degree(p), v = m_mesh.vertex(point.corner);
       if(point.place != Grid_place::VERTEX || m_mesh.is_border[v])
         continue;
-      int turns = 0;
-      Corner_index c = point.corner;
-      do {
-        turns += m_mesh.rotation(c);
-        c = m_mesh.counterclockwise(c);
-      } while(c != point.corner);
-      if((n == 4) == bool(m_mesh.is_singular[v]) || turned(turns, int(n)) != 0)
+      Quarter_turns::Element turns = Quarter_turns::element(int(n));
+      for_each_corner(m_mesh, v, [&](const Corner_index c)
+                      { turns = Quarter_turns::compose(m_mesh.rotation(c), turns); });
+      if((n == 4) == bool(m_mesh.is_singular[v]) || turns != Quarter_turns::identity())
         return false;
     }
     return true;
@@ -298,6 +300,7 @@ private:
   Chart_mesh m_mesh;
   std::vector<char> m_is_feature;
   Extraction_options m_options;
+  std::function<std::string(std::size_t)> m_vertex_name;
   Extraction_report m_report;
   std::vector<std::int32_t> m_kept_faces; // empty: all
   std::unique_ptr<Surface_parts> m_parts;

@@ -102,7 +102,7 @@ private:
   {
     const Corner_index corner = Corner_index(3 * face);
     Dart_index twin = untraced_dart;
-    for(int direction = 0; direction < number_of_rotations && twin == untraced_dart; ++direction) {
+    for(int direction = 0; direction < Quarter_turns::order && twin == untraced_dart; ++direction) {
       const Uv start = cell_corner(center, direction), end = cell_corner(center, direction + 1);
       if(is_before_exit(corner, start, direction) &&
          is_before_exit(corner, end, reversed(direction)))
@@ -121,7 +121,7 @@ private:
   // Corner k of a cell is where its side in direction k begins.
   static Uv cell_corner(const Uv& center, const int k)
   {
-    const int d = turned(k, 0);
+    const Direction d = Quarter_turns::element(k);
     return {center[0] + (d == 0 || d == 3 ? -0.5 : 0.5), center[1] + (d < 2 ? -0.5 : 0.5)};
   }
 

@@ -55,18 +55,14 @@ private:
       m_mesh.is_border.push_back(true);
       m_mesh.is_singular.push_back(false);
     }
-    m_mesh.corner_at_vertex[v] = h;
-    number(h, v);
-    for(Corner_index c = m_mesh.counterclockwise(h); c != no_index; c = m_mesh.counterclockwise(c))
-      number(c, v);
-    for(Corner_index c = m_mesh.clockwise(h); c != no_index; c = m_mesh.clockwise(c))
-      number(c, v);
-  }
-
-  void number(const Corner_index c, const std::size_t v)
-  {
-    m_is_done[std::size_t(c)] = true;
-    m_mesh.corners[std::size_t(c)].vertex = Chart_vertex_index(v);
+    Corner_index first = h;
+    while(m_mesh.clockwise(first) != no_index)
+      first = m_mesh.clockwise(first);
+    m_mesh.corner_at_vertex[v] = first;
+    for_each_corner(m_mesh, v, [&](const Corner_index c) {
+      m_is_done[std::size_t(c)] = true;
+      m_mesh.corners[std::size_t(c)].vertex = Flat_vertex_index(v);
+    });
   }
 
   Chart_mesh& m_mesh;

@@ -44,8 +44,8 @@ public:
                              std::array<double, 3> >;
 
   Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                 const Chart_mesh_builder<TriangleMesh>& builder, const Quad_extractor& extractor)
-    : m_tmesh(tmesh), m_point_map(point_map), m_builder(builder), m_extractor(extractor)
+                 const Flat_numbering<TriangleMesh>& numbering, const Quad_extractor& extractor)
+    : m_tmesh(tmesh), m_point_map(point_map), m_numbering(numbering), m_extractor(extractor)
   { }
 
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
@@ -75,13 +75,13 @@ public:
 private:
   auto corner(const Grid_point& p, const std::size_t k) const
   {
-    return m_builder.halfedges_of_corners()[
+    return m_numbering.halfedges_of_corners()[
       3 * m_extractor.original_face(face_of(p.corner)) + k];
   }
 
   const TriangleMesh& m_tmesh;
   const VertexPointMap& m_point_map;
-  const Chart_mesh_builder<TriangleMesh>& m_builder;
+  const Flat_numbering<TriangleMesh>& m_numbering;
   const Quad_extractor& m_extractor;
 };
 
