@@ -44,6 +44,7 @@ enum class Snapping_status
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
   /// an edge that is to lie on an isocurve is farther from one than the tolerance
   NOT_ALIGNED,
+  NOT_INTEGER,        ///< an integer-grid map is asked for, and none is as near as the tolerance
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INCONSISTENT,       ///< the constraints contradict each other
   /// the constraints have solutions, but in the number type none was found near by
@@ -66,6 +67,7 @@ inline const char* to_string(const Snapping_status status)
   case Snapping_status::NOT_FINITE:        return "not finite";
   case Snapping_status::NOT_SEAMLESS:      return "not seamless";
   case Snapping_status::NOT_ALIGNED:       return "not aligned";
+  case Snapping_status::NOT_INTEGER:       return "not integer";
   case Snapping_status::INVALID_ROTATIONS: return "invalid rotations";
   case Snapping_status::INCONSISTENT:      return "inconsistent";
   case Snapping_status::NOT_REPRESENTABLE: return "not representable";
@@ -182,6 +184,9 @@ struct Snapping_report
   /// the largest violation of a constraint by the input; for the surface function, of a transition
   /// or an alignment
   double violation_before = 0;
+  /// with `integer_grid`: the largest distance of a translation, a cone, or the level of an aligned
+  /// edge from the integer it was rounded to
+  double largest_rounding = 0;
   double largest_change = 0;    ///< the largest absolute change of a value
   /// the mean absolute change (of each sector, for the surface function)
   double mean_change = 0;

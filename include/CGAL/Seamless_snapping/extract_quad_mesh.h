@@ -339,7 +339,7 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
       extractor.report().number_of_vertices = vertices.size();
       internal::Quad_writer<QuadMesh>(complex, vertices, quads).run(
         [&](const auto v, const std::size_t i) {
-          const internal::Grid_point& p = complex.points[vertices.point(i)];
+          const internal::Lattice_point& p = complex.points[vertices.point(i)];
           put(point_map, v, embedding.template point<Point>(p));
           if constexpr(is_given(location_map))
             put(location_map, v, embedding.location(p));

@@ -40,8 +40,10 @@
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
+  F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
+  F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
@@ -170,11 +172,13 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
- * - `grid_scale`: what the coordinates are multiplied by before quads are extracted (`double`)
+ * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
  * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
  *   where it is known
+ * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
+ * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are

@@ -197,9 +197,14 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     return report;
   }
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
-  return internal::Surface_snapper<internal::Quarter_turns, TriangleMesh, HalfedgeUVMap,
-                                   Parameters>(tmesh, uv_map, internal::strip(np))
-      .run();
+  using Group = internal::Quarter_turns;
+  const auto scale =
+    CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::grid_scale);
+  if constexpr(std::is_same_v<std::decay_t<decltype(scale)>, CGAL::internal_np::Param_not_found>)
+    return internal::Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, Parameters>(
+             tmesh, uv_map, internal::strip(np)).run();
+  else
+    return internal::snap_scaled<Group>(tmesh, uv_map, internal::strip(np), scale);
 }
 
 } // namespace Seamless_snapping

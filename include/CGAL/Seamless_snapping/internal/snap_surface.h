@@ -21,15 +21,21 @@
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
+#include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -39,6 +45,9 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// In units of the grid: beyond, something else than the nearest integers is meant.
+constexpr double default_rounding_tolerance = 1;
 
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 class Surface_snapper
@@ -58,6 +67,8 @@ public:
     , m_timer(m_report.run,
               CGAL::parameters::choose_parameter(
                   CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
+    , m_rounds(CGAL::parameters::choose_parameter(
+          CGAL::parameters::get_parameter(np, CGAL::internal_np::integer_grid), false))
     , m_repairs_flips(CGAL::parameters::choose_parameter(
           CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
   { }
@@ -87,14 +98,21 @@ private:
     const auto aligned_edges =
       read_aligned_edges<Group>(m_tmesh, m_uv_map, transitions.extent, m_np);
     m_report.violation_before = (std::max)(transitions.violation, aligned_edges.violation());
-    const Constraint_list<TriangleMesh> constraints(m_tmesh, m_np);
+    Constraint_list<TriangleMesh> constraints(m_tmesh, m_np);
     if(aligned_edges.refusal() || constraints.refusal())
       return aligned_edges.refusal() ? aligned_edges.refusal() : constraints.refusal();
 
-    const Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions,
+    if(m_rounds)
+      constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
+                                                                unit_scale(transitions.extent)));
+    Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions,
                                        aligned_edges, constraints);
     fill_in(cuts);
     m_timer.finish("cut complex");
+    std::vector<Rounding<Group> > roundings;
+    if(m_rounds)
+      if(const auto refusal = round_to_integers(cuts, constraints, roundings))
+        return refusal;
 
     const bool was_exact = transitions.is_exact && is_exact(cuts.complex, cuts.complex.coordinates);
     if(was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))
@@ -108,7 +126,7 @@ private:
     Snapped_coordinates<Group> snapped{cuts.complex.coordinates, 0, solver.coarsest_step(), -1};
     if(!was_exact)
       if(const auto refusal = solver.solve(snapped))
-        return explained(*refusal, cuts, constraints, solver.system(), m_tmesh, m_vertex_indices);
+        return explained(*refusal, cuts, constraints, roundings, solver.system(), m_tmesh, m_vertex_indices);
     m_timer.finish("solution");
 
     Points points(m_tmesh, cuts, m_uv_map, m_vertex_indices, solver);
@@ -125,6 +143,39 @@ private:
                      {}};
     m_timer.finish("verification");
     return write(cuts, points, snapped);
+  }
+
+  // Adds equations to the complex: those of the integer-grid map near by.
+  std::optional<Refusal> round_to_integers(Cuts& cuts, const Constraint_list<TriangleMesh>& constraints,
+                                           std::vector<Rounding<Group> >& roundings)
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    if(auto refusal = Integer_rounding<Group>(cuts.complex, cuts.is_singular)
+                        .run(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(), roundings)) {
+      refusal->message = constraints.empty()
+        ? "the integers near by would be too large for the number type; scale the map down"
+        : "the further constraints don't hold for any integers near by; correct or remove them";
+      return refusal;
+    }
+    const Rounding<Group>* worst = nullptr;
+    for(const Rounding<Group>& rounding : roundings) {
+      cuts.complex.equations.push_back(rounding.equation);
+      if(worst == nullptr || rounding.distance > worst->distance)
+        worst = &rounding;
+    }
+    if(worst == nullptr)
+      return std::nullopt;
+    m_report.largest_rounding = worst->distance;
+    const double tolerance = choose_parameter(
+      get_parameter(m_np, CGAL::internal_np::rounding_tolerance), default_rounding_tolerance);
+    if(worst->distance <= tolerance)
+      return std::nullopt;
+    return Refusal{Snapping_status::NOT_INTEGER,
+                   name_of_rounding(*worst, cuts, m_tmesh, m_vertex_indices) + " is " +
+                     short_number(worst->distance) + " off the integer that it is rounded to, more "
+                     "than the rounding_tolerance of " + short_number(tolerance) +
+                     "; raise it, or scale the map up by grid_scale", {}};
   }
 
   void fill_in(const Transition_data<TriangleMesh>& transitions)
@@ -171,8 +222,39 @@ private:
   Vertex_index_map m_vertex_indices;
   Snapping_report m_report;
   Step_timer m_timer;
+  bool m_rounds; // to an integer-grid map
   bool m_repairs_flips;
 };
+
+// The same for the map times a number: into a copy, which is written back if all succeeds.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                            const NamedParameters& np, const double scale)
+{
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using Number = typename Uv_number<HalfedgeUVMap>::type;
+  Snapping_report report;
+  if(!(scale > 0 && std::isfinite(scale))) {
+    report.status = Snapping_status::INVALID_ARGUMENT;
+    report.message = "grid_scale must be positive and finite";
+    return report;
+  }
+  auto scaled = get(CGAL::dynamic_halfedge_property_t<Point>(), tmesh);
+  for(const auto h : halfedges(tmesh))
+    if(!is_border(h, tmesh)) {
+      const Uv u = get_uv(uv_map, h);
+      put(scaled, h, Point(Number(scale * u[0]), Number(scale * u[1])));
+    }
+  report = Surface_snapper<Group, TriangleMesh, decltype(scaled), NamedParameters>(tmesh, scaled, np)
+             .run();
+  if(!report)
+    return report;
+  report.status = Snapping_status::SNAPPED;
+  for(const auto h : halfedges(tmesh))
+    if(!is_border(h, tmesh))
+      put(uv_map, h, get(scaled, h));
+  return report;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

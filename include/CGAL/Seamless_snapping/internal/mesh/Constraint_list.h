@@ -78,7 +78,11 @@ public:
   static std::string corner_constraint_name(const std::size_t i)
   { return "corner constraint " + std::to_string(i); }
 
-  // The corners whose coordinates occur, in the order: both ends of each path, all terms.
+  // Corners of cones that cuts don't tell of.
+  void add_large_cones(const std::vector<Halfedge>& corners) { m_large_cones = corners; }
+  const std::vector<Halfedge>& large_cones() const { return m_large_cones; }
+
+  // The corners whose coordinates occur, in the order: both ends of each path, all terms, cones.
   std::vector<Halfedge> corners() const
   {
     std::vector<Halfedge> result;
@@ -89,6 +93,7 @@ public:
     for(const Corner& c : m_corner_constraints)
       for(const typename Corner::Term& term : c.terms)
         result.push_back(term.corner);
+    result.insert(result.end(), m_large_cones.begin(), m_large_cones.end());
     return result;
   }
 
@@ -161,6 +166,7 @@ private:
   const TriangleMesh& m_tmesh;
   std::vector<Path_constraint<TriangleMesh> > m_paths;
   std::vector<Corner> m_corner_constraints;
+  std::vector<Halfedge> m_large_cones;
   std::optional<Refusal> m_refusal;
 };
 

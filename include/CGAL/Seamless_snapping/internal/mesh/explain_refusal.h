@@ -21,11 +21,13 @@
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
 #include <cstddef>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -34,7 +36,8 @@ namespace internal {
 // What a row stands for.
 template <typename Group, typename TriangleMesh, typename VertexIndexMap>
 std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, TriangleMesh>& cuts,
-                        const Constraint_list<TriangleMesh>& constraints, const TriangleMesh& tmesh,
+                        const Constraint_list<TriangleMesh>& constraints,
+                        const std::vector<Rounding<Group> >& roundings, const TriangleMesh& tmesh,
                         const VertexIndexMap& vertex_indices)
 {
   const std::size_t i = origin.index, end = origin.is_at_end ? 1 : 0;
@@ -46,13 +49,16 @@ std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, Tria
   case Row_origin::PATH: return constraints.paths()[i].name;
   case Row_origin::EQUATION: break;
   }
-  return constraints.corner_constraint_name(i);
+  const std::size_t n = constraints.corner_constraints().size();
+  return i < n ? constraints.corner_constraint_name(i)
+               : "the rounding of " + name_of_rounding(roundings[i - n], cuts, tmesh, vertex_indices);
 }
 
 // The same refusal with a message that names the place and the remedy.
 template <typename Group, typename TriangleMesh, typename VertexIndexMap>
 Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts,
                   const Constraint_list<TriangleMesh>& constraints,
+                  const std::vector<Rounding<Group> >& roundings, // of equations after the caller's
                   const Reduced_system<Group>& system, const TriangleMesh& tmesh,
                   const VertexIndexMap& vertex_indices)
 {
@@ -70,8 +76,8 @@ Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts
   constexpr std::size_t at_most = 8;
   std::set<std::string> names;
   for(const auto& multiple : refusal.certificate)
-    names.insert(
-        name_of_row(system.origin(multiple.first), cuts, constraints, tmesh, vertex_indices));
+    names.insert(name_of_row(system.origin(multiple.first), cuts, constraints, roundings, tmesh,
+                             vertex_indices));
   refusal.message = "constraints contradict each other:";
   std::size_t count = 0;
   for(const std::string& name : names)

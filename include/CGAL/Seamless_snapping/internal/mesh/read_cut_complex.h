@@ -210,6 +210,7 @@ private:
         gaps == 0 && holonomy<Group>(m_vertices.cuts, m_transitions.edges, Vertex_index(v)) !=
                        Group::identity();
       m_result.number_of_singular_vertices += is_singular ? 1 : 0;
+      m_result.is_singular.push_back(is_singular);
       complex.is_node.push_back(needs_node(Vertex_index(v), gaps, is_singular));
     }
     complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
@@ -458,6 +459,9 @@ private:
       for(const auto& term : constraint.terms)
         complex.equations.back().terms.push_back({*sector++, term.component, term.coefficient});
     }
+    for(std::size_t i = m_node_corners.size() - m_constraints.large_cones().size();
+        i < m_node_corners.size(); ++i)
+      m_result.is_singular[std::size_t(m_vertices.node_corner_ends[i].target)] = true;
   }
 
   const TriangleMesh& m_tmesh;

@@ -32,7 +32,7 @@ namespace internal {
 class Dart_tracer
 {
 public:
-  Dart_tracer(const Chart_mesh& mesh, const Grid_points& points, const Grid_darts& darts,
+  Dart_tracer(const Chart_mesh& mesh, const Lattice_points& points, const Grid_darts& darts,
               const std::vector<char>& is_feature)
     : m_mesh(mesh), m_points(points), m_darts(darts), m_decisions(mesh, is_feature)
   {
@@ -46,9 +46,9 @@ public:
     const std::size_t p = m_darts.origin(dart);
     const int k = int(dart - m_darts.first(p));
     switch(m_points[p].place) {
-    case Grid_place::VERTEX: return trace_from_vertex(m_points[p], k);
-    case Grid_place::EDGE:   return trace_from_edge(m_points[p], k);
-    case Grid_place::FACE:   break;
+    case Lattice_place::VERTEX: return trace_from_vertex(m_points[p], k);
+    case Lattice_place::EDGE:   return trace_from_edge(m_points[p], k);
+    case Lattice_place::FACE:   break;
     }
     return trace_through_face(m_points[p].corner, unit_step(m_points[p].uv, k), k);
   }
@@ -96,7 +96,7 @@ private:
   using Walk = Isocurve_walk<Integer_decisions, Nothing>;
   using State = Integer_decisions::State;
 
-  Dart_index trace_from_edge(const Grid_point& p, const int k)
+  Dart_index trace_from_edge(const Lattice_point& p, const int k)
   {
     const int direction = turned(Edge_directions(m_mesh, p.corner).first, k);
     State state;
@@ -111,7 +111,7 @@ private:
     return walk([&](Walk& w) { return enters ? w.run_into(state) : w.run_from(state); });
   }
 
-  Dart_index trace_from_vertex(const Grid_point& p, const int k)
+  Dart_index trace_from_vertex(const Lattice_point& p, const int k)
   {
     const Vertex_ray ray = rays_from_vertex(m_mesh, m_mesh.vertex(p.corner))[std::size_t(k)];
     m_decisions.set_end(unit_step(m_mesh.uv(ray.corner), ray.direction));
@@ -127,7 +127,7 @@ private:
     Walk walk(m_mesh, m_decisions, m_limits, nothing);
     const Isocurve_status status = run(walk);
     if(status == Isocurve_status::TARGET)
-      return m_decisions.arrival().place == Grid_place::VERTEX ? twin_at_vertex(walk.state())
+      return m_decisions.arrival().place == Lattice_place::VERTEX ? twin_at_vertex(walk.state())
                                                                : twin_at_arrival();
     m_obstacle = m_mesh.vertex(walk.state().halfedge);
     return status == Isocurve_status::BORDER || m_mesh.is_border[m_obstacle] ? open_dart
@@ -148,7 +148,7 @@ private:
   {
     const Integer_decisions::Arrival& end = m_decisions.arrival();
     const int back = reversed(end.direction);
-    if(end.place == Grid_place::FACE)
+    if(end.place == Lattice_place::FACE)
       return dart(face_of(end.corner), end.uv, back);
     const Corner_index h = m_mesh.edge_key(end.corner);
     if(h == end.corner)
@@ -168,7 +168,7 @@ private:
   }
 
   const Chart_mesh& m_mesh;
-  const Grid_points& m_points;
+  const Lattice_points& m_points;
   const Grid_darts& m_darts;
   Integer_decisions m_decisions;
   Walk_limits m_limits;

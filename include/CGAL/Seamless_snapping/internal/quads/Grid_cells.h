@@ -33,7 +33,7 @@ constexpr Cell_index no_cell = -1;
 class Grid_cells
 {
 public:
-  Grid_cells(const Chart_mesh& mesh, const Grid_points& points, const Grid_darts& darts)
+  Grid_cells(const Chart_mesh& mesh, const Lattice_points& points, const Grid_darts& darts)
     : m_mesh(mesh), m_points(points), m_darts(darts), m_cells(darts.size(), no_cell)
   {
     constexpr Cell_index cut = -2; // no cell, and looked at
@@ -61,11 +61,11 @@ public:
   // Whether the point lies inside of the surface.
   bool is_surrounded(const std::size_t p) const
   {
-    const Grid_point& point = m_points[p];
+    const Lattice_point& point = m_points[p];
     switch(point.place) {
-    case Grid_place::VERTEX: return !m_mesh.is_border[m_mesh.vertex(point.corner)];
-    case Grid_place::EDGE:   return m_mesh.opposite(point.corner) != no_index;
-    case Grid_place::FACE:   break;
+    case Lattice_place::VERTEX: return !m_mesh.is_border[m_mesh.vertex(point.corner)];
+    case Lattice_place::EDGE:   return m_mesh.opposite(point.corner) != no_index;
+    case Lattice_place::FACE:   break;
     }
     return true;
   }
@@ -143,7 +143,7 @@ private:
   }
 
   const Chart_mesh& m_mesh;
-  const Grid_points& m_points;
+  const Lattice_points& m_points;
   const Grid_darts& m_darts;
   std::vector<Cell_index> m_cells;        // per dart
   std::vector<Dart_index> m_first_darts;  // per cell
@@ -154,7 +154,7 @@ private:
 class Cell_vertices
 {
 public:
-  Cell_vertices(const Grid_points& points, const Grid_darts& darts, const Grid_cells& cells)
+  Cell_vertices(const Lattice_points& points, const Grid_darts& darts, const Grid_cells& cells)
     : m_vertices(darts.size(), -1)
   {
     for(std::size_t p = 0; p < points.size(); ++p)

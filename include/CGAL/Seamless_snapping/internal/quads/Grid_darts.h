@@ -18,7 +18,7 @@
 // counterclockwise; around a point on the border, from the first that leads into the surface to the
 // last.
 
-#include <CGAL/Seamless_snapping/internal/quads/Grid_points.h>
+#include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
@@ -54,7 +54,7 @@ class Grid_darts
 {
 public:
   template <typename ConcurrencyTag>
-  static Grid_darts make(const Chart_mesh& mesh, const Grid_points& points)
+  static Grid_darts make(const Chart_mesh& mesh, const Lattice_points& points)
   {
     Grid_darts result;
     result.m_first.assign(points.size() + 1, 0);
@@ -97,14 +97,14 @@ public:
   std::vector<char> are_features; // per dart: whether it runs along a feature edge
 
 private:
-  static Dart_index number_at(const Chart_mesh& mesh, const Grid_point& p)
+  static Dart_index number_at(const Chart_mesh& mesh, const Lattice_point& p)
   {
     switch(p.place) {
-    case Grid_place::VERTEX:
+    case Lattice_place::VERTEX:
       return Dart_index(rays_from_vertex(mesh, mesh.vertex(p.corner)).size());
-    case Grid_place::EDGE:
+    case Lattice_place::EDGE:
       return Edge_directions(mesh, p.corner).number;
-    case Grid_place::FACE:
+    case Lattice_place::FACE:
       break;
     }
     return 4;

@@ -19,7 +19,7 @@
 // face, edge, or vertex contains the end.
 
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
-#include <CGAL/Seamless_snapping/internal/quads/Grid_points.h>
+#include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
@@ -55,7 +55,7 @@ public:
   // Where the end lies, if it is no vertex: in the chart of the corner's face.
   struct Arrival
   {
-    Grid_place place = Grid_place::VERTEX;
+    Lattice_place place = Lattice_place::VERTEX;
     Corner_index corner = no_index;
     int direction = 0; // of the walk
     Uv uv{};
@@ -85,10 +85,10 @@ public:
       const Corner_index h = state.halfedge;
       const auto side = orientation({m_mesh.uv(Chart_mesh::prev(h)), m_mesh.uv(h), m_arrival.uv});
       return side != CGAL::NEGATIVE &&
-             arrive(side == CGAL::ZERO ? Grid_place::EDGE : Grid_place::FACE, h, state.direction);
+             arrive(side == CGAL::ZERO ? Lattice_place::EDGE : Lattice_place::FACE, h, state.direction);
     }
     return comes_before(state.halfedge, state.direction) &&
-           arrive(Grid_place::FACE, state.halfedge, state.direction);
+           arrive(Lattice_place::FACE, state.halfedge, state.direction);
   }
 
   // The same for a walk along `edge` to the corner `vertex` of the same face.
@@ -96,7 +96,7 @@ public:
   {
     m_ran_along_feature = m_ran_along_feature ||
                           (!m_is_feature.empty() && m_is_feature[std::size_t(edge)]);
-    return comes_before(vertex, direction) && arrive(Grid_place::EDGE, edge, direction);
+    return comes_before(vertex, direction) && arrive(Lattice_place::EDGE, edge, direction);
   }
 
   // The same for a walk that leaves a vertex.
@@ -161,7 +161,7 @@ private:
     return running_sign(direction) * compare(m_arrival.uv[c], m_mesh.uv(vertex)[c]) < 0;
   }
 
-  bool arrive(const Grid_place place, const Corner_index corner, const int direction)
+  bool arrive(const Lattice_place place, const Corner_index corner, const int direction)
   {
     m_arrival.place = place;
     m_arrival.corner = corner;

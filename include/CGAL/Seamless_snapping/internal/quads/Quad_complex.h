@@ -31,7 +31,7 @@ namespace internal {
 class Quad_complex
 {
 public:
-  Quad_complex(const Chart_mesh& mesh, Grid_points&& points_, Grid_darts&& darts_)
+  Quad_complex(const Chart_mesh& mesh, Lattice_points&& points_, Grid_darts&& darts_)
     : points(std::move(points_)), darts(std::move(darts_)), cells(mesh, points, darts)
   { }
 
@@ -50,7 +50,7 @@ public:
   std::size_t origin(const Cell_vertices& vertices, const std::size_t d) const
   { return vertices.vertex(has_cell(d) ? d : next(twin(d))); }
 
-  Grid_points points;
+  Lattice_points points;
   Grid_darts darts;
   Grid_cells cells;
 };

@@ -230,7 +230,7 @@ private:
   template <typename ConcurrencyTag>
   bool make_cells()
   {
-    Grid_points points = Grid_points::make<ConcurrencyTag>(m_mesh);
+    Lattice_points points = Lattice_points::make<ConcurrencyTag>(m_mesh);
     Grid_darts darts = Grid_darts::make<ConcurrencyTag>(m_mesh, points);
     const Dart_failure failure = pair_darts<ConcurrencyTag>(m_mesh, points, m_is_feature, darts);
     if(failure.is_obstacle)
@@ -274,9 +274,9 @@ private:
   bool check_valences() const
   {
     for(std::size_t p = 0; p < m_complex->points.size(); ++p) {
-      const Grid_point& point = m_complex->points[p];
+      const Lattice_point& point = m_complex->points[p];
       const std::size_t n = m_complex->darts.degree(p), v = m_mesh.vertex(point.corner);
-      if(point.place != Grid_place::VERTEX || m_mesh.is_border[v])
+      if(point.place != Lattice_place::VERTEX || m_mesh.is_border[v])
         continue;
       Quarter_turns::Element turns = Quarter_turns::element(int(n));
       for_each_corner(m_mesh, v, [&](const Corner_index c)

@@ -17,7 +17,7 @@
 // The connected parts of a parametrized surface, and what the theorem needs to know of each: its
 // Euler characteristic, its area in the domain, and whether its border lies on the grid.
 
-#include <CGAL/Seamless_snapping/internal/quads/Grid_points.h>
+#include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
 
 #include <CGAL/Exact_rational.h>
 

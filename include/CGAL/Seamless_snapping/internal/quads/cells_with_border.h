@@ -143,7 +143,7 @@ private:
       return false;
     leave_face_point<Integer_decisions>(m_mesh, state);
     m_decisions.set_end(point);
-    return m_decisions.ends_before(state) && m_decisions.arrival().place == Grid_place::FACE;
+    return m_decisions.ends_before(state) && m_decisions.arrival().place == Lattice_place::FACE;
   }
 
   const Chart_mesh& m_mesh;

@@ -36,7 +36,7 @@ struct Cell_counts
   std::ptrdiff_t euler_characteristic() const { return points - darts / 2 + cells; }
 };
 
-inline std::vector<Cell_counts> count_cells(const Grid_points& points, const Grid_darts& darts,
+inline std::vector<Cell_counts> count_cells(const Lattice_points& points, const Grid_darts& darts,
                                             const Grid_cells& cells, const Surface_parts& parts)
 {
   std::vector<Cell_counts> counts(parts.size());

@@ -56,7 +56,7 @@ inline bool complete_twins(Grid_darts& darts)
 }
 
 template <typename ConcurrencyTag>
-Dart_failure pair_darts(const Chart_mesh& mesh, const Grid_points& points,
+Dart_failure pair_darts(const Chart_mesh& mesh, const Lattice_points& points,
                         const std::vector<char>& is_feature, Grid_darts& darts)
 {
   const std::vector<Chunk> chunks = chunks_of(darts.size());

@@ -49,14 +49,14 @@ public:
   { }
 
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
-  Location location(const Grid_point& p) const
+  Location location(const Lattice_point& p) const
   {
     const Weights w = weights(m_extractor.mesh(), p);
     return {face(corner(p, 0), m_tmesh), {w[2], w[0], w[1]}};
   }
 
   template <typename Point>
-  Point point(const Grid_point& p) const
+  Point point(const Lattice_point& p) const
   {
     using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
     const Weights w = weights(m_extractor.mesh(), p);
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  auto corner(const Grid_point& p, const std::size_t k) const
+  auto corner(const Lattice_point& p, const std::size_t k) const
   {
     return m_numbering.halfedges_of_corners()[
       3 * m_extractor.original_face(face_of(p.corner)) + k];
@@ -88,8 +88,8 @@ private:
 // The index of the cone at a point, in quarter turns; 0 where there is none.
 inline int cone_index(const Chart_mesh& mesh, const Quad_complex& complex, const std::size_t p)
 {
-  const Grid_point& point = complex.points[p];
-  return point.place == Grid_place::VERTEX && mesh.is_singular[mesh.vertex(point.corner)]
+  const Lattice_point& point = complex.points[p];
+  return point.place == Lattice_place::VERTEX && mesh.is_singular[mesh.vertex(point.corner)]
            ? 4 - int(complex.darts.degree(p)) : 0;
 }
 

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_POINTS_IN_TRIANGLE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_POINTS_IN_TRIANGLE_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -124,4 +124,4 @@ void for_lattice_points_inside(const Uv_triangle& t, const Function& f)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_POINTS_IN_TRIANGLE_H

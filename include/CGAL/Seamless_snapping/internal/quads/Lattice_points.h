@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_POINTS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_POINTS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -19,7 +19,7 @@
 // coordinates.
 
 #include <CGAL/Seamless_snapping/internal/quads/for_each_chunk.h>
-#include <CGAL/Seamless_snapping/internal/quads/lattice_points.h>
+#include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
 #include <algorithm>
@@ -33,13 +33,13 @@ namespace internal {
 
 using Point_index = std::int32_t;
 
-enum class Grid_place : std::int32_t { VERTEX, EDGE, FACE };
+enum class Lattice_place : std::int32_t { VERTEX, EDGE, FACE };
 
-struct Grid_point
+struct Lattice_point
 {
   Uv uv;
   Corner_index corner; // points to the vertex; or lies on the edge; or in the face
-  Grid_place place;
+  Lattice_place place;
 };
 
 inline std::size_t face_of(const Corner_index h) { return std::size_t(h) / 3; }
@@ -56,17 +56,17 @@ inline bool is_before(const Uv& a, const Uv& b)
   return a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
 }
 
-class Grid_points
+class Lattice_points
 {
 public:
   // The coordinates must be at most `largest_grid_coordinate`, and all faces positive.
   template <typename ConcurrencyTag>
-  static Grid_points make(const Chart_mesh& mesh)
+  static Lattice_points make(const Chart_mesh& mesh)
   {
-    Grid_points result;
+    Lattice_points result;
     const std::size_t number_of_faces = mesh.corners.size() / 3;
     const std::vector<Chunk> chunks = chunks_of(number_of_faces);
-    std::vector<std::vector<Grid_point> > points(chunks.size());
+    std::vector<std::vector<Lattice_point> > points(chunks.size());
     result.m_first.assign(number_of_faces + 1, 0);
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
       for(std::size_t face = chunk.begin; face < chunk.end; ++face) {
@@ -81,26 +81,26 @@ public:
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
       std::copy(points[chunk.index].begin(), points[chunk.index].end(),
                 result.m_points.begin() + result.m_first[chunk.begin]);
-      std::vector<Grid_point>().swap(points[chunk.index]);
+      std::vector<Lattice_point>().swap(points[chunk.index]);
     });
     return result;
   }
 
   std::size_t size() const { return m_points.size(); }
-  const Grid_point& operator[](const std::size_t i) const { return m_points[i]; }
+  const Lattice_point& operator[](const std::size_t i) const { return m_points[i]; }
 
   // The point with these coordinates that is kept with the face.
   std::size_t find(const std::size_t face, const Uv& uv) const
   {
     const auto begin = m_points.begin() + m_first[face], end = m_points.begin() + m_first[face + 1];
-    const auto p = std::lower_bound(begin, end, uv, [](const Grid_point& q, const Uv& u)
+    const auto p = std::lower_bound(begin, end, uv, [](const Lattice_point& q, const Uv& u)
                                     { return is_before(q.uv, u); });
     return p != end && p->uv == uv ? std::size_t(p - m_points.begin()) : m_points.size();
   }
 
 private:
   static void add_points_of_face(const Chart_mesh& mesh, const std::size_t face,
-                                 std::vector<Grid_point>& points)
+                                 std::vector<Lattice_point>& points)
   {
     const Uv_triangle t = triangle(mesh, face);
     if(!meets_lattice(t))
@@ -109,15 +109,15 @@ private:
     const Corner_index first = Corner_index(3 * face);
     for(Corner_index h = first; h < first + 3; ++h) {
       if(mesh.corner_at_vertex[mesh.vertex(h)] == h && is_lattice_point(mesh.uv(h)))
-        points.push_back({mesh.uv(h), h, Grid_place::VERTEX});
+        points.push_back({mesh.uv(h), h, Lattice_place::VERTEX});
       if(mesh.edge_key(h) == h)
         for_lattice_points_on_edge(mesh.uv(Chart_mesh::prev(h)), mesh.uv(h), [&](const Uv& p)
-                                   { points.push_back({p, h, Grid_place::EDGE}); });
+                                   { points.push_back({p, h, Lattice_place::EDGE}); });
     }
     for_lattice_points_inside(t, [&](const Uv& p)
-                              { points.push_back({p, first, Grid_place::FACE}); });
+                              { points.push_back({p, first, Lattice_place::FACE}); });
     std::sort(points.begin() + std::ptrdiff_t(before), points.end(),
-              [](const Grid_point& p, const Grid_point& q) { return is_before(p.uv, q.uv); });
+              [](const Lattice_point& p, const Lattice_point& q) { return is_before(p.uv, q.uv); });
   }
 
   // Whether its bounding box does.
@@ -130,7 +130,7 @@ private:
     return true;
   }
 
-  std::vector<Grid_point> m_points;
+  std::vector<Lattice_point> m_points;
   std::vector<Point_index> m_first; // per face, and one more
 };
 
@@ -138,4 +138,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_GRID_POINTS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_LATTICE_POINTS_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_INTEGER_ROUNDING_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_INTEGER_ROUNDING_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a parametrization to the integer-grid map near by: which integers the translations of the
+// branches, the cones, and the levels of the aligned chains are rounded to, so that these agree.
+// Rounding each on its own would contradict itself wherever branches meet. Instead, the complex is
+// solved on the grid of the integers: all that it asks for holds there, whatever is rounded.
+//
+// The nodes that need not be integers, that is all but cones, would disturb this by their own
+// rounding. They are moved to the origin first, by what makes no difference to translations: where
+// branches meet without a cone, the coordinates of all sectors are shifted by those of the first,
+// turned as the branches turn them.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
+#include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// An equation of an integer-grid map, what it rounds, and by how much.
+template <typename Group>
+struct Rounding
+{
+  enum Kind { BRANCH, CHAIN, CONE };
+  Kind kind;
+  std::size_t index; // of the branch, the chain, or the vertex of the complex
+  double distance;
+  typename Cut_complex<Group>::Equation equation;
+};
+
+template <typename Group>
+class Integer_rounding
+{
+  using Complex = Cut_complex<Group>;
+  using Vector = typename Complex::Vector;
+  using Element = typename Group::Element;
+  static constexpr std::size_t dimension = Group::dimension;
+  static_assert(Group::is_signed_permutation, "coordinates are rounded one by one");
+
+public:
+  // \param is_cone per vertex of the complex
+  Integer_rounding(const Complex& complex, const std::vector<char>& is_cone)
+    : m_complex(complex), m_is_cone(is_cone), m_links(complex), m_shifted(complex)
+  {
+    for(std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+      if(complex.is_node[v] && !is_cone[v])
+        move_to_origin(v);
+  }
+
+  // The equations that make the complex that of an integer-grid map; or why there are none.
+  std::optional<Refusal> run(const Number_format& format, std::vector<Rounding<Group> >& roundings)
+  {
+    const Reduced_system<Group> system(m_shifted);
+    const Linear_solver solver(system.rows(), system.weights(), format,
+                               system.number_of_representable_columns(), false);
+    if(!solver.is_consistent())
+      return Refusal{Snapping_status::INCONSISTENT, {}, solver.certificate()};
+    const Coordinate_components<Group> components(m_shifted, system, solver);
+    const std::vector<Grid> integers(solver.number_of_components(), Grid(format, 0));
+    const Target_shifts<Group> no_shifts;
+    const Grid_coordinates<Group> coordinates(m_shifted, integers, no_shifts);
+    const Linear_target target{
+      integers, Linear_target_builder<Group>(m_shifted, system, components, coordinates).build()};
+    Linear_solution solution;
+    if(solver.solve(target, solution) >= 0 ||
+       std::any_of(solution.grids.begin(), solution.grids.end(),
+                   [](const Grid& grid) { return grid.exponent() < 0; }))
+      return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+    collect(system, solver, solution, roundings);
+    return std::nullopt;
+  }
+
+private:
+  void move_to_origin(const std::size_t v)
+  {
+    const Sector_index first = m_complex.first_sector[v], end = m_complex.first_sector[v + 1];
+    std::vector<char> is_reached(std::size_t(end - first), false);
+    for(Sector_index s = first; s != end; ++s)
+      if(!is_reached[std::size_t(s - first)])
+        move_to_origin(s, first, end, is_reached);
+  }
+
+  // All sectors around the vertex that branches link to `root`: the border may divide them.
+  void move_to_origin(const Sector_index root, const Sector_index first, const Sector_index end,
+                      std::vector<char>& is_reached)
+  {
+    std::vector<std::pair<Sector_index, Element> > sectors(1, {root, Group::identity()});
+    is_reached[std::size_t(root - first)] = true;
+    std::array<bool, dimension> is_free;
+    is_free.fill(true);
+    for(std::size_t i = 0; i < sectors.size(); ++i) {
+      const auto [s, g] = sectors[i];
+      for(const int* f = m_links.functionals_begin(s); f != m_links.functionals_end(s); ++f)
+        is_free[turned_coordinate(Group::inverse(g), std::size_t(*f))] = false;
+      if(m_links.is_pinned(s))
+        is_free.fill(false);
+      for(auto link = m_links.begin(s); link != m_links.end(s); ++link)
+        if(link->sector >= first && link->sector < end &&
+           !is_reached[std::size_t(link->sector - first)]) {
+          is_reached[std::size_t(link->sector - first)] = true;
+          sectors.emplace_back(link->sector, Group::compose(link->element, g));
+        }
+    }
+    Vector origin = m_complex.coordinates[std::size_t(root)];
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(!is_free[c])
+        origin[c] = 0;
+      else
+        m_shifted.equations.push_back({{{root, int(c), Exact_rational(1)}}, Exact_rational(0)});
+    for(const auto& [s, g] : sectors) {
+      const Vector shift = Group::apply(g, origin);
+      for(std::size_t c = 0; c < dimension; ++c)
+        m_shifted.coordinates[std::size_t(s)][c] -= shift[c];
+    }
+  }
+
+  // Which coordinate `c` becomes.
+  static std::size_t turned_coordinate(const Element g, const std::size_t c)
+  {
+    return Group::matrix(g)[0][c] != 0 ? 0 : 1;
+  }
+
+  void collect(const Reduced_system<Group>& system, const Linear_solver& solver,
+               const Linear_solution& solution, std::vector<Rounding<Group> >& roundings) const
+  {
+    const auto value = [&](const Column_index column) -> double {
+      const Component_index k = solver.component(column);
+      const double x = static_cast<double>(solution.x[std::size_t(column)]);
+      return k < 0 ? 0 : x * solution.grids[std::size_t(k)].step();
+    };
+    for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v)
+      if(m_is_cone[v]) {
+        const Sector_index s = m_complex.first_sector[v];
+        for(std::size_t c = 0; c < dimension; ++c) {
+          const Column_index column = system.unknown(s) + Column_index(c);
+          const double u = m_complex.coordinates[std::size_t(s)][c];
+          const double rounded = solver.component(column) < 0 ? std::round(u) : value(column);
+          roundings.push_back({Rounding<Group>::CONE, v, std::abs(rounded - u),
+                               {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
+        }
+      }
+    for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
+      for(std::size_t c = 0; c < dimension; ++c) {
+        double rounded;
+        if(system.translation(b) >= 0) {
+          rounded = value(system.translation(b) + Column_index(c));
+        } else {
+          const auto& pair = *m_complex.pairs_begin(b);
+          rounded = value(system.unknown(pair.minus) + Column_index(c));
+          for(std::size_t d = 0; d < dimension; ++d)
+            rounded -= Group::matrix(m_complex.element[b])[c][d] *
+                       value(system.unknown(pair.plus) + Column_index(d));
+        }
+        roundings.push_back(translation_is(b, c, rounded));
+      }
+    for(std::size_t i = 0; i < m_complex.number_of_chains(); ++i) {
+      const std::size_t c = std::size_t(m_complex.functional[i]);
+      const Sector_index s = *m_complex.links_begin(i);
+      const double rounded = value(system.level(i) >= 0 ? system.level(i)
+                                                        : system.unknown(s) + Column_index(c));
+      roundings.push_back({Rounding<Group>::CHAIN, i,
+                           std::abs(rounded - m_complex.coordinates[std::size_t(s)][c]),
+                           {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
+    }
+  }
+
+  // Component c of u- - g u+, at the beginning of the branch.
+  Rounding<Group> translation_is(const std::size_t b, const std::size_t c, const double rounded) const
+  {
+    const auto& pair = *m_complex.pairs_begin(b);
+    const auto& row = Group::matrix(m_complex.element[b])[c];
+    typename Complex::Equation equation{{{pair.minus, int(c), Exact_rational(1)}},
+                                        Exact_rational(rounded)};
+    double t = m_complex.coordinates[std::size_t(pair.minus)][c];
+    for(std::size_t d = 0; d < dimension; ++d)
+      if(row[d] != 0) {
+        equation.terms.push_back({pair.plus, int(d), Exact_rational(-row[d])});
+        t -= row[d] * m_complex.coordinates[std::size_t(pair.plus)][d];
+      }
+    return {Rounding<Group>::BRANCH, b, std::abs(rounded - t), std::move(equation)};
+  }
+
+  const Complex& m_complex;
+  const std::vector<char>& m_is_cone;
+  Sector_links<Group> m_links;
+  Complex m_shifted;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_INTEGER_ROUNDING_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_INTEGER_GRID_ROWS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_INTEGER_GRID_ROWS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What an integer-grid map asks for beyond a seamless one, added to the complex of a mesh.
+
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
+#include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Corners at the inner vertices of 720 degrees or more: around some of these the rotations cancel, so
+// that cuts don't tell of them. Vertices at folds are not looked at: angles don't add up there.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap>
+std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
+corners_of_large_cones(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
+  for(const auto v : vertices(tmesh)) {
+    const auto first = halfedge(v, tmesh);
+    if(first == boost::graph_traits<TriangleMesh>::null_halfedge() || CGAL::is_border(v, tmesh))
+      continue;
+    double angle = 0;
+    bool is_unfolded = true;
+    for(const auto h : CGAL::halfedges_around_target(first, tmesh)) {
+      angle += corner_angle<Group>(tmesh, uv_map, h, scale);
+      const Uv_triangle t{get_uv(uv_map, h), get_uv(uv_map, next(h, tmesh)),
+                          get_uv(uv_map, prev(h, tmesh))};
+      is_unfolded = is_unfolded && orientation(t) == CGAL::POSITIVE;
+    }
+    if(is_unfolded && angle > 2 * Group::order - 0.5)
+      result.push_back(first);
+  }
+  return result;
+}
+
+// The place of a rounding.
+template <typename Group, typename TriangleMesh, typename VertexIndexMap>
+std::string name_of_rounding(const Rounding<Group>& rounding,
+                             const Surface_cuts<Group, TriangleMesh>& cuts,
+                             const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
+{
+  switch(rounding.kind) {
+  case Rounding<Group>::BRANCH:
+    return "the translation across " +
+           edge_name(tmesh, vertex_indices, cuts.branch_ends[rounding.index][0]);
+  case Rounding<Group>::CHAIN:
+    return "the level of " + edge_name(tmesh, vertex_indices, cuts.chain_ends[rounding.index][0]);
+  case Rounding<Group>::CONE:
+    break;
+  }
+  const auto corner = *cuts.corners_begin(cuts.complex.first_sector[rounding.index]);
+  return "the cone at vertex " + std::to_string(get(vertex_indices, target(corner, tmesh)));
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_INTEGER_GRID_ROWS_H
