@@ -198,13 +198,19 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
   }
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Quarter_turns;
-  const auto scale =
-    CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::grid_scale);
-  if constexpr(std::is_same_v<std::decay_t<decltype(scale)>, CGAL::internal_np::Param_not_found>)
+  using Is_default_scale =
+    CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::grid_scale_t>;
+  using Is_default_grid =
+    CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::integer_grid_t>;
+  if constexpr(Is_default_scale::value && Is_default_grid::value)
     return internal::Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, Parameters>(
              tmesh, uv_map, internal::strip(np)).run();
   else
-    return internal::snap_scaled<Group>(tmesh, uv_map, internal::strip(np), scale);
+    return internal::snap_scaled<Group>(
+             tmesh, uv_map, internal::strip(np),
+             CGAL::parameters::choose_parameter(
+               CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::grid_scale),
+               1.));
 }
 
 } // namespace Seamless_snapping

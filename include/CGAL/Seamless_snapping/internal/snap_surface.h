@@ -25,6 +25,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
@@ -47,7 +48,10 @@ namespace Seamless_snapping {
 namespace internal {
 
 // In units of the grid: beyond, something else than the nearest integers is meant.
-constexpr double default_rounding_tolerance = 1;
+constexpr double default_rounding_tolerance = 0.01;
+
+// Below, it is enough to move the vertices of the cuts.
+constexpr double negligible_rounding = 1e-4;
 
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 class Surface_snapper
@@ -110,9 +114,13 @@ private:
     fill_in(cuts);
     m_timer.finish("cut complex");
     std::vector<Rounding<Group> > roundings;
-    if(m_rounds)
+    if(m_rounds) {
       if(const auto refusal = round_to_integers(cuts, constraints, roundings))
         return refusal;
+      m_timer.finish("rounding");
+      if(!m_has_spread && m_report.largest_rounding > negligible_rounding)
+        return spread_and_snap(cuts, roundings);
+    }
 
     const bool was_exact = transitions.is_exact && is_exact(cuts.complex, cuts.complex.coordinates);
     if(was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))
@@ -145,6 +153,20 @@ private:
     return write(cuts, points, snapped);
   }
 
+  // The uv map is a copy then, which can be changed before anything is known to succeed.
+  std::optional<Refusal> spread_and_snap(const Cuts& cuts,
+                                         const std::vector<Rounding<Group> >& roundings)
+  {
+    m_has_spread = true;
+    m_repairs_flips = true; // those that the displacement may have made
+    if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>(
+          m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
+      return Refusal{Snapping_status::INTERNAL_ERROR, "the roundings could not be spread over the "
+                     "surface; please report this", {}};
+    m_timer.finish("displacement");
+    return snap();
+  }
+
   // Adds equations to the complex: those of the integer-grid map near by.
   std::optional<Refusal> round_to_integers(Cuts& cuts, const Constraint_list<TriangleMesh>& constraints,
                                            std::vector<Rounding<Group> >& roundings)
@@ -165,6 +187,8 @@ private:
         worst = &rounding;
     }
     if(worst == nullptr)
+      return std::nullopt;
+    if(m_has_spread)
       return std::nullopt;
     m_report.largest_rounding = worst->distance;
     const double tolerance = choose_parameter(
@@ -224,7 +248,34 @@ private:
   Step_timer m_timer;
   bool m_rounds; // to an integer-grid map
   bool m_repairs_flips;
+  bool m_has_spread = false;
 };
+
+// Changes and orientations against the input times a number, where there were steps between.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename ScaledMap>
+void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                        const ScaledMap& result, const double scale, Snapping_report& report)
+{
+  report.largest_change = 0;
+  report.lost_faces.clear();
+  report.remaining_flips.clear();
+  std::size_t index = 0;
+  for(const auto f : faces(tmesh)) {
+    Uv_triangle before, after;
+    std::size_t k = 0;
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+      const Uv u = get_uv(uv_map, h), v = get_uv(result, h);
+      before[k] = u;
+      after[k++] = v;
+      for(std::size_t c = 0; c < 2; ++c)
+        report.largest_change = (std::max)(report.largest_change, std::abs(v[c] - scale * u[c]));
+    }
+    if(orientation(after) != CGAL::POSITIVE)
+      (orientation(before) == CGAL::POSITIVE ? report.lost_faces : report.remaining_flips)
+        .push_back(index);
+    ++index;
+  }
+}
 
 // The same for the map times a number: into a copy, which is written back if all succeeds.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -249,6 +300,7 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
              .run();
   if(!report)
     return report;
+  compare_with_input(tmesh, uv_map, scaled, scale, report);
   report.status = Snapping_status::SNAPPED;
   for(const auto h : halfedges(tmesh))
     if(!is_border(h, tmesh))

@@ -49,7 +49,8 @@ struct Rounding
   enum Kind { BRANCH, CHAIN, CONE };
   Kind kind;
   std::size_t index; // of the branch, the chain, or the vertex of the complex
-  double distance;
+  double rounded;  // the integer
+  double distance; // from the input
   typename Cut_complex<Group>::Equation equation;
 };
 
@@ -160,7 +161,7 @@ private:
           const Column_index column = system.unknown(s) + Column_index(c);
           const double u = m_complex.coordinates[std::size_t(s)][c];
           const double rounded = solver.component(column) < 0 ? std::round(u) : value(column);
-          roundings.push_back({Rounding<Group>::CONE, v, std::abs(rounded - u),
+          roundings.push_back({Rounding<Group>::CONE, v, rounded, std::abs(rounded - u),
                                {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
         }
       }
@@ -183,7 +184,7 @@ private:
       const Sector_index s = *m_complex.links_begin(i);
       const double rounded = value(system.level(i) >= 0 ? system.level(i)
                                                         : system.unknown(s) + Column_index(c));
-      roundings.push_back({Rounding<Group>::CHAIN, i,
+      roundings.push_back({Rounding<Group>::CHAIN, i, rounded,
                            std::abs(rounded - m_complex.coordinates[std::size_t(s)][c]),
                            {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
     }
@@ -202,7 +203,7 @@ private:
         equation.terms.push_back({pair.plus, int(d), Exact_rational(-row[d])});
         t -= row[d] * m_complex.coordinates[std::size_t(pair.plus)][d];
       }
-    return {Rounding<Group>::BRANCH, b, std::abs(rounded - t), std::move(equation)};
+    return {Rounding<Group>::BRANCH, b, rounded, std::abs(rounded - t), std::move(equation)};
   }
 
   const Complex& m_complex;
