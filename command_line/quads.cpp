@@ -1,0 +1,135 @@
+// seamless quads IN OUT: extracts the quad mesh of an integer-grid map.
+
+#include "Failure.h"
+#include "Options.h"
+#include "Summary.h"
+#include "commands.h"
+#include "files.h"
+#include "measures.h"
+
+#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace SS = CGAL::Seamless_snapping;
+
+namespace {
+
+struct Quad_options
+{
+  Seam_options seams;
+  std::string input, output;
+  double scale = 1, number = 0, rounding = 0.01;
+  bool repair_flips = false, allow_holes = false;
+
+  bool parse(const Arguments& arguments)
+  {
+    Options options("quads IN OUT",
+                    "Makes the texture coordinates of a triangle mesh an exact integer-grid map, and\n"
+                    "extracts the quad mesh that it describes: its edges are the lines on which a\n"
+                    "coordinate is an integer. IN is a .obj file, a .ply file with a list 'texcoord'\n"
+                    "for each face, or - for the standard input; OUT is a .obj or .off file.\n");
+    options.add_file("input", input);
+    options.add_file("output", output);
+    seams.add_to(options);
+    options.add("grid-scale", "K", scale, "multiply the coordinates by K first (default: 1)");
+    options.add("number", "N", number,
+                "instead, scale the coordinates to an area of N, for about N quads, and round as far "
+                "as needed");
+    options.add("rounding", "D", rounding,
+                "how far from integers translations, cones, and levels may be that are rounded to "
+                "them (default: 0.01; with --number, any distance)");
+    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain");
+    options.add("allow-holes", allow_holes,
+                "leave out the quads around faces that are still flipped, instead of refusing them");
+    if(!options.parse(arguments))
+      return false;
+    seams.check(options);
+    if(options.is_given("number") && options.is_given("grid-scale"))
+      throw Failure(USAGE, "--number and --grid-scale exclude each other");
+    if(options.is_given("number") && !(number >= 1))
+      throw Failure(USAGE, "the number of quads must be at least 1");
+    if(options.is_given("number") && !options.is_given("rounding"))
+      rounding = std::numeric_limits<double>::infinity();
+    if(suffix_of(output) != "obj" && suffix_of(output) != "off")
+      throw Failure(USAGE, "'" + output + "': quads are written to .obj and .off files");
+    check_outputs({input}, {output}, false);
+    return true;
+  }
+};
+
+// The area in the domain becomes the number of quads.
+double scale_for_number(const Model& model, const Quad_options& options)
+{
+  if(options.number == 0)
+    return options.scale;
+  const double area = SS::measure_integer_grid(model.mesh, model.uv_map).area;
+  if(!(area > 0))
+    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area");
+  return std::sqrt(options.number / area);
+}
+
+SS::Snapping_report snap(const Quad_options& options, Model& model)
+{
+  const Alignment alignment(model, options.seams);
+  const SS::Snapping_report report = SS::snap_to_seamless(
+    model.mesh, model.uv_map,
+    SS::parameters::edge_is_constrained_map(alignment.is_aligned).tolerance(options.seams.tolerance)
+      .integer_grid(true).grid_scale(scale_for_number(model, options))
+      .rounding_tolerance(options.rounding).repair_flips(options.repair_flips)
+      .verbose(options.seams.reading.verbose));
+  if(!report)
+    throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));
+  return report;
+}
+
+std::string text_of_quads(const Mesh& quads, const std::string& filename)
+{
+  std::ostringstream os;
+  const auto precision = CGAL::parameters::stream_precision(17);
+  if(!(suffix_of(filename) == "off" ? CGAL::IO::write_OFF(os, quads, precision)
+                                    : CGAL::IO::write_OBJ(os, quads, precision)))
+    throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
+  return os.str();
+}
+
+} // namespace
+
+void quads(const Arguments& arguments)
+{
+  Quad_options options;
+  if(!options.parse(arguments))
+    return;
+  Model model;
+  read_model(options.input, options.seams.reading, model);
+  const SS::Snapping_report snapped = snap(options, model);
+  Mesh result;
+  const SS::Extraction_report report =
+    SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
+      model.mesh, model.uv_map, result,
+      SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes));
+  if(!report)
+    throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
+                                in_numbers_of_file(report.message, model));
+  write_file(options.output, text_of_quads(result, options.output));
+  std::ostream& os = summary_stream({options.output});
+  os << report.number_of_faces - report.number_of_other_polygons << " quads, "
+     << report.number_of_vertices << " vertices, " << report.number_of_cones << " cones\n"
+     << "translations, cones, and levels rounded by up to " << snapped.largest_rounding << "\n";
+  if(report.number_of_other_polygons > 0)
+    os << report.number_of_other_polygons << " other polygons around cones between grid lines; "
+          "--grid-scale 2 avoids those at half-integers\n";
+  if(report.number_of_cut_cells > 0)
+    os << report.number_of_cut_cells << " pieces of cells at the border or at holes left out\n";
+  if(!report.nonpositive_faces.empty())
+    os << report.nonpositive_faces.size() << " flipped faces taken for holes\n";
+}
