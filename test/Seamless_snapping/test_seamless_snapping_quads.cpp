@@ -8,6 +8,7 @@
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -627,6 +628,103 @@ void test_refusals()
   check_refusal(sliver, Status::TOO_LARGE, "would cross", none);
 }
 
+// --- making integer-grid maps ----------------------------------------------------------------------
+
+void multiply(Grid_map& map, const double factor, const double noise)
+{
+  std::mt19937_64 random(7);
+  const auto number = [&] { return noise * (double(random() % 2001) / 1000 - 1); };
+  for(const auto h : map.mesh.halfedges())
+    if(!map.mesh.is_border(h))
+      map.uv[h] = Point_2(factor * map.uv[h].x() + number(), factor * map.uv[h].y() + number());
+}
+
+// Noise, and a scale that makes no translation an integer, are undone.
+void test_snapping(const Square_complex& complex, const int side, const int n)
+{
+  for(const double factor : {1., 1. / 3, 2.7182818})
+    for(const double noise : {0., 1e-8}) {
+      Grid_map map(complex, side, n);
+      map.perturb(3, 0.3 * side / n, 20);
+      multiply(map, factor, noise);
+      const auto report = SS::snap_to_seamless(
+        map.mesh, map.uv,
+        parameters::integer_grid(true).grid_scale(1 / factor).align_border(true)
+          .edge_is_constrained_map(map.is_feature));
+      CHECK(bool(report));
+      CHECK(report.largest_rounding < 1e-6 && report.largest_change < 1e-6);
+      CHECK(report.lost_faces.empty() && report.remaining_flips.empty());
+      CHECK(SS::is_seamless(map.mesh, map.uv));
+      CHECK(SS::is_integer_grid_map(map.mesh, map.uv,
+                                    parameters::align_border(true)
+                                      .edge_is_constrained_map(map.is_feature)));
+      Mesh quads;
+      const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+      check_quads(quads, extraction, expected_quads(complex, side));
+    }
+}
+
+// Roundings as large as units: what comes out is an integer-grid map all the same.
+void test_large_roundings(const Square_complex& complex, const int side, const int n)
+{
+  for(const double factor : {1.037, 0.83}) {
+    Grid_map map(complex, side, n);
+    map.perturb(3, 0.2 * side / n, 20);
+    multiply(map, factor, 1e-9);
+    const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
+    const auto refusal = SS::snap_to_seamless(map.mesh, map.uv,
+                                              parameters::integer_grid(true).align_border(true));
+    CHECK(refusal.status == SS::Snapping_status::NOT_INTEGER);
+    CHECK(refusal.message.find("vert") != std::string::npos);
+    CHECK(refusal.message.find("rounding_tolerance") != std::string::npos);
+    CHECK(refusal.largest_rounding > 0.01);
+    CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
+    const auto report = SS::snap_to_seamless(
+      map.mesh, map.uv,
+      parameters::integer_grid(true).align_border(true).rounding_tolerance(10.));
+    CHECK(bool(report));
+    CHECK_EQUAL(report.largest_rounding, refusal.largest_rounding);
+    CHECK(SS::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
+    CHECK(report.lost_faces.empty());
+    Mesh quads;
+    const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    CHECK(bool(extraction));
+    CHECK_EQUAL(extraction.number_of_other_polygons, std::size_t(0));
+    CHECK_EQUAL(extraction.number_of_cut_cells, std::size_t(0));
+    CHECK_EQUAL(double(extraction.number_of_faces), extraction.area);
+    CHECK_EQUAL(euler_characteristic(quads), euler_characteristic(map.mesh));
+  }
+}
+
+void test_integer_grids()
+{
+  Square_complex box = surfaces::box(1, 2, 1);
+  surfaces::mark_creases(box);
+  for(const auto& [complex, n] : {std::pair{box, 8}, {surfaces::double_torus(), 4},
+                                  {surfaces::genus_2(), 8}, {surfaces::tetrahedron(), 8},
+                                  {surfaces::torus(1, 2), 8}, {surfaces::box_with_holes(), 8},
+                                  {surfaces::cone_ring(5), 8}, {surfaces::pair_of_pants(), 8}}) {
+    test_snapping(complex, 5, n);
+    test_large_roundings(complex, 16, n);
+  }
+  Grid_map map(surfaces::box(1, 1, 1), 3, 4); // cones at half-integers
+  map.shift(0.5, 0.5);
+  const auto refusal = SS::snap_to_seamless(map.mesh, map.uv, parameters::integer_grid(true));
+  CHECK(refusal.status == SS::Snapping_status::NOT_INTEGER);
+  CHECK(refusal.largest_rounding >= 0.5);
+  CHECK(refusal.message.find("grid_scale") != std::string::npos);
+  const auto report = SS::snap_to_seamless(map.mesh, map.uv,
+                                           parameters::integer_grid(true).grid_scale(2));
+  CHECK(bool(report));
+  CHECK_EQUAL(report.largest_rounding, 0.);
+  CHECK_EQUAL(report.largest_change, 0.);
+  Mesh quads;
+  const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+  check_quads(quads, extraction, expected_quads(surfaces::box(1, 1, 1), 6));
+  const auto bad = SS::snap_to_seamless(map.mesh, map.uv, parameters::grid_scale(-1));
+  CHECK(bad.status == SS::Snapping_status::INVALID_ARGUMENT);
+}
+
 int main()
 {
   std::cout.precision(17);
@@ -639,5 +737,6 @@ int main()
   test_property_maps();
   test_forms();
   test_refusals();
+  test_integer_grids();
   return report_checks();
 }
