@@ -32,6 +32,7 @@ The outcome of an extraction. After any other than `EXTRACTED` the output is unt
 enum class Extraction_status
 {
   EXTRACTED,        ///< the quads were written, and all checks held
+  INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
   INVALID_ARGUMENT, ///< a scale that is not positive and finite, and the like
   NOT_TRIANGULAR,   ///< a face of the input is not a triangle
   NOT_FINITE,       ///< a coordinate is NaN, infinite, or beyond 1e300
@@ -52,6 +53,7 @@ inline const char* to_string(const Extraction_status status)
 {
   switch(status) {
   case Extraction_status::EXTRACTED:        return "extracted";
+  case Extraction_status::INEXACT_ARITHMETIC: return "inexact arithmetic";
   case Extraction_status::INVALID_ARGUMENT: return "invalid argument";
   case Extraction_status::NOT_TRIANGULAR:   return "not triangular";
   case Extraction_status::NOT_FINITE:       return "not finite";

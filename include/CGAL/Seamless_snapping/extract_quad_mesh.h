@@ -17,11 +17,11 @@
 // Quad meshes out of exactly seamless integer-grid maps.
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
@@ -31,7 +31,6 @@
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -85,8 +84,13 @@ template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap
 Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                                 const NamedParameters& np, const Write& write)
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const Protect_exact_arithmetic protect;
   Extraction_report report;
+  if(!is_arithmetic_exact()) {
+    report.status = Extraction_status::INEXACT_ARITHMETIC;
+    report.message = inexact_arithmetic_message();
+    return report;
+  }
   const Flat_numbering<TriangleMesh> numbering(tmesh);
   Chart_mesh mesh;
   {

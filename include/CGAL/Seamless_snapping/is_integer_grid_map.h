@@ -16,13 +16,13 @@
 
 // Checking and measuring integer-grid maps.
 
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
@@ -174,7 +174,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
                                           const NamedParameters& np =
                                             CGAL::parameters::default_values())
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
   return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
 }
 
@@ -189,7 +189,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  const internal::Protect_exact_arithmetic protect;
   return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }
 

@@ -34,11 +34,14 @@ class Dart_tracer
 public:
   Dart_tracer(const Chart_mesh& mesh, const Lattice_points& points, const Grid_darts& darts,
               const std::vector<char>& is_feature)
-    : m_mesh(mesh), m_points(points), m_darts(darts), m_decisions(mesh, is_feature)
+    : m_mesh(mesh), m_points(points), m_darts(darts), m_decisions(mesh, is_feature, m_step)
   {
     m_limits.is_stop = [&mesh](const std::size_t v)
                        { return is_lattice_point(mesh.uv(mesh.corner_at_vertex[v])); };
   }
+
+  Dart_tracer(const Dart_tracer&) = delete; // its members refer to each other
+  Dart_tracer& operator=(const Dart_tracer&) = delete;
 
   // The twin, `open_dart`, or `untraced_dart`: then the dart meets a vertex that it can't pass.
   Dart_index trace(const std::size_t dart)
@@ -60,11 +63,12 @@ public:
     state.halfedge = corner;
     state.direction = direction;
     state.level = end[constant_component(direction)];
-    m_decisions.set_end(end);
+    m_step = {};
+    m_step.end = end;
     leave_face_point<Integer_decisions>(m_mesh, state);
     if(m_decisions.ends_before(state))
       return twin_at_arrival();
-    return walk([&](Walk& w) { return w.run_from(state); });
+    return walk([&](Walk& w) { return begin(w, state); });
   }
 
   // The same for the dart that runs along a halfedge.
@@ -76,24 +80,20 @@ public:
     state.direction = direction;
     state.level = end[constant_component(direction)];
     state.arrival_key = m_mesh.edge_key(h);
-    m_decisions.set_end(end);
+    m_step = {};
+    m_step.end = end;
     if(m_decisions.ends_on_edge(h, h, direction))
       return twin_at_arrival();
-    return walk([&](Walk& w) { return w.run_from(state); });
+    return walk([&](Walk& w) { return begin(w, state); });
   }
 
-  bool ran_along_feature() const { return m_decisions.ran_along_feature(); }
+  bool ran_along_feature() const { return m_step.ran_along_feature; }
 
   // Where it was met.
   std::size_t obstacle() const { return m_obstacle; }
 
 private:
-  struct Nothing
-  {
-    template <typename State> void edge(const State&) { }
-    template <typename State> void vertex(const State&) { }
-  };
-  using Walk = Isocurve_walk<Integer_decisions, Nothing>;
+  using Walk = Isocurve_walk<Integer_decisions>;
   using State = Integer_decisions::State;
 
   Dart_index trace_from_edge(const Lattice_point& p, const int k)
@@ -103,31 +103,43 @@ private:
     state.halfedge = p.corner;
     state.direction = direction;
     state.level = p.uv[constant_component(direction)];
-    m_decisions.set_end(unit_step(p.uv, direction));
+    m_step = {};
+    m_step.end = unit_step(p.uv, direction);
     bool enters = false;
     leave_edge_point(m_mesh, m_decisions, state, enters);
     if(state.is_at_vertex && m_decisions.ends_on_edge(p.corner, state.halfedge, direction))
       return twin_at_arrival();
-    return walk([&](Walk& w) { return enters ? w.run_into(state) : w.run_from(state); });
+    return walk([&](Walk& w) { return enters ? w.begin_at_border(state) : begin(w, state); });
   }
 
   Dart_index trace_from_vertex(const Lattice_point& p, const int k)
   {
     const Vertex_ray ray = rays_from_vertex(m_mesh, m_mesh.vertex(p.corner))[std::size_t(k)];
-    m_decisions.set_end(unit_step(m_mesh.uv(ray.corner), ray.direction));
+    m_step = {};
+    m_step.end = unit_step(m_mesh.uv(ray.corner), ray.direction);
     if(m_decisions.ends_on_first_step(ray))
       return twin_at_arrival();
-    return walk([&](Walk& w) { return w.run_from_vertex(ray); });
+    return walk([&](Walk& w) {
+      w.begin_at_vertex(ray);
+      return Isocurve_status::CONTINUES;
+    });
   }
 
-  template <typename Run>
-  Dart_index walk(const Run& run)
+  static Isocurve_status begin(Walk& walk, const State& state)
   {
-    Nothing nothing;
-    Walk walk(m_mesh, m_decisions, m_limits, nothing);
-    const Isocurve_status status = run(walk);
+    walk.begin(state);
+    return Isocurve_status::CONTINUES;
+  }
+
+  template <typename Begin>
+  Dart_index walk(const Begin& begin_walk)
+  {
+    Walk walk(m_mesh, m_limits, m_decisions);
+    Isocurve_status status = begin_walk(walk);
+    while(status == Isocurve_status::CONTINUES)
+      status = walk.step();
     if(status == Isocurve_status::TARGET)
-      return m_decisions.arrival().place == Lattice_place::VERTEX ? twin_at_vertex(walk.state())
+      return m_step.place == Lattice_place::VERTEX ? twin_at_vertex(walk.state())
                                                                : twin_at_arrival();
     m_obstacle = m_mesh.vertex(walk.state().halfedge);
     return status == Isocurve_status::BORDER || m_mesh.is_border[m_obstacle] ? open_dart
@@ -146,16 +158,15 @@ private:
 
   Dart_index twin_at_arrival() const
   {
-    const Integer_decisions::Arrival& end = m_decisions.arrival();
-    const int back = reversed(end.direction);
-    if(end.place == Lattice_place::FACE)
-      return dart(face_of(end.corner), end.uv, back);
-    const Corner_index h = m_mesh.edge_key(end.corner);
-    if(h == end.corner)
-      return dart(face_of(h), end.uv, turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
-    const Corner_index from = end.corner, to = Chart_mesh::prev(h); // corners at the same vertex
+    const Direction back = reversed(m_step.direction);
+    if(m_step.place == Lattice_place::FACE)
+      return dart(face_of(m_step.corner), m_step.end, back);
+    const Corner_index h = m_mesh.edge_key(m_step.corner);
+    if(h == m_step.corner)
+      return dart(face_of(h), m_step.end, turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
+    const Corner_index from = m_step.corner, to = Chart_mesh::prev(h); // corners at the same vertex
     const int rotation = m_mesh.rotation(from);
-    return dart(face_of(h), carried(end.uv, rotation, m_mesh.uv(from), m_mesh.uv(to)),
+    return dart(face_of(h), carried(m_step.end, rotation, m_mesh.uv(from), m_mesh.uv(to)),
                 turned(back, rotation));
   }
 
@@ -170,6 +181,7 @@ private:
   const Chart_mesh& m_mesh;
   const Lattice_points& m_points;
   const Grid_darts& m_darts;
+  Unit_step m_step;
   Integer_decisions m_decisions;
   Walk_limits m_limits;
   std::size_t m_obstacle = 0;

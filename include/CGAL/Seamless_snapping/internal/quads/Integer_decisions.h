@@ -46,44 +46,36 @@ inline Uv unit_step(const Uv& u, const int direction)
   return end;
 }
 
+// A walk of one unit: its end, in the chart where the walk is; and once it has arrived, where that
+// lies, if it is not a vertex.
+struct Unit_step
+{
+  Uv end{};
+  Lattice_place place = Lattice_place::VERTEX;
+  Corner_index corner = no_index;                  // of the face, or on the edge
+  Direction direction = Quarter_turns::identity(); // of the walk
+  bool ran_along_feature = false;
+};
+
+// Copies share the step.
 class Integer_decisions
 {
 public:
   using Level = double;
   using State = Walk_state<Level>;
 
-  // Where the end lies, if it is no vertex: in the chart of the corner's face.
-  struct Arrival
-  {
-    Lattice_place place = Lattice_place::VERTEX;
-    Corner_index corner = no_index;
-    int direction = 0; // of the walk
-    Uv uv{};
-  };
-
   // `is_feature` tells of corners whether their edge is one.
-  Integer_decisions(const Chart_mesh& mesh, const std::vector<char>& is_feature)
-    : m_mesh(mesh), m_is_feature(is_feature)
+  Integer_decisions(const Chart_mesh& mesh, const std::vector<char>& is_feature, Unit_step& step)
+    : m_mesh(&mesh), m_is_feature(&is_feature), m_step(&step)
   { }
-
-  // To be called before the walk begins; `end` is in the chart where it does.
-  void set_end(const Uv& end)
-  {
-    m_arrival = Arrival();
-    m_arrival.uv = end;
-    m_ran_along_feature = false;
-  }
-
-  const Arrival& arrival() const { return m_arrival; }
-  bool ran_along_feature() const { return m_ran_along_feature; }
 
   // Whether the end comes before the walk leaves the face of the state's halfedge over this edge, or
   // by this vertex.
-  bool ends_before(const State& state)
+  bool ends_before(const State& state) const
   {
     if(!state.is_at_vertex) {
       const Corner_index h = state.halfedge;
-      const auto side = orientation({m_mesh.uv(Chart_mesh::prev(h)), m_mesh.uv(h), m_arrival.uv});
+      const auto side = orientation({m_mesh->uv(Chart_mesh::prev(h)), m_mesh->uv(h), m_step->end});
       return side != CGAL::NEGATIVE &&
              arrive(side == CGAL::ZERO ? Lattice_place::EDGE : Lattice_place::FACE, h, state.direction);
     }
@@ -92,15 +84,15 @@ public:
   }
 
   // The same for a walk along `edge` to the corner `vertex` of the same face.
-  bool ends_on_edge(const Corner_index edge, const Corner_index vertex, const int direction)
+  bool ends_on_edge(const Corner_index edge, const Corner_index vertex, const Direction direction) const
   {
-    m_ran_along_feature = m_ran_along_feature ||
-                          (!m_is_feature.empty() && m_is_feature[std::size_t(edge)]);
+    m_step->ran_along_feature = m_step->ran_along_feature ||
+                          (!m_is_feature->empty() && (*m_is_feature)[std::size_t(edge)]);
     return comes_before(vertex, direction) && arrive(Lattice_place::EDGE, edge, direction);
   }
 
   // The same for a walk that leaves a vertex.
-  bool ends_on_first_step(const Vertex_ray& ray)
+  bool ends_on_first_step(const Vertex_ray& ray) const
   {
     const Corner_index c = ray.corner;
     if(ray.kind == Ray_kind::ALONG_FIRST_EDGE)
@@ -113,26 +105,26 @@ public:
     return ends_before(state);
   }
 
-  /// The interface of the walk's template argument.
+  // The interface of the walk's template argument.
 
-  void cross(const Chart_transition& transition, State& state)
+  void cross(const Chart_transition& transition, State& state) const
   {
-    const Uv r = Quarter_turns::apply(transition.rotation, m_arrival.uv);
-    m_arrival.uv = {r[0] + transition.translation[0].rounded,
+    const Uv r = Quarter_turns::apply(transition.rotation, m_step->end);
+    m_step->end = {r[0] + transition.translation[0].rounded,
                     r[1] + transition.translation[1].rounded};
     state.direction = turned(state.direction, transition.rotation);
-    state.level = m_arrival.uv[constant_component(state.direction)];
+    state.level = m_step->end[constant_component(state.direction)];
   }
 
   static double approximation(const Level level) { return level; }
   static int side_of(const Level level, const double coordinate)
   { return compare(coordinate, level); }
 
-  // Whether the curve leads through the next face. If not, `arrival()` lies there.
-  bool enters(const State& state)
+  // Whether the curve leads through the next face. If not, the end lies there.
+  bool enters(const State& state) const
   {
     const Corner_index apex = Chart_mesh::next(state.halfedge);
-    const int side = side_of(state.level, m_mesh.uv(apex)[constant_component(state.direction)]);
+    const int side = side_of(state.level, m_mesh->uv(apex)[constant_component(state.direction)]);
     State exit = state;
     exit.is_at_vertex = side == 0;
     exit.halfedge = side == -left_sign(state.direction) ? Chart_mesh::next(apex) : apex;
@@ -140,13 +132,14 @@ public:
   }
   static Isocurve_status failure() { return Isocurve_status::TARGET; }
 
-  Isocurve_status choose_ray(const State& state, const Isocurve_rays& around, Vertex_ray& chosen)
+  Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
+                             Vertex_ray& chosen) const
   {
-    const Isocurve_status status = Exact_decisions::straight_ray(m_mesh, state, around, chosen);
+    const Isocurve_status status = Exact_decisions::straight_ray(*m_mesh, state, around, chosen);
     if(status != Isocurve_status::CONTINUES)
       return status;
-    m_arrival.uv = carried(m_arrival.uv, turned(chosen.direction, Quarter_turns::inverse(state.direction)),
-                           m_mesh.uv(state.halfedge), m_mesh.uv(chosen.corner));
+    m_step->end = carried(m_step->end, turned(chosen.direction, Quarter_turns::inverse(state.direction)),
+                           m_mesh->uv(state.halfedge), m_mesh->uv(chosen.corner));
     return ends_on_first_step(chosen) ? Isocurve_status::TARGET : Isocurve_status::CONTINUES;
   }
 
@@ -158,21 +151,21 @@ private:
   bool comes_before(const Corner_index vertex, const int direction) const
   {
     const std::size_t c = running_component(direction);
-    return running_sign(direction) * compare(m_arrival.uv[c], m_mesh.uv(vertex)[c]) < 0;
+    return running_sign(direction) * compare(m_step->end[c], m_mesh->uv(vertex)[c]) < 0;
   }
 
-  bool arrive(const Lattice_place place, const Corner_index corner, const int direction)
+  bool arrive(const Lattice_place place, const Corner_index corner,
+              const Direction direction) const
   {
-    m_arrival.place = place;
-    m_arrival.corner = corner;
-    m_arrival.direction = direction;
+    m_step->place = place;
+    m_step->corner = corner;
+    m_step->direction = direction;
     return true;
   }
 
-  const Chart_mesh& m_mesh;
-  const std::vector<char>& m_is_feature;
-  Arrival m_arrival;
-  bool m_ran_along_feature = false;
+  const Chart_mesh* m_mesh;
+  const std::vector<char>* m_is_feature;
+  Unit_step* m_step;
 };
 
 } // namespace internal

@@ -35,7 +35,7 @@ class Border_cells
 {
 public:
   Border_cells(const Chart_mesh& mesh, const Quad_complex& complex)
-    : m_mesh(mesh), m_complex(complex), m_decisions(mesh, m_no_features),
+    : m_mesh(mesh), m_complex(complex), m_decisions(mesh, m_no_features, m_step),
       m_tracer(mesh, complex.points, complex.darts, m_no_features),
       m_is_visited(mesh.corners.size() / 3, false)
   { }
@@ -142,13 +142,14 @@ private:
     if(lowest >= 0 || highest <= 0)
       return false;
     leave_face_point<Integer_decisions>(m_mesh, state);
-    m_decisions.set_end(point);
-    return m_decisions.ends_before(state) && m_decisions.arrival().place == Lattice_place::FACE;
+    m_step.end = point;
+    return m_decisions.ends_before(state) && m_step.place == Lattice_place::FACE;
   }
 
   const Chart_mesh& m_mesh;
   const Quad_complex& m_complex;
   const std::vector<char> m_no_features;
+  Unit_step m_step;
   Integer_decisions m_decisions;
   Dart_tracer m_tracer;
   std::vector<char> m_is_visited; // per face
