@@ -34,23 +34,25 @@ struct Quad_options
   bool parse(const Arguments& arguments)
   {
     Options options("quads IN OUT",
-                    "Makes the texture coordinates of a triangle mesh an exact integer-grid map, and\n"
-                    "extracts the quad mesh that it describes: its edges are the lines on which a\n"
-                    "coordinate is an integer. IN is a .obj file, a .ply file with a list 'texcoord'\n"
-                    "for each face, or - for the standard input; OUT is a .obj or .off file.\n");
+                    "Makes the texture coordinates of a triangle mesh an exact integer-grid map,\n"
+                    "and extracts the quad mesh that it describes: its edges are the lines on which\n"
+                    "a coordinate is an integer. IN is a .obj file, a .ply file with a list\n"
+                    "'texcoord' for each face, or - for the standard input; OUT is a .obj or .off\n"
+                    "file.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
     options.add("grid-scale", "K", scale, "multiply the coordinates by K first (default: 1)");
     options.add("number", "N", number,
-                "instead, scale the coordinates to an area of N, for about N quads, and round as far "
-                "as needed");
+                "instead, scale the coordinates to an area of N, for about N quads, and round as "
+                "far as needed");
     options.add("rounding", "D", rounding,
                 "how far from integers translations, cones, and levels may be that are rounded to "
                 "them (default: 0.01; with --number, any distance)");
     options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain");
     options.add("allow-holes", allow_holes,
-                "leave out the quads around faces that are still flipped, instead of refusing them");
+                "leave out the quads around faces that are still flipped, instead of refusing "
+                "them");
     if(!options.parse(arguments))
       return false;
     seams.check(options);

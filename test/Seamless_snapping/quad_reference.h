@@ -118,7 +118,8 @@ struct Grid_map
   }
 };
 
-// The quads themselves: the mesh of `side` times `side` cells in each square, without the diagonals.
+// The quads themselves: the mesh of `side` times `side` cells in each square, without the
+// diagonals.
 inline Mesh expected_quads(const Square_complex& complex, const int side)
 {
   Mesh mesh;
@@ -190,8 +191,9 @@ inline std::vector<std::vector<int> > codes(const Mesh& mesh)
       alike[{int(mesh.degree(mesh.target(h))) + (mesh.is_border(h) ? 1000 : 0),
              int(mesh.degree(mesh.source(h))) + (mesh.is_border(mesh.opposite(h)) ? 1000 : 0),
              int(mesh.degree(mesh.target(mesh.next(h))))}].push_back(h);
-    const auto rarest = std::min_element(alike.begin(), alike.end(), [](const auto& a, const auto& b)
-                                         { return a.second.size() < b.second.size(); });
+    const auto rarest =
+      std::min_element(alike.begin(), alike.end(), [](const auto& a, const auto& b)
+                       { return a.second.size() < b.second.size(); });
     std::vector<int> best;
     for(const Halfedge h : rarest->second) {
       std::vector<int> code = code_from(mesh, h);

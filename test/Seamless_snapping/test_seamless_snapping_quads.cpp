@@ -27,7 +27,7 @@ namespace parameters = SS::parameters;
 using Status = SS::Extraction_status;
 using CGAL::Exact_rational;
 
-// --- points of the grid in edges and triangles -----------------------------------------------------
+// --- points of the grid in edges and triangles ---------------------------------------------------
 
 // Coordinates are multiples of 1/8, so that integers of 64 bits tell the truth.
 void test_lattice_points()
@@ -75,7 +75,7 @@ void test_lattice_points()
   CHECK(number > 10000);
 }
 
-// --- surfaces whose quads are known ----------------------------------------------------------------
+// --- surfaces whose quads are known --------------------------------------------------------------
 
 // The same in other words: is it the expected mesh, up to the numbering?
 void check_quads(const Mesh& quads, const SS::Extraction_report& report, const Mesh& expected)
@@ -90,7 +90,8 @@ void check_quads(const Mesh& quads, const SS::Extraction_report& report, const M
   CHECK(are_isomorphic(quads, expected));
 }
 
-void test_surface(const Square_complex& complex, const int side, const int n, const bool is_in_space)
+void test_surface(const Square_complex& complex, const int side, const int n,
+                  const bool is_in_space)
 {
   const Mesh expected = expected_quads(complex, side);
   Grid_map map(complex, side, n);
@@ -141,7 +142,7 @@ void test_surfaces()
   in_space(parts);
 }
 
-// --- cones between the lines of the grid -----------------------------------------------------------
+// --- cones between the lines of the grid ---------------------------------------------------------
 
 // A quarter of the corners of all cells is the area; the cell around a cone of index i has 4 - i.
 void check_cells_around_cones(const Grid_map& map, const std::map<int, int>& expected_degrees)
@@ -218,7 +219,7 @@ void test_half_integer_cones()
   check_cells_around_cones(genus_2, {{12, 1}});
 }
 
-// --- results that are no face graph ----------------------------------------------------------------
+// --- results that are no face graph --------------------------------------------------------------
 
 void test_loops()
 {
@@ -241,7 +242,7 @@ void test_loops()
   CHECK(status(surfaces::tetrahedron(), 1, 2) == Status::EXTRACTED); // a pillow of two quads
 }
 
-// --- borders beside the grid, holes, and faces that are not positive -------------------------------
+// --- borders beside the grid, holes, and faces that are not positive -----------------------------
 
 using Polygon = std::vector<std::array<Exact_rational, 2> >;
 
@@ -291,8 +292,10 @@ std::set<std::array<int, 2> > covered_cells(const Grid_map& map)
     }
     for(int x = int(std::floor(low[0])); x < high[0]; ++x)
       for(int y = int(std::floor(low[1])); y < high[1]; ++y)
-        areas[{x, y}] += twice_area(clipped(clipped(clipped(clipped(triangle, 0, 1, x), 0, -1, x + 1),
-                                                    1, 1, y), 1, -1, y + 1));
+      {
+        const Polygon column = clipped(clipped(triangle, 0, 1, x), 0, -1, x + 1);
+        areas[{x, y}] += twice_area(clipped(clipped(column, 1, 1, y), 1, -1, y + 1));
+      }
   }
   std::set<std::array<int, 2> > result;
   for(const auto& [cell, area] : areas)
@@ -388,7 +391,7 @@ void test_flips()
   CHECK(flips > 40 && kept > 1000);
 }
 
-// --- what is known of each vertex and edge ---------------------------------------------------------
+// --- what is known of each vertex and edge -------------------------------------------------------
 
 void test_property_maps()
 {
@@ -456,7 +459,7 @@ void test_property_maps()
                 .number_of_unaligned_features, std::size_t(8 * (8 + 2 * 4)));
 }
 
-// --- the same in all forms -------------------------------------------------------------------------
+// --- the same in all forms -----------------------------------------------------------------------
 
 // Vertices and faces in a random order, and faces beginning anywhere.
 Mesh renumbered(const Grid_map& map, const unsigned seed, UV_map& uv)
@@ -490,7 +493,8 @@ Mesh renumbered(const Grid_map& map, const unsigned seed, UV_map& uv)
 bool are_identical(const Mesh& a, const Mesh& b)
 {
   if(a.number_of_vertices() != b.number_of_vertices() ||
-     a.number_of_halfedges() != b.number_of_halfedges() || a.number_of_faces() != b.number_of_faces())
+     a.number_of_halfedges() != b.number_of_halfedges() ||
+     a.number_of_faces() != b.number_of_faces())
     return false;
   for(const auto h : a.halfedges())
     if(a.next(h) != b.next(h) || a.target(h) != b.target(h) || a.face(h) != b.face(h))
@@ -552,7 +556,7 @@ void test_forms()
   CHECK(rounded_quads(quads) == rounded_quads(from_soup));
 }
 
-// --- bad input -------------------------------------------------------------------------------------
+// --- bad input -----------------------------------------------------------------------------------
 
 template <typename NamedParameters>
 void check_refusal(const Grid_map& map, const Status expected, const std::string& word,
@@ -628,7 +632,7 @@ void test_refusals()
   check_refusal(sliver, Status::TOO_LARGE, "would cross", none);
 }
 
-// --- making integer-grid maps ----------------------------------------------------------------------
+// --- making integer-grid maps --------------------------------------------------------------------
 
 void multiply(Grid_map& map, const double factor, const double noise)
 {

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 The outcome of an extraction. After any other than `EXTRACTED` the output is untouched.
 */
@@ -46,7 +46,7 @@ enum class Extraction_status
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 returns the status in words.
 */
 inline const char* to_string(const Extraction_status status)
@@ -69,10 +69,10 @@ inline const char* to_string(const Extraction_status status)
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
-What `extract_quad_mesh()` and `extract_quad_soup()` return. Converts to `bool`: `true` if and only if
-the quads were written.
+What `extract_quad_mesh()` and `extract_quad_soup()` return. Converts to `bool`: `true` if and only
+if the quads were written.
 */
 struct Extraction_report
 {
@@ -95,8 +95,9 @@ struct Extraction_report
   double area = 0;                  ///< of all faces, in units of one quad
   std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
   std::size_t number_of_cones_in_cells = 0; ///< those that lie between the lines of the grid
-  std::size_t number_of_unaligned_border_edges = 0; ///< border edges that lie on no line of the grid
-  std::size_t number_of_unaligned_features = 0;     ///< feature edges that lie on no line of the grid
+  /// border edges that lie on no line of the grid
+  std::size_t number_of_unaligned_border_edges = 0;
+  std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no line of the grid
   /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
   /// from 0
   std::vector<std::size_t> nonpositive_faces;
@@ -107,7 +108,7 @@ struct Extraction_report
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 writes the status and, if there is one, the message.
 */
 inline std::ostream& operator<<(std::ostream& os, const Extraction_report& report)

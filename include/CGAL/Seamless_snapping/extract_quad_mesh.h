@@ -170,8 +170,8 @@ bool fits(Extraction_report& report)
     return true;
   report.status = Extraction_status::NOT_INTEGER;
   report.message = std::to_string(report.number_of_other_polygons) +
-                   " cells around cones are no quads, which arrays of four indices can't hold; double "
-                   "the map, grid_scale(2), if the cones are half-integers, or use "
+                   " cells around cones are no quads, which arrays of four indices can't hold; "
+                   "double the map, grid_scale(2), if the cones are half-integers, or use "
                    "std::vector<std::size_t> for polygons";
   return false;
 }
@@ -179,17 +179,17 @@ bool fits(Extraction_report& report)
 } // namespace internal
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 extracts the quad mesh that an exactly seamless integer-grid map describes: its vertices are the
 points of the surface with integer coordinates, its edges the pieces of isocurves between them.
 
 If the map is exactly seamless with integer translations, all cones have integer coordinates, border
 edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
-result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of the
-map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4 elsewhere
-inside. All these conditions are checked before, and all these results are checked after the
-extraction, exactly; on success they hold. All decisions in between are comparisons and orientation
+result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of
+the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
+elsewhere inside. All these conditions are checked before, and all these results are checked after
+the extraction, exactly; on success they hold. All decisions in between are comparisons and orientation
 tests that are exact. There is no tolerance, and nothing is repaired.
 
 Beyond that:
@@ -285,8 +285,8 @@ Nothing is written unless the extraction succeeds.
     \cgalParamDescription{receives for each new vertex the index of the cone there, in quarter
                           turns; 0 if there is none}
     \cgalParamType{a class model of `WritablePropertyMap` with
-                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `int` as value
-                   type}
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `int` as
+                   value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
@@ -359,16 +359,16 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
 edges are no obstacle here.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
-\tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair of
-        iterators over the indices of a polygon, in counterclockwise order, as
-        `std::vector<std::size_t>` is; or is `std::array<Index, 4>`: then maps with cones between the
-        lines of the grid are refused
+\tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
+        of iterators over the indices of a polygon, in counterclockwise order, as
+        `std::vector<std::size_t>` is; or is `std::array<Index, 4>`: then maps with cones between
+        the lines of the grid are refused
 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner, as for `extract_quad_mesh()`

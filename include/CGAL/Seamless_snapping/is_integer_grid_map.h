@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 What `measure_integer_grid()` returns. The counts are exact; distances and the area are computed in
 floating point.
@@ -50,10 +50,12 @@ struct Integer_grid_measure
   std::size_t number_of_noninteger_cones = 0;   ///< all those that are no point of the grid
   std::size_t number_of_aligned_edges = 0; ///< edges that were asked to be aligned
   std::size_t number_of_unaligned_edges = 0; ///< those of them that lie on no line of the grid
-  std::size_t number_of_nonpositive_faces = 0; ///< faces that are flipped or degenerate in the domain
+  /// faces that are flipped or degenerate in the domain
+  std::size_t number_of_nonpositive_faces = 0;
   double translation_distance = 0; ///< the largest distance of a translation from an integer
   double cone_distance = 0; ///< the largest distance of a coordinate of a cone from an integer
-  double alignment_distance = 0; ///< the largest distance of an aligned edge from a line of the grid
+  /// the largest distance of an aligned edge from a line of the grid
+  double alignment_distance = 0;
   double area = 0; ///< in units of one quad
 
   /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
@@ -131,7 +133,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
 } // namespace internal
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 measures how far a parametrization is from an integer-grid map: an exactly seamless one whose
 translations and cones have integer coordinates, and in which the edges that are asked for lie on
@@ -179,7 +181,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingQuads
 
 returns `true` if and only if a parametrization is an integer-grid map, exactly; see
 `measure_integer_grid()`, whose parameters it has. Orientations are not looked at.

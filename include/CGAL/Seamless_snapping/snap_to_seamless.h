@@ -136,6 +136,27 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{integer_grid}
+    \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
+                          levels of aligned edges become integers, the nearest ones up to what they
+                          have to agree on. Where they are farther away than noise would be, the
+                          change is spread over the surface. See `extract_quad_mesh()`.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{grid_scale}
+    \cgalParamDescription{a positive number that the coordinates are multiplied by first}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{rounding_tolerance}
+    \cgalParamDescription{the largest distance of a translation, a cone, or a level from the integer
+                          that it becomes. A larger one is an error, since the map is not meant to
+                          be an integer-grid map then; raise it, to 10 for instance, where it is.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+    \cgalParamExtra{Large roundings may turn faces: `Snapping_report::lost_faces` tells.}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
                           between `0` and `num_vertices(tmesh) - 1`; the indices appear in messages
@@ -158,6 +179,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
+        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
           other, or an edge that is given as no cut has a rotation;
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,

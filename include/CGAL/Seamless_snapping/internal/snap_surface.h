@@ -134,7 +134,8 @@ private:
     Snapped_coordinates<Group> snapped{cuts.complex.coordinates, 0, solver.coarsest_step(), -1};
     if(!was_exact)
       if(const auto refusal = solver.solve(snapped))
-        return explained(*refusal, cuts, constraints, roundings, solver.system(), m_tmesh, m_vertex_indices);
+        return explained(*refusal, cuts, constraints, roundings, solver.system(), m_tmesh,
+                         m_vertex_indices);
     m_timer.finish("solution");
 
     Points points(m_tmesh, cuts, m_uv_map, m_vertex_indices, solver);
@@ -168,13 +169,15 @@ private:
   }
 
   // Adds equations to the complex: those of the integer-grid map near by.
-  std::optional<Refusal> round_to_integers(Cuts& cuts, const Constraint_list<TriangleMesh>& constraints,
+  std::optional<Refusal> round_to_integers(Cuts& cuts,
+                                           const Constraint_list<TriangleMesh>& constraints,
                                            std::vector<Rounding<Group> >& roundings)
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    if(auto refusal = Integer_rounding<Group>(cuts.complex, cuts.is_singular)
-                        .run(Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(), roundings)) {
+    const auto format = Number_format::of<typename Uv_number<HalfedgeUVMap>::type>();
+    if(auto refusal =
+         Integer_rounding<Group>(cuts.complex, cuts.is_singular).run(format, roundings)) {
       refusal->message = constraints.empty()
         ? "the integers near by would be too large for the number type; scale the map down"
         : "the further constraints don't hold for any integers near by; correct or remove them";
@@ -296,8 +299,8 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
       const Uv u = get_uv(uv_map, h);
       put(scaled, h, Point(Number(scale * u[0]), Number(scale * u[1])));
     }
-  report = Surface_snapper<Group, TriangleMesh, decltype(scaled), NamedParameters>(tmesh, scaled, np)
-             .run();
+  using Snapper = Surface_snapper<Group, TriangleMesh, decltype(scaled), NamedParameters>;
+  report = Snapper(tmesh, scaled, np).run();
   if(!report)
     return report;
   compare_with_input(tmesh, uv_map, scaled, scale, report);

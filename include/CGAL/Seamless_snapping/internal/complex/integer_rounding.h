@@ -191,7 +191,8 @@ private:
   }
 
   // Component c of u- - g u+, at the beginning of the branch.
-  Rounding<Group> translation_is(const std::size_t b, const std::size_t c, const double rounded) const
+  Rounding<Group> translation_is(const std::size_t b, const std::size_t c,
+                                 const double rounded) const
   {
     const auto& pair = *m_complex.pairs_begin(b);
     const auto& row = Group::matrix(m_complex.element[b])[c];

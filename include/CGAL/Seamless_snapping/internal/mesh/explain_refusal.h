@@ -51,7 +51,8 @@ std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, Tria
   }
   const std::size_t n = constraints.corner_constraints().size();
   return i < n ? constraints.corner_constraint_name(i)
-               : "the rounding of " + name_of_rounding(roundings[i - n], cuts, tmesh, vertex_indices);
+               : "the rounding of " +
+                   name_of_rounding(roundings[i - n], cuts, tmesh, vertex_indices);
 }
 
 // The same refusal with a message that names the place and the remedy.

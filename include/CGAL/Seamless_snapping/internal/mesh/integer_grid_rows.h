@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Corners at the inner vertices of 720 degrees or more: around some of these the rotations cancel, so
-// that cuts don't tell of them. Vertices at folds are not looked at: angles don't add up there.
+// Corners at the inner vertices of 720 degrees or more: around some of these the rotations cancel,
+// so that cuts don't tell of them. Vertices at folds are not looked at: angles don't add up there.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
 corners_of_large_cones(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale)

@@ -16,9 +16,9 @@
 
 // Roundings of the size of a face would turn faces beside the cuts if only the vertices of the cuts
 // moved. So they are spread over the surface first: all vertices move, by the displacement whose
-// Dirichlet energy in the domain is least among those that give the cuts their rounded translations,
-// the cones their coordinates, and the aligned edges their levels. What follows is exact; this is
-// not, and need not be.
+// Dirichlet energy in the domain is least among those that give the cuts their rounded
+// translations, the cones their coordinates, and the aligned edges their levels. What follows is
+// exact; this is not, and need not be.
 
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>

@@ -163,7 +163,8 @@ private:
       return dart(face_of(m_step.corner), m_step.end, back);
     const Corner_index h = m_mesh.edge_key(m_step.corner);
     if(h == m_step.corner)
-      return dart(face_of(h), m_step.end, turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
+      return dart(face_of(h), m_step.end,
+                  turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
     const Corner_index from = m_step.corner, to = Chart_mesh::prev(h); // corners at the same vertex
     const int rotation = m_mesh.rotation(from);
     return dart(face_of(h), carried(m_step.end, rotation, m_mesh.uv(from), m_mesh.uv(to)),

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The cells that darts enclose. A dart has its cell at the left; it is also the side of one corner of
-// that cell, at its origin, where the next dart counterclockwise is the other side.
+// The cells that darts enclose. A dart has its cell at the left; it is also the side of one corner
+// of that cell, at its origin, where the next dart counterclockwise is the other side.
 
 #include <CGAL/Seamless_snapping/internal/quads/Grid_darts.h>
 

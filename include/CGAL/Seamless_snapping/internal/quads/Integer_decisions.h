@@ -15,8 +15,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // What a walk of one unit along a line of the grid decides, exactly: levels and the end of the walk
-// are integers, which stay exact in a `double` through all transitions. The walk ends where the next
-// face, edge, or vertex contains the end.
+// are integers, which stay exact in a `double` through all transitions. The walk ends where the
+// next face, edge, or vertex contains the end.
 
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
@@ -69,22 +69,24 @@ public:
     : m_mesh(&mesh), m_is_feature(&is_feature), m_step(&step)
   { }
 
-  // Whether the end comes before the walk leaves the face of the state's halfedge over this edge, or
-  // by this vertex.
+  // Whether the end comes before the walk leaves the face of the state's halfedge over this edge,
+  // or by this vertex.
   bool ends_before(const State& state) const
   {
     if(!state.is_at_vertex) {
       const Corner_index h = state.halfedge;
       const auto side = orientation({m_mesh->uv(Chart_mesh::prev(h)), m_mesh->uv(h), m_step->end});
       return side != CGAL::NEGATIVE &&
-             arrive(side == CGAL::ZERO ? Lattice_place::EDGE : Lattice_place::FACE, h, state.direction);
+             arrive(side == CGAL::ZERO ? Lattice_place::EDGE : Lattice_place::FACE, h,
+                    state.direction);
     }
     return comes_before(state.halfedge, state.direction) &&
            arrive(Lattice_place::FACE, state.halfedge, state.direction);
   }
 
   // The same for a walk along `edge` to the corner `vertex` of the same face.
-  bool ends_on_edge(const Corner_index edge, const Corner_index vertex, const Direction direction) const
+  bool ends_on_edge(const Corner_index edge, const Corner_index vertex,
+                    const Direction direction) const
   {
     m_step->ran_along_feature = m_step->ran_along_feature ||
                           (!m_is_feature->empty() && (*m_is_feature)[std::size_t(edge)]);
@@ -138,8 +140,10 @@ public:
     const Isocurve_status status = Exact_decisions::straight_ray(*m_mesh, state, around, chosen);
     if(status != Isocurve_status::CONTINUES)
       return status;
-    m_step->end = carried(m_step->end, turned(chosen.direction, Quarter_turns::inverse(state.direction)),
-                           m_mesh->uv(state.halfedge), m_mesh->uv(chosen.corner));
+    const Quarter_turns::Element turn =
+      turned(chosen.direction, Quarter_turns::inverse(state.direction));
+    m_step->end =
+      carried(m_step->end, turn, m_mesh->uv(state.halfedge), m_mesh->uv(chosen.corner));
     return ends_on_first_step(chosen) ? Isocurve_status::TARGET : Isocurve_status::CONTINUES;
   }
 

@@ -15,8 +15,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The points of a parametrized surface with integer coordinates. Each is kept with one face, in
-// whose chart its coordinates are; those of a face are sorted, so that a point is found again by its
-// coordinates.
+// whose chart its coordinates are; those of a face are sorted, so that a point is found again by
+// its coordinates.
 
 #include <CGAL/Seamless_snapping/internal/quads/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From a chart mesh to the cells of the grid, step by step, with all checks. Nothing here depends on
-// the mesh data structure.
+// From a chart mesh to the cells of the grid, step by step, with all checks. Nothing here depends
+// on the mesh data structure.
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
 #include <CGAL/Seamless_snapping/internal/quads/cells_with_border.h>
@@ -103,12 +103,14 @@ private:
         if(std::abs(product) > largest_grid_coordinate)
           return fail(Extraction_status::TOO_LARGE,
                       "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
-                        " is beyond 2^46, where units can't be counted safely; move or shrink the map");
+                        " is beyond 2^46, where units can't be counted safely; move or shrink the "
+                        "map");
         if(k != 1 && (std::fma(u, k, -product) != 0 || (u != 0 && std::abs(product) < 1e-200)))
           return fail(Extraction_status::INVALID_ARGUMENT,
                       "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
-                        " can't be multiplied by grid_scale exactly; scale by a power of two, or scale "
-                        "before the map is made exact: snap_to_seamless() has grid_scale, too");
+                        " can't be multiplied by grid_scale exactly; scale by a power of two, or "
+                        "scale before the map is made exact, by snap_to_seamless() with "
+                        "grid_scale");
         u = product;
       }
     if(k != 1)
@@ -174,7 +176,8 @@ private:
     m_report.nonpositive_faces = nonpositive_faces(m_mesh);
     const std::vector<std::size_t>& faces = m_report.nonpositive_faces;
     if(faces.empty()) {
-      if(std::find(m_mesh.is_border.begin(), m_mesh.is_border.end(), true) != m_mesh.is_border.end())
+      const std::vector<char>& is_border = m_mesh.is_border;
+      if(std::find(is_border.begin(), is_border.end(), true) != is_border.end())
         Fan_splitter(m_mesh).run();
       return true;
     }
@@ -209,8 +212,8 @@ private:
       return true;
     return fail(Extraction_status::TOO_LARGE,
                 has_too_many_quads
-                  ? "there would be " + std::to_string(m_report.area) + " quads; raise maximum_number, "
-                    "or shrink the map by grid_scale"
+                  ? "there would be " + std::to_string(m_report.area) +
+                    " quads; raise maximum_number, or shrink the map by grid_scale"
                   : "the lines of the grid would cross edges of the mesh " +
                     std::to_string(crossings / 2) + " times; shrink the map by grid_scale");
   }

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Cells that have a part of the border in their interior. Where the border crosses a side of a cell,
-// the dart there has no twin, and the cell is not closed; but a hole may lie inside of a cell
+// Cells that have a part of the border in their interior. Where the border crosses a side of a
+// cell, the dart there has no twin, and the cell is not closed; but a hole may lie inside of a cell
 // altogether, or touch its sides.
 
 #include <CGAL/Seamless_snapping/internal/quads/Dart_tracer.h>
@@ -125,8 +125,8 @@ private:
     return {center[0] + (d == 0 || d == 3 ? -0.5 : 0.5), center[1] + (d < 2 ? -0.5 : 0.5)};
   }
 
-  // Whether the line through the point in this direction leads through the interior of the face, and
-  // the point comes before the line leaves it.
+  // Whether the line through the point in this direction leads through the interior of the face,
+  // and the point comes before the line leaves it.
   bool is_before_exit(const Corner_index corner, const Uv& point, const int direction)
   {
     Integer_decisions::State state;

@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What the theorem says of the cells, checked exactly for each part of the surface whose border lies
-// on the grid: as many corners as the area has quarters of units, and the surface's Euler
+// What the theorem says of the cells, checked exactly for each part of the surface whose border
+// lies on the grid: as many corners as the area has quarters of units, and the surface's Euler
 // characteristic.
 
 #include <CGAL/Seamless_snapping/internal/quads/Grid_cells.h>

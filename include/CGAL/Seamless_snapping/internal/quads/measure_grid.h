@@ -46,7 +46,8 @@ inline double distance_to_integer(const Exact_difference& d)
 
 enum class Cone_place { ON_POINT, ON_LINE, IN_CELL };
 
-// The coordinates of a cone are integers or not in all charts alike, where these differ by integers.
+// The coordinates of a cone are integers or not in all charts alike, where these differ by
+// integers.
 inline Cone_place cone_place(const Chart_mesh& mesh, const std::size_t vertex)
 {
   const Uv& u = mesh.uv(mesh.corner_at_vertex[vertex]);

@@ -15,8 +15,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // All darts and their twins. Which darts are traced does not depend on the number of threads: first
-// those in the directions +u and +v of their own charts, which in a single chart is one of each pair;
-// then those whose twin has not been found this way.
+// those in the directions +u and +v of their own charts, which in a single chart is one of each
+// pair; then those whose twin has not been found this way.
 
 #include <CGAL/Seamless_snapping/internal/quads/Dart_tracer.h>
 
@@ -37,8 +37,8 @@ struct Dart_failure
   explicit operator bool() const { return is_obstacle || is_ambiguous; }
 };
 
-// Gives darts whose twin is known to that twin. Twins are an involution if and only if this succeeds
-// for all.
+// Gives darts whose twin is known to that twin. Twins are an involution if and only if this
+// succeeds for all.
 inline bool complete_twins(Grid_darts& darts)
 {
   for(std::size_t d = 0; d < darts.size(); ++d) {
