@@ -18,6 +18,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_segment.h>
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Segment_walker.h>
 
 #include <CGAL/FPU.h>
