@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Segment_walker.h>
 
-#include <CGAL/FPU.h>
 #include <CGAL/Iterator_range.h>
 
 #include <boost/iterator/iterator_facade.hpp>
@@ -64,7 +63,7 @@ public:
   Isocurve_walker(const Tracer& tracer, const Start& start, const Isocurve_direction direction)
     : m_tracer(&tracer)
   {
-    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const internal::Protect_exact_arithmetic protect;
     if(tracer.is_exact())
       m_walker.emplace(tracer.chart_mesh(), internal::no_limits(), tracer.chart_start(start),
                        int(direction));
@@ -78,7 +77,7 @@ public:
   */
   Isocurve_status advance()
   {
-    const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+    const internal::Protect_exact_arithmetic protect;
     return m_walker ? m_walker->advance() : Isocurve_status::NOT_EXACT;
   }
 
