@@ -138,6 +138,27 @@ void test_exact_part()
   std::cout << "exact parts: seeds 1 to " << seeds << std::endl;
 }
 
+// --- seams that are borders --------------------------------------------------------------------
+
+// Two triangles that share an edge in space, but no vertex: the report says so.
+void test_cut_open_mesh()
+{
+  using Point_3 = Kernel::Point_3;
+  Mesh mesh;
+  const Point_3 corners[] = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(1, 1, 0)};
+  const auto add = [&](const int i, const int j, const int k) {
+    mesh.add_face(mesh.add_vertex(corners[i]), mesh.add_vertex(corners[j]),
+                  mesh.add_vertex(corners[k]));
+  };
+  add(0, 1, 2);
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv", Point_2(0, 0)).first;
+  CHECK(SS::snap_to_seamless(mesh, uv).message.empty());
+  add(2, 1, 3);
+  const auto report = SS::snap_to_seamless(mesh, uv);
+  CHECK(report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK(report.message.find("2 border edges coincide") != std::string::npos);
+}
+
 // --- files ---------------------------------------------------------------------------------------
 
 struct File
@@ -215,6 +236,7 @@ int main()
   test_noise();
   test_small_triangles();
   test_exact_part();
+  test_cut_open_mesh();
   const auto folder = test_data::further_data("seams", "seams that are easily misread");
   if(!folder.empty()) {
     test_cone(folder);

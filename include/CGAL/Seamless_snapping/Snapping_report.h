@@ -163,7 +163,9 @@ struct Snapping_report
   /// \name Outcome
   /// @{
   Snapping_status status = Snapping_status::ALREADY_EXACT; ///< the outcome
-  std::string message;  ///< on failure: the place, the reason, and the remedy
+  /// on failure: the place, the reason, and the remedy; after success perhaps a note, such as that
+  /// border edges coincide
+  std::string message;
   /*!
   If `status` is `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and
   a nonzero multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0

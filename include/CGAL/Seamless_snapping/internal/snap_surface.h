@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
@@ -32,6 +33,7 @@
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -67,10 +69,10 @@ public:
     : m_tmesh(tmesh)
     , m_uv_map(uv_map)
     , m_np(np)
-    , m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np))
     , m_timer(m_report.run,
               CGAL::parameters::choose_parameter(
                   CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
+    , m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np))
     , m_rounds(CGAL::parameters::choose_parameter(
           CGAL::parameters::get_parameter(np, CGAL::internal_np::integer_grid), false))
     , m_repairs_flips(CGAL::parameters::choose_parameter(
@@ -84,7 +86,9 @@ public:
       m_report.message = std::move(refusal->message);
       m_report.certificate = std::move(refusal->certificate);
     }
-    m_timer.finish("end");
+    m_timer.finish("release of memory");
+    if(m_report && m_report.run.number_of_cut_edges == 0)
+      note_coinciding_border_edges();
     return std::move(m_report);
   }
 
@@ -109,8 +113,8 @@ private:
     if(m_rounds)
       constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
                                                                 unit_scale(transitions.extent)));
-    Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions,
-                                       aligned_edges, constraints);
+    Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
+                                 constraints);
     fill_in(cuts);
     m_timer.finish("cut complex");
     std::vector<Rounding<Group> > roundings;
@@ -205,6 +209,17 @@ private:
                      "; raise it, or scale the map up by grid_scale", {}};
   }
 
+  // A mesh without cuts may have been cut open: then the user's seams are borders here.
+  void note_coinciding_border_edges()
+  {
+    if constexpr(CGAL::graph_has_property<TriangleMesh, CGAL::vertex_point_t>::value) {
+      const std::size_t number = number_of_coinciding_border_edges(
+        m_tmesh, get(CGAL::vertex_point, m_tmesh));
+      if(number > 0)
+        m_report.message = note_on_coinciding_border_edges(number);
+    }
+  }
+
   void fill_in(const Transition_data<TriangleMesh>& transitions)
   {
     m_report.run.number_of_faces = faces(m_tmesh).size(); // num_faces() counts removed ones too
@@ -246,9 +261,9 @@ private:
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
   const NamedParameters& m_np;
-  Vertex_index_map m_vertex_indices;
   Snapping_report m_report;
-  Step_timer m_timer;
+  Step_timer m_timer; // before all else that takes time
+  Vertex_index_map m_vertex_indices;
   bool m_rounds; // to an integer-grid map
   bool m_repairs_flips;
   bool m_has_spread = false;
