@@ -145,7 +145,8 @@ void test_cut_open_mesh()
 {
   using Point_3 = Kernel::Point_3;
   Mesh mesh;
-  const Point_3 corners[] = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(1, 1, 0)};
+  const Point_3 corners[] = {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0),
+                             Point_3(1, 1, 0)};
   const auto add = [&](const int i, const int j, const int k) {
     mesh.add_face(mesh.add_vertex(corners[i]), mesh.add_vertex(corners[j]),
                   mesh.add_vertex(corners[k]));

@@ -350,7 +350,8 @@ void test_number_of_crossings()
       // on isocurves through vertices, and between them
       const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
       for(const Start& start :
-          {Start::in_face(h, b.x(), (a.y() + c.y()) / 2), Start::in_face(h, (a.x() + c.x()) / 2, b.y()),
+          {Start::in_face(h, b.x(), (a.y() + c.y()) / 2),
+           Start::in_face(h, (a.x() + c.x()) / 2, b.y()),
            Start::in_face(h, (a.x() + b.x() + 2 * c.x()) / 4, (a.y() + b.y() + 2 * c.y()) / 4),
            Start::on_edge(h, Exact_rational(1) / 2), Start::at_vertex(h)}) {
         if(start.place == Place::FACE &&

@@ -43,9 +43,9 @@ auto face_of_halfedge(const Halfedge h, const TriangleMesh& tmesh)
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-The part of an isocurve in one face, or along one edge, with exact coordinates. All of them are those
-of the chart of `face()`. Segments are made by `Isocurve_walker` and `isocurve_segments()`, and are
-valid as long as the tracer is.
+The part of an isocurve in one face, or along one edge, with exact coordinates. All of them are
+those of the chart of `face()`. Segments are made by `Isocurve_walker` and `isocurve_segments()`,
+and are valid as long as the tracer is.
 
 \tparam TriangleMesh a model of `FaceGraph`
 */
@@ -55,7 +55,8 @@ class Isocurve_segment
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
 public:
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor; ///< a halfedge of the mesh
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;         ///< a face of the mesh
 
   /// \cond SKIP_IN_MANUAL

@@ -130,9 +130,10 @@ public:
   }
 
   /*!
-  returns where the curve that leads back along `arrival` comes in `outgoing(v)`, the curves around the
-  vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In a
-  star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is returned.
+  returns where the curve that leads back along `arrival` comes in `outgoing(v)`, the curves around
+  the vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In
+  a star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is
+  returned.
   \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
   */
   std::size_t outgoing_index(const Isocurve_segment<TriangleMesh>& arrival) const

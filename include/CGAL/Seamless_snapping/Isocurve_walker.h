@@ -151,9 +151,9 @@ private:
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-returns the segments of an isocurve as a range of `Isocurve_segment`, which walks along the curve while
-it is iterated over. It ends where `trace_isocurve()` without bounds ends. On a map that is not
-exactly seamless, it is empty.
+returns the segments of an isocurve as a range of `Isocurve_segment`, which walks along the curve
+while it is iterated over. It ends where `trace_isocurve()` without bounds ends. On a map that is
+not exactly seamless, it is empty.
 
 \param tracer has to outlive the range
 \param start where the curve starts

@@ -189,8 +189,8 @@ edges lie on isocurves of integer coordinates, and all faces are positive in the
 result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of
 the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
 elsewhere inside. All these conditions are checked before, and all these results are checked after
-the extraction, exactly; on success they hold. All decisions in between are comparisons and orientation
-tests that are exact. There is no tolerance, and nothing is repaired.
+the extraction, exactly; on success they hold. All decisions in between are comparisons and
+orientation tests that are exact. There is no tolerance, and nothing is repaired.
 
 Beyond that:
 - Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
