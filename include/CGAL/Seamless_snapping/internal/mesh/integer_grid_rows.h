@@ -20,7 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
-#include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -22,7 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <algorithm>
 #include <array>

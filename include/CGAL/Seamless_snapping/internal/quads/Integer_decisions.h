@@ -20,7 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
-#include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 

@@ -18,7 +18,7 @@
 // computed in floating point, with a bound of the error; where that leaves a doubt, the exact
 // orientation decides.
 
-#include <CGAL/Seamless_snapping/internal/orientation/orientation.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <algorithm>
 #include <array>

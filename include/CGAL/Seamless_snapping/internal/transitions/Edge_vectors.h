@@ -18,6 +18,7 @@
 // rest is floating point: how far a transition misses, and which misses least.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/exact/exact_sum.h>
 
 #include <algorithm>
@@ -28,8 +29,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-using Uv = std::array<double, 2>;
 
 // The coordinates at both ends a, b of an edge, on both sides.
 struct Edge_sides

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ORIENTATION_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ORIENTATION_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // The orientation of triangles in the domain: its exact sign, and bounds on what displacements can
 // do to it.
 
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -55,4 +55,4 @@ inline bool is_surely_positive(const Uv_triangle& t, const double reach)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_ORIENTATION_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_ORIENTATION_H

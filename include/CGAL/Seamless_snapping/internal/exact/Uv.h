@@ -1,0 +1,32 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_UV_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_UV_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Coordinates in the domain.
+
+#include <array>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Uv = std::array<double, 2>;
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_UV_H
