@@ -35,6 +35,28 @@ inline Rational power_of_two(int exponent)
   return result;
 }
 
+inline Integer product(const Integers& a, const Integers& b)
+{
+  Integer sum(0);
+  for(std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+inline bool shorten(Integers& a, const Integers& b)
+{
+  const Integer square = product(b, b), dot = product(a, b);
+  if(2 * CGAL::abs(dot) <= square)
+    return false;
+  const Integer twice = 2 * dot + square, divisor = 2 * square; // floor(dot / square + 1/2)
+  Integer factor = twice / divisor;
+  if(factor * divisor > twice)
+    --factor;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= factor * b[i];
+  return factor != 0;
+}
+
 // All integer solutions of C Y = B: one of them, and a basis of the differences.
 class Solutions
 {
@@ -114,28 +136,6 @@ private:
     }
   }
 
-  static Integer product(const Integers& a, const Integers& b)
-  {
-    Integer sum(0);
-    for(std::size_t i = 0; i < a.size(); ++i)
-      sum += a[i] * b[i];
-    return sum;
-  }
-
-  static bool shorten(Integers& a, const Integers& b)
-  {
-    const Integer square = product(b, b), dot = product(a, b);
-    if(2 * CGAL::abs(dot) <= square)
-      return false;
-    const Integer twice = 2 * dot + square, divisor = 2 * square; // floor(dot / square + 1/2)
-    Integer factor = twice / divisor;
-    if(factor * divisor > twice)
-      --factor;
-    for(std::size_t i = 0; i < a.size(); ++i)
-      a[i] -= factor * b[i];
-    return factor != 0;
-  }
-
   const Small_system& m_system;
   std::vector<Integers> m_columns; // of C, and what they are made of
   std::vector<Integers> m_basis;
@@ -158,25 +158,24 @@ inline double largest_change(const Solutions& solutions, Integers y, const std::
     return CGAL::to_double(Rational(z[j]) - x[j]);
   };
   const std::size_t d = basis.size(), n = y.size();
-  for(int round = 0; round < 200; ++round) {
-    bool has_changed = false;
-    for(std::size_t k = 0; k < d; ++k) {
-      double dot = 0, square = 0;
-      for(std::size_t j = 0; j < n; ++j) {
-        const double b = CGAL::to_double(basis[k][j]);
-        dot += difference(y, j) * b;
-        square += b * b;
-      }
-      const double factor = std::floor(dot / square + 0.5);
-      if(factor == 0)
-        continue;
-      has_changed = true;
-      for(std::size_t j = 0; j < n; ++j)
-        y[j] -= Integer(factor) * basis[k][j];
-    }
-    if(!has_changed)
-      break;
+  const Integer unit(1 << 20); // 20 binary digits of x behind the point are enough
+  Integers rest(n), rounded(n);
+  for(std::size_t j = 0; j < n; ++j) {
+    const Rational scaled = x[j] * Rational(unit);
+    rounded[j] = exact_reference::numerator(scaled) / exact_reference::denominator(scaled);
+    rest[j] = y[j] * unit - rounded[j];
   }
+  std::vector<Integers> steps(basis);
+  for(Integers& step : steps)
+    for(Integer& z : step)
+      z *= unit;
+  for(bool again = true; again;) {
+    again = false;
+    for(const Integers& step : steps)
+      again = shorten(rest, step) || again;
+  }
+  for(std::size_t j = 0; j < n; ++j)
+    y[j] = (rest[j] + rounded[j]) / unit;
   double best = -1;
   std::vector<int> step(d, -1);
   for(;;) {

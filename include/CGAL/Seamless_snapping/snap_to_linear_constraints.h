@@ -219,9 +219,11 @@ parametrizations, where each constraint has a coefficient 1 or -1 left when its 
 constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for each short one that links two of
 them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a fraction of a second for 10,000
 unknowns, some ten seconds for 100,000. Constraints without a coefficient 1 or -1 take a dense
-integer lattice: time cubic, and memory quadratic, in the number of unknowns that they link. A
-single constraint with arbitrary real coefficients on 1,000 unknowns takes seconds, on 20,000 of
-them hours.
+integer lattice, as do constraints on up to 2,000 unknowns whose implied values would lead far away
+from the optimum: memory quadratic, and time cubic in the number of unknowns that they link, but for
+the reduction of the lattice, which is cut off after some seconds. A single constraint with
+coefficients of 40 bits takes half a second for 100 unknowns, some ten seconds for 300 or 1,000;
+what is cut off is the closeness, not the exactness.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

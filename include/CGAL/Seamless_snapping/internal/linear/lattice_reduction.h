@@ -102,7 +102,7 @@ public:
       for(std::size_t k = 0; k < basis.size();) {
         if(k >= m_number_set || subtract_earlier_vectors(k) >= large_factor)
           size_reduce(k);
-        const std::size_t position = insertions < most_insertions ? position_of(k) : k;
+        const std::size_t position = m_work < most_work ? position_of(k) : k;
         if(position == k) {
           ++k;
           continue;
@@ -118,7 +118,7 @@ public:
   Orthogonal_frame& frame() { return m_frame; }
 
 private:
-  static constexpr std::size_t most_insertions = 1000000;
+  static constexpr double most_work = 1e10; // multiplications: some seconds
   static constexpr double large_factor = 1024; // after which few correct digits are left
 
   // Rows of the frame behind k are outdated thereafter.
@@ -127,6 +127,7 @@ private:
     const long exponent = to_scaled_row(m_basis[k], m_scale, m_row);
     m_frame.set_row(k, m_row, exponent);
     m_number_set = k + 1;
+    m_work += 4 * static_cast<double>(k + 1) * static_cast<double>(m_scale.size());
   }
 
   // Moves vector k to a place before.
@@ -141,6 +142,7 @@ private:
       is_accurate = is_accurate && length > 0.5 * m_frame.r(k - 1)[k - 1];
       if(is_accurate)
         m_frame.exchange(k, m_number_set);
+      m_work += 4 * static_cast<double>(m_scale.size() + m_basis.size());
     }
     if(!is_accurate)
       set_row(position);
@@ -206,6 +208,7 @@ private:
   std::vector<Vector>& m_basis;
   const std::vector<double>& m_scale;
   Orthogonal_frame m_frame;
+  double m_work = 0;
   std::size_t m_number_set = 0; // rows of the frame that are up to date
   std::vector<double> m_row; // scratch
 };
