@@ -36,8 +36,8 @@ public:
   using Level = double;
   using State = Walk_state<Level>;
 
-  // A curve that comes closer than `near` to a singular vertex or a target is meant to meet it. A
-  // loop should return to `start`, in this direction, unless that is no_index.
+  // A curve that comes closer than `near_distance` to a singular vertex or a target is meant to
+  // meet it. A loop should return to `start`, in this direction, unless that is no_index.
   Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
                            const Corner_index start, const Direction start_direction,
                            const double near_distance)
