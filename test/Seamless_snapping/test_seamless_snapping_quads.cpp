@@ -611,12 +611,12 @@ void test_refusals()
   map->shift(0, 1e15);
   check_refusal(*map, Status::TOO_LARGE, "2^46", none);
 
-  Grid_map small_map(surfaces::tetrahedron(), 1, 4); // too small for the grid
-  for(const auto g : small_map.mesh.halfedges())
-    small_map.uv[g] = Point_2(small_map.uv[g].x() + 0.5, small_map.uv[g].y() + 0.5);
+  Grid_map pillow(surfaces::tetrahedron(), 1, 4); // too small for a quad
+  for(const auto g : pillow.mesh.halfedges())
+    pillow.uv[g] = Point_2(pillow.uv[g].x() + 0.5, pillow.uv[g].y() + 0.5);
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
-  const auto report = SS::extract_quad_soup(small_map.mesh, small_map.uv, points, polygons);
+  const auto report = SS::extract_quad_soup(pillow.mesh, pillow.uv, points, polygons);
   CHECK(bool(report)); // four 2-gons
   CHECK_EQUAL(polygons.size(), std::size_t(4));
   Grid_map disc(surfaces::disc(1, 1), 1, 4);
