@@ -42,7 +42,7 @@ copy goes on by itself from where it was made.
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
 
-\models{CopyConstructible, Assignable}
+\cgalModels{CopyConstructible, Assignable}
 \sa `isocurve_segments()`
 */
 template <typename TriangleMesh>
@@ -105,7 +105,7 @@ private:
 
 iterates over the segments of an isocurve, from its start to its end; see `isocurve_segments()`.
 
-\models{InputIterator}
+\cgalModels{InputIterator}
 */
 template <typename TriangleMesh>
 class Isocurve_segment_iterator
