@@ -198,35 +198,37 @@ bool are_linked(const Segment& a, const Segment& b, const Mesh& mesh)
                                          : mesh.opposite(a.exit()) == b.entry();
 }
 
-// In which of the slots around its vertex a segment begins.
-std::size_t slot_of(const Segment& segment, const Tracer& tracer, const Mesh& mesh)
+// Whether two segments at a vertex take the same way: one face, or one edge, of which they may see
+// both sides.
+bool take_the_same_way(const Segment& a, const Segment& b, const Mesh& mesh)
 {
-  const auto outgoing = tracer.outgoing(mesh.target(segment.entry()));
-  std::size_t i = 0;
-  while(i < outgoing.size() && (outgoing[i].first.halfedge != segment.entry() ||
-                                outgoing[i].second != segment.direction()))
-    ++i;
-  return i;
+  if(a.is_along_edge() != b.is_along_edge())
+    return false;
+  return a.is_along_edge() ? mesh.edge(a.edge_halfedge()) == mesh.edge(b.edge_halfedge())
+                           : a.face() == b.face();
 }
 
 // At a vertex that a curve passes, as many curves leave to its left as to its right, if there is no
-// border; and the one that leads back takes the same segment.
+// border; and the one that leads back takes the same way.
 bool goes_straight_on(const Segment& a, const Segment& b, const Tracer& tracer, const Mesh& mesh)
 {
   const Vertex v = mesh.target(a.exit());
   const auto outgoing = tracer.outgoing(v);
-  const std::size_t back = tracer.outgoing_index(a), on = slot_of(b, tracer, mesh);
-  if(back >= outgoing.size() || on >= outgoing.size() || back == on)
+  std::vector<Segment> first;
+  for(const auto& [start, direction] : outgoing)
+    for(const Segment& segment : SS::isocurve_segments(tracer, start, direction)) {
+      first.push_back(segment);
+      break;
+    }
+  const std::size_t n = outgoing.size(), back = tracer.outgoing_index(a);
+  if(first.size() != n || back >= n || !take_the_same_way(a, first[back], mesh))
     return false;
-  SS::Isocurve_walker<Mesh> walker(tracer, outgoing[back].first, outgoing[back].second);
-  if(walker.advance() != Status::CONTINUES)
-    return false;
-  const Segment reversed = walker.segment();
-  if(a.is_along_edge() ? !reversed.is_along_edge() || mesh.edge(a.edge_halfedge()) !=
-                                                        mesh.edge(reversed.edge_halfedge())
-                       : reversed.is_along_edge() || a.face() != reversed.face())
-    return false;
-  return CGAL::is_border(v, mesh) || (back + outgoing.size() / 2) % outgoing.size() == on;
+  bool found = false;
+  for(std::size_t i = 0; i < n; ++i)
+    if(take_the_same_way(b, first[i], mesh) && i != back &&
+       (CGAL::is_border(v, mesh) || (back + n / 2) % n == i))
+      found = true;
+  return found;
 }
 
 // The segments of a curve are what its points say, and exact lengths add up.
