@@ -41,7 +41,7 @@ auto face_of_halfedge(const Halfedge h, const TriangleMesh& tmesh)
 } // namespace internal
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 The part of an isocurve in one face, or along one edge, with exact coordinates. All of them are
 those of the chart of `face()`. Segments are made by `Isocurve_walker` and `isocurve_segments()`,
@@ -57,7 +57,8 @@ class Isocurve_segment
 public:
   /// a halfedge of the mesh
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;         ///< a face of the mesh
+  /// a face of the mesh
+  using face_descriptor = typename Graph_traits::face_descriptor;
 
   /// \cond SKIP_IN_MANUAL
   Isocurve_segment(const TriangleMesh& tmesh, const internal::Chart_mesh& mesh,

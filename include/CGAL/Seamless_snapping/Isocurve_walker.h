@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 walks along an isocurve of an exactly seamless parametrization, one segment at a time. It is what
 algorithms are built on that trace many curves at once, or decide themselves where a curve ends. A
@@ -101,7 +101,7 @@ private:
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 iterates over the segments of an isocurve, from its start to its end; see `isocurve_segments()`.
 
@@ -149,7 +149,7 @@ private:
 };
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 returns the segments of an isocurve as a range of `Isocurve_segment`, which walks along the curve
 while it is iterated over. It ends where `trace_isocurve()` without bounds ends. On a map that is
@@ -173,7 +173,7 @@ isocurve_segments(const Isocurve_tracer<TriangleMesh>& tracer,
 }
 
 /*!
-\ingroup PkgSeamlessSnappingRef
+\ingroup PkgSeamlessSnappingTracing
 
 returns the segments of a curve that was traced exactly, as many as it has between its points.
 
