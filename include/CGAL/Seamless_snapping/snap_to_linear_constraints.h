@@ -207,10 +207,9 @@ pivots first, and a least-squares target.
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
-          the values whose numbers are of the type of the values. They are looked for on one grid
-          for all unknowns that depend on each other and, where there is none and they are at most
-          200, on a grid for each: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near \f$ (1, -1, 0) \f$
-          that gives
+          the values in numbers of their type. They are looked for on one grid for all unknowns
+          that depend on each other and, where there is none and they are at most 200, on a grid for
+          each: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near \f$ (1, -1, 0) \f$ that gives
           \f$ (1, -1, 2^{-60}) \f$. This can't happen for \f$ b = 0 \f$.
 
 \par Complexity

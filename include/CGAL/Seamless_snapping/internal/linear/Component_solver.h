@@ -122,9 +122,10 @@ public:
     figures.multiprecision = figures.multiprecision || m_form.is_multiprecision;
   }
 
-  // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids from
-  // the finest that fits the values on. Returns false if there is no solution on any grid that the
-  // number type has for values of this size: impossible for homogeneous systems, which 0 solves.
+  // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids
+  // from the finest that fits the values on. Returns false if there is no solution on any grid that
+  // the number type has for values of this size: impossible for homogeneous systems, which 0
+  // solves.
   // \pre is_consistent()
   bool solve(Component_solution& solution, Step_timer* const timer = nullptr) const
   {
@@ -140,8 +141,8 @@ public:
     return found;
   }
 
-  // Moves the values to the least-squares optimum, on a grid for that. Returns false if no grid of the
-  // number type holds it.
+  // Moves the values to the least-squares optimum, on a grid for that. Returns false if no grid of
+  // the number type holds it.
   bool find_optimum(Component_solution& solution) const
   {
     const int coarsest = coarsest_exponent();
@@ -378,8 +379,8 @@ private:
     return largest;
   }
 
-  // Chooses the core and the free columns near the optimum, and computes the implied ones. Returns 0
-  // if all fit, else by how many bits the grid must be coarser.
+  // Chooses the core and the free columns near the optimum, and computes the implied ones. Returns
+  // 0 if all fit, else by how many bits the grid must be coarser.
   int evaluate(const Core_solver* const core, Component_solution& solution) const
   {
     constexpr int many = 10; // for numbers of unknown size beyond 2^62

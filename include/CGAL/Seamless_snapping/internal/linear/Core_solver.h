@@ -14,10 +14,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What unit pivots can't reach goes to the complete integer solver; most systems have nothing of the kind.
-// Of large systems it is the rows that the elimination left over. Of others it is all rows as they were
-// given, but for redundant ones: a solution near by in all unknowns is wanted, and implied ones amplify
-// changes of the core.
+// What unit pivots can't reach goes to the complete integer solver; most systems have nothing of
+// the kind. Of large systems it is the rows that the elimination left over. Of others it is all
+// rows as they were given, but for redundant ones: a solution near by in all unknowns is wanted,
+// and implied ones amplify changes of the core.
 
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/Echelon_form.h>
@@ -62,8 +62,8 @@ public:
   // Whether there are solutions over the rationals.
   bool is_consistent() const { return m_is_consistent; }
 
-  // How often the right-hand sides must be doubled at least for an integer solution; none if no number
-  // of times is enough.
+  // How often the right-hand sides must be doubled at least for an integer solution; none if no
+  // number of times is enough.
   std::optional<std::size_t> right_hand_shift() const { return m_right_hand_shift; }
 
   const std::vector<Column_index>& columns() const { return m_columns; }
@@ -84,8 +84,8 @@ public:
     return result;
   }
 
-  // Sets the core's columns of `x` to a solution near the target, for right-hand sides that are doubled
-  // `shift` times. Returns false if a value exceeds 2^62.
+  // Sets the core's columns of `x` to a solution near the target, for right-hand sides that are
+  // doubled `shift` times. Returns false if a value exceeds 2^62.
   // \param weights the same in all calls: the reduced basis is expensive, and computed once
   // \pre shift >= *right_hand_shift()
   bool nearest(const std::size_t shift, const std::vector<Grid_value>& target,

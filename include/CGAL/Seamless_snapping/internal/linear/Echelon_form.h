@@ -25,9 +25,10 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Invariant: the pivot rows, the core rows, and the equations of the auxiliary unknowns have together the
-// solutions of the system, apart from contradictory rows. The pivot of a row is 1 or -1, in a column that
-// neither later pivot rows nor core rows hold, so that back-substitution runs through them in reverse.
+// Invariant: the pivot rows, the core rows, and the equations of the auxiliary unknowns have
+// together the solutions of the system, apart from contradictory rows. The pivot of a row is 1 or
+// -1, in a column that neither later pivot rows nor core rows hold, so that back-substitution runs
+// through them in reverse.
 struct Echelon_form
 {
   Integer_system pivot_rows; // in the order of elimination

@@ -96,7 +96,8 @@ private:
       throw Integer_overflow();
     b = to_64_bits(a);
   }
-  static void convert(const std::int64_t a, Exact_integer& b) { b = from_64_bits<Exact_integer>(a); }
+  static void convert(const std::int64_t a, Exact_integer& b)
+  { b = from_64_bits<Exact_integer>(a); }
 
   template <typename Integer>
   static std::vector<std::vector<Integer> > dense_vectors(const std::vector<Vector>& basis,

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The real-valued target of the snapping: the weighted least-squares projection of the values onto the
-// solutions of C x = b, in floating point. The paper keeps the input on the free variables and lets
-// the implied ones absorb all the violation (Sec. 4.2); this spreads it. Nothing here decides
+// The real-valued target of the snapping: the weighted least-squares projection of the values onto
+// the solutions of C x = b, in floating point. The paper keeps the input on the free variables and
+// lets the implied ones absorb all the violation (Sec. 4.2); this spreads it. Nothing here decides
 // exactness.
 
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
@@ -38,7 +38,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The power of two by which a row is divided before it becomes one of doubles: 0 unless these overflow.
+// The power of two by which a row is divided before it becomes one of doubles: 0 unless these
+// overflow.
 inline long row_exponent(const Integer_system& system, const std::size_t row)
 {
   constexpr long large = 200; // sums of products with grid values stay far from the limit
@@ -113,9 +114,9 @@ inline double row_violation(const Integer_system& system, const std::size_t row,
   return divided_by_power(sum, exponent + static_cast<long>(down)) + offset;
 }
 
-// The linear algebra of the projection, for one set of independent rows.
-// Invariant: the normal matrix M^T M of the rows is factorized, where M holds them as columns, or, where
-// unknowns that many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
+// The linear algebra of the projection, for one set of independent rows. Invariant: the normal
+// matrix M^T M of the rows is factorized, where M holds them as columns, or, where unknowns that
+// many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
 class Least_squares_projection
 {
   using Matrix = Eigen::SparseMatrix<double>;
@@ -135,7 +136,8 @@ public:
       return;
     set_rows(system);
     const Rows by_unknown(m_rows);
-    m_is_augmented = number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
+    m_is_augmented =
+      number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
     m_factors.compute(m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown));
     // a pivot is the square of the distance of a row, of length 1, from the rows before it
     m_is_ill_conditioned =
@@ -147,8 +149,8 @@ public:
   // Whether rows are so nearly dependent that most digits are lost.
   bool is_ill_conditioned() const { return m_is_ill_conditioned; }
 
-  // Moves `values` to their projection, in steps, each of which starts from the exact violations that
-  // the last one left, as long as these shrink.
+  // Moves `values` to their projection, in steps, each of which starts from the exact violations
+  // that the last one left, as long as these shrink.
   // \pre the system is that of the constructor
   void project(const Integer_system& system, const int right_hand_shift,
                std::vector<Grid_value>& values) const

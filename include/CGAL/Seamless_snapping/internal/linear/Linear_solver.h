@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A linear system, eliminated and factorized once, and solved for many targets. Divided into components
-// that share no unknown: each is solved on a grid of its own, as fine as its values allow, whatever the
-// size of the others.
+// A linear system, eliminated and factorized once, and solved for many targets. Divided into
+// components that share no unknown: each is solved on a grid of its own, as fine as its values
+// allow, whatever the size of the others.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>
@@ -59,10 +59,10 @@ class Linear_solver
 {
 public:
   // \param weights of the least-squares target, one per column, positive
-  // \param number_of_representable_columns columns from this one on are quantities of the system alone,
-  //        such as translations of branches: they need not be numbers of the format
-  // \param may_be_finer whether a component may be solved on a finer grid than the target's where its
-  //        solution is much smaller: not if other values, which stay on their grid, depend on it
+  // \param number_of_representable_columns columns from this one on are quantities of the system
+  // alone,
+  // \param may_be_finer whether a component may be solved on a finer grid than the target's where
+  // its
   Linear_solver(const Scaled_system& system, const std::vector<double>& weights,
                 const Number_format& format, const std::size_t number_of_representable_columns,
                 const bool may_be_finer)
@@ -119,8 +119,8 @@ public:
     return to_integer_multipliers(multipliers);
   }
 
-  // Solves all components near the target. Each grid of the solution is that of the target or, where
-  // need be, another. Returns the first component that has no representable solution, or -1.
+  // Solves all components near the target. Each grid of the solution is that of the target or,
+  // where need be, another. Returns the first component that has no representable solution, or -1.
   // \pre is_consistent()
   Component_index solve(const Linear_target& target, Linear_solution& solution,
                         Step_timer* const timer = nullptr) const
@@ -153,7 +153,8 @@ public:
     return true;
   }
 
-  // The same, on a grid of its own for each column, where the component has no solution on one grid.
+  // The same, on a grid of its own for each column, where the component has no solution on one
+  // grid.
   std::optional<std::vector<Column_solution> >
   solve_component_on_many_grids(const Component_index c, const Linear_target& target) const
   {
@@ -166,8 +167,8 @@ public:
     return solve_on_many_grids(solver.system(), solver.weights(), part);
   }
 
-  // The linear part of the least-squares projection: how the optimum answers to shifts of the values,
-  // per column.
+  // The linear part of the least-squares projection: how the optimum answers to shifts of the
+  // values, per column.
   std::vector<double> displacements(const std::vector<double>& shifts) const
   {
     std::vector<double> result(shifts);

@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Gram-Schmidt orthogonalization in floating point, for the two algorithms that choose among lattice
-// vectors: basis reduction and rounding to a near lattice point. Inexact throughout: nothing here
-// decides whether something holds, only which of several exact choices is a good one.
+// Gram-Schmidt orthogonalization in floating point, for the two algorithms that choose among
+// lattice vectors: basis reduction and rounding to a near lattice point. Inexact throughout:
+// nothing here decides whether something holds, only which of several exact choices is a good one.
 //
 // Numbers of hundreds of bits come as rows of doubles that share one binary exponent.
 

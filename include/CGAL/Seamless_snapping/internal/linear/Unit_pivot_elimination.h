@@ -14,16 +14,16 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Sparse exact elimination that pivots on coefficients +-1 only, and leaves the rows in echelon order
-// (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution). What has
-// no unit pivot left is handed on as the core. Pivots are chosen freely, always in a shortest row and
-// there in the column that the fewest other rows share: this keeps both the fill and the coefficients
-// small.
+// Sparse exact elimination that pivots on coefficients +-1 only, and leaves the rows in echelon
+// order (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution).
+// What has no unit pivot left is handed on as the core. Pivots are chosen freely, always in a
+// shortest row and there in the column that the fewest other rows share: this keeps both the fill
+// and the coefficients small.
 //
 // Columns that a single row holds, with coefficients unlike +-1, would pile up in ever longer rows:
-// each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one of
-// them. Several are replaced by an auxiliary unknown, which is a sum of them: a unimodular change of
-// variables.
+// each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one
+// of them. Several are replaced by an auxiliary unknown, which is a sum of them: a unimodular
+// change of variables.
 
 #include <CGAL/Seamless_snapping/internal/linear/Echelon_form.h>
 #include <CGAL/Seamless_snapping/internal/linear/elimination_queues.h>
@@ -47,9 +47,10 @@ struct Elimination_step
   Integer factor;
 };
 
-// Invariant after construction: each row is redundant (0 = 0), or contradictory (0 = c), or has a unit
-// pivot in a column that no core row and no later pivot row holds, or belongs to the core.
-// With 64-bit integers the constructor throws `Integer_overflow` where the exact result does not fit.
+// Invariant after construction: each row is redundant (0 = 0), or contradictory (0 = c), or has a
+// unit pivot in a column that no core row and no later pivot row holds, or belongs to the core.
+// With 64-bit integers the constructor throws `Integer_overflow` where the exact result does not
+// fit.
 template <typename Integer>
 class Unit_pivot_elimination
 {
@@ -256,10 +257,12 @@ private:
       rhs = difference_with_product(rhs, factor, right_hand_side(i));
   }
 
-  // The sum of at most this many of the system's unknowns is an auxiliary one, so that its value still fits.
+  // The sum of at most this many of the system's unknowns is an auxiliary one, so that its value
+  // still fits.
   static constexpr int largest_sum = 128;
 
-  // c (u + q v + ...) becomes c w, where w = u + q v + ... is new, and u = w - q v - ... is implied.
+  // c (u + q v + ...) becomes c w, where w = u + q v + ... is new, and u = w - q v - ... is
+  // implied.
   void merge_single_columns(const Row_index i)
   {
     const std::size_t first = first_single(m_rows[std::size_t(i)]);
@@ -270,7 +273,8 @@ private:
     Entries<std::int64_t> sum;
     int size = 0;
     for(std::size_t k = first; k < row.size(); ++k) {
-      if(m_columns.count(row[k].column) != 1 || (row[k].coefficient != c && row[k].coefficient != -c) ||
+      if(m_columns.count(row[k].column) != 1 ||
+         (row[k].coefficient != c && row[k].coefficient != -c) ||
          size + sum_size(row[k].column) > largest_sum)
         continue;
       size += sum_size(row[k].column);
@@ -301,8 +305,8 @@ private:
     m_states.push_back(DONE);
   }
 
-  // The first of at least two columns that no other row holds and that have the same coefficient up to the
-  // sign, or the size of the row.
+  // The first of at least two columns that no other row holds and that have the same coefficient up
+  // to the sign, or the size of the row.
   std::size_t first_single(const Row& row)
   {
     m_singles.clear();
@@ -310,7 +314,8 @@ private:
       if(m_columns.count(row[k].column) == 1) {
         if(is_unit(row[k].coefficient))
           return row.size(); // a pivot at no cost
-        m_singles.push_back({Integer(absolute_value(row[k].coefficient)), sum_size(row[k].column), k});
+        m_singles.push_back(
+          {Integer(absolute_value(row[k].coefficient)), sum_size(row[k].column), k});
       }
     std::sort(m_singles.begin(), m_singles.end());
     std::size_t first = row.size();

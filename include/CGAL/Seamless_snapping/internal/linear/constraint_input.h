@@ -45,8 +45,8 @@ Exact_rational to_exact_rational(const Number& a)
     return from_64_bits<Exact_rational>(a);
   } else {
     static_assert(std::is_constructible<Exact_rational, Number>::value && sizeof(Number) != 0,
-                  "coefficients and right-hand sides must be integers of up to 64 bits, float, double, "
-                  "or convert to CGAL::Exact_rational");
+                  "coefficients and right-hand sides must be integers of up to 64 bits, float, "
+                  "double, or convert to CGAL::Exact_rational");
     return Exact_rational(a);
   }
 }
@@ -136,8 +136,8 @@ bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& pr
   for(std::size_t i = 0; i < c.number_of_constraints(); ++i)
     for(auto term = c.begin(i); term != c.end(i); ++term)
       if(term->first >= c.number_of_unknowns()) {
-        problem = "constraint " + std::to_string(i) + " has the unknown " + std::to_string(term->first) +
-                  ", but there are only " + std::to_string(c.number_of_unknowns());
+        problem = "constraint " + std::to_string(i) + " has the unknown " +
+                  std::to_string(term->first) + ", but there are only " + std::to_string(c.number_of_unknowns());
         return false;
       }
   return true;

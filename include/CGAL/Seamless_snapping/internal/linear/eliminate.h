@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The elimination of a system, in 64-bit integers or, where these do not suffice, in multiprecision;
-// and which of its rows contradict each other.
+// The elimination of a system, in 64-bit integers or, where these do not suffice, in
+// multiprecision; and which of its rows contradict each other.
 
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/linear/Unit_pivot_elimination.h>
@@ -37,8 +37,8 @@ inline Echelon_form eliminate(const Integer_system& system)
   return Unit_pivot_elimination<Exact_integer>(system).echelon_form();
 }
 
-// A combination of eliminated rows, as one of the system's own: eliminates once more, with a log, and
-// follows this back. Equations of auxiliary unknowns hold by definition, and so drop out.
+// A combination of eliminated rows, as one of the system's own: eliminates once more, with a log,
+// and follows this back. Equations of auxiliary unknowns hold by definition, and so drop out.
 template <typename Integer>
 void undo_elimination(const Integer_system& system, std::vector<Exact_rational>& multipliers)
 {

@@ -59,8 +59,8 @@ private:
   std::size_t m_first = 0;
 };
 
-// For each column the rows that hold it: exact as a count, and as a list that also keeps rows which no
-// longer do. (Lists in one array: appending must not allocate.)
+// For each column the rows that hold it: exact as a count, and as a list that also keeps rows which
+// no longer do. (Lists in one array: appending must not allocate.)
 class Column_lists
 {
 public:

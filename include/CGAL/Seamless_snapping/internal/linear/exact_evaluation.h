@@ -49,8 +49,8 @@ inline BOOST_NOINLINE bool holds_in_rationals(const Integer_system& system, cons
   return sum == Exact_rational(exact.right_hand_side);
 }
 
-// The same in 64-bit integers, on the coarsest grid that holds all values of the row. Returns false if
-// it can't tell.
+// The same in 64-bit integers, on the coarsest grid that holds all values of the row. Returns false
+// if it can't tell.
 inline bool holds_in_small_integers(const Integer_system& system, const std::size_t row,
                                     const std::vector<double>& x, bool& holds)
 {

@@ -49,9 +49,9 @@ inline void assign(const mpz_t& a, Exact_integer& result)
   is >> result;
 }
 
-// Reduces `basis` in place with respect to the norm |scale_i v_i|. Returns false, with the basis as it was, if
-// fplll gives up or there is nothing to reduce. The lattice stays the same: what is applied is one matrix of
-// integers of determinant +-1.
+// Reduces `basis` in place with respect to the norm |scale_i v_i|. Returns false, with the basis as
+// it was, if fplll gives up or there is nothing to reduce. The lattice stays the same: what is
+// applied is one matrix of integers of determinant +-1.
 inline bool reduce_by_fplll(std::vector<std::vector<std::int64_t> >&, const std::vector<double>&)
 {
   return false; // what follows is faster

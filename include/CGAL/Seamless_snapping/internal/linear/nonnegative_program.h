@@ -14,9 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A small quadratic program over nonnegative unknowns, in floating point and approximately, by projected
-// overrelaxation. What comes of it is a direction to try, and is checked exactly; so the exact solver of CGAL,
-// whose time grows with the fourth power of the size, is not called for.
+// A small quadratic program over nonnegative unknowns, in floating point and approximately, by
+// projected overrelaxation. What comes of it is a direction to try, and is checked exactly; so the
+// exact solver of CGAL, whose time grows with the fourth power of the size, is not called for.
 
 #include <Eigen/Core>
 

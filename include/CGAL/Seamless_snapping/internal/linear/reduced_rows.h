@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Other rows with the same solutions, short and nearly orthogonal: where rows are nearly parallel, the
-// least-squares problem loses all its digits.
+// Other rows with the same solutions, short and nearly orthogonal: where rows are nearly parallel,
+// the least-squares problem loses all its digits.
 
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>

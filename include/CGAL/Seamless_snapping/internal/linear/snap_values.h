@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From values to values: looks whether they solve the system already, puts those of each component on
-// a grid, solves there, and checks what comes back.
+// From values to values: looks whether they solve the system already, puts those of each component
+// on a grid, solves there, and checks what comes back.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
@@ -48,7 +48,8 @@ inline double size_of_solutions(const Integer_system& system)
     const Scaled_double b = to_scaled_double(row.right_hand_side);
     const Scaled_double factor = to_scaled_double(sum);
     const long exponent = b.exponent - factor.exponent - system.right_hand_scale();
-    largest = (std::max)(largest, scaled_by_power(std::abs(b.mantissa) / factor.mantissa, exponent));
+    largest = (std::max)(largest,
+                         scaled_by_power(std::abs(b.mantissa) / factor.mantissa, exponent));
   }
   return largest;
 }
@@ -89,13 +90,15 @@ inline double largest_violation(const Linear_solver& solver, const Component_ind
   return largest;
 }
 
-// Figures of the change, in units of the largest value, so that squares neither overflow nor vanish.
+// Figures of the change, in units of the largest value, so that squares neither overflow nor
+// vanish.
 class Change_figures
 {
 public:
   explicit Change_figures(const double unit) : m_unit(unit > 0 ? unit : 1) { }
 
-  void add(const double before, const Grid& grid, const std::int64_t after, const Grid_value& target)
+  void add(const double before, const Grid& grid, const std::int64_t after,
+           const Grid_value& target)
   {
     const double change = std::abs(grid.value(after) - before);
     const double optimum = difference(target, before, grid) / m_unit;
@@ -119,10 +122,10 @@ public:
 private:
   static double difference(const Grid_value& target, const double before, const Grid& grid)
   {
-    if(!(std::abs(before) < std::ldexp(grid.step(), 62))) // the grid is finer than that of the input
+    if(!(std::abs(before) < std::ldexp(grid.step(), 62))) // the grid is finer than the input's
       return to_double(target) * grid.step() - before;
     const Grid_value start = grid.split(before);
-    return (static_cast<double>(target.base - start.base) + (target.offset - start.offset)) * grid.step();
+    return internal::difference(target, start) * grid.step();
   }
 
   double m_unit;
@@ -146,8 +149,8 @@ inline Refusal contradiction(const Linear_solver& solver)
   for(const auto& multiple : refusal.certificate)
     rows.push_back(multiple.first);
   refusal.message = "the constraints contradict each other: a combination of the rows " +
-                    list_of_rows(rows) + " (multipliers in the certificate) reads 0 = c with c != 0; "
-                    "remove or correct one of them";
+                    list_of_rows(rows) + " (multipliers in the certificate) reads 0 = c with "
+                    "c != 0; remove or correct one of them";
   return refusal;
 }
 
@@ -159,10 +162,9 @@ inline Refusal not_representable(const Linear_solver& solver, const Component_in
     if(solver.system(c).has_right_hand_side(k))
       rows.push_back(solver.rows(c)[k]);
   return {Snapping_status::NOT_REPRESENTABLE,
-          "the constraints have rational solutions, but near the values none was found whose values "
-          "are all multiples of one power of two that the number type can hold at this size; round "
-          "the right-hand sides of the constraints " + list_of_rows(rows) + " to fewer bits, or "
-          "remove factors that they are not divisible by", {}};
+          "the constraints have rational solutions, but near the values none was found in numbers of "
+          "their type; round the right-hand sides of the constraints " + list_of_rows(rows) +
+          " to fewer bits, or remove factors that they are not divisible by", {}};
 }
 
 // The components that have a row which the values do not satisfy exactly.
@@ -177,8 +179,8 @@ inline std::vector<Component_index> violated_components(const Linear_solver& sol
   return result;
 }
 
-// Replaces `x` by values that solve the system exactly; those of components that hold are left alone.
-// Where it refuses, that is all of them.
+// Replaces `x` by values that solve the system exactly; those of components that hold are left
+// alone. Where it refuses, that is all of them.
 inline std::optional<Refusal> snap_values(const Scaled_system& scaled,
                                           const std::vector<double>& weights,
                                           const Number_format& format, std::vector<double>& x,
@@ -238,8 +240,8 @@ inline std::optional<Refusal> snap_values(const Scaled_system& scaled,
   }
   for(std::size_t i = 0; i < row_holds.size(); ++i)
     if(!holds(system, i, snapped))
-      return Refusal{Snapping_status::INTERNAL_ERROR, "the result failed its exact verification and "
-                     "was discarded; please report this", {}};
+      return Refusal{Snapping_status::INTERNAL_ERROR, "the result failed its exact verification "
+                     "and was discarded; please report this", {}};
   timer.finish("verification");
   figures.fill_in(report);
   report.status = Snapping_status::SNAPPED;

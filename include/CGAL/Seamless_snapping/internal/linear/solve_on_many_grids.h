@@ -14,8 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A grid for each unknown: where values of mixed scale have no solution on the grid that the largest of
-// them needs. Columns are scaled by powers of two; what is left is a system on the integers.
+// A grid for each unknown: where values of mixed scale have no solution on the grid that the
+// largest of them needs. Columns are scaled by powers of two; what is left is a system on the
+// integers.
 
 #include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>
 
@@ -52,7 +53,8 @@ inline int exponent_of_value(const Grid& grid, const Grid_value& v)
 }
 
 // C x = b in terms of the multiples of 2^exponents that x are made of.
-inline Integer_system scaled_columns(const Integer_system& system, const std::vector<int>& exponents)
+inline Integer_system scaled_columns(const Integer_system& system,
+                                     const std::vector<int>& exponents)
 {
   std::vector<Integer_row<Exact_integer> > rows;
   std::vector<int> scales; // of right-hand sides
