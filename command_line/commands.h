@@ -14,6 +14,7 @@ using Arguments = std::vector<std::string>;
 void check(const Arguments& arguments);
 void make_body(const Arguments& arguments);
 void parametrize(const Arguments& arguments);
+void quads(const Arguments& arguments);
 void snap(const Arguments& arguments);
 void trace(const Arguments& arguments);
 
