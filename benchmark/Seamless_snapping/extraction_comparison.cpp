@@ -1,5 +1,5 @@
-// Quads of the same maps, extracted exactly and in floating point: how many darts the latter loses as
-// the gaps at the cuts grow; and the numbers of quads, to compare with those of other programs.
+// Quads of the same maps, extracted exactly and in floating point: how many darts the latter loses
+// as the gaps at the cuts grow; and the numbers of quads, to compare with those of other programs.
 
 #include "benchmark_tools.h"
 #include "command_line.h"
