@@ -4,7 +4,7 @@
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
 #define SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
 
-#include "../../examples/Seamless_snapping/svg_view.h"
+#include "../../command_line/svg_view.h"
 
 #include <algorithm>
 #include <cmath>
