@@ -19,6 +19,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace po = benchmark::options;
@@ -30,12 +31,6 @@ using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Tracer = SS::Isocurve_tracer<Mesh>;
 
 // Walks without keeping anything.
-struct Nothing
-{
-  template <typename State> void edge(const State&) { }
-  template <typename State> void vertex(const State&) { }
-};
-
 template <typename MakeDecisions>
 std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
                      const MakeDecisions& make_decisions)
@@ -47,11 +42,11 @@ std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
   for(std::size_t v = 0; v < mesh.is_singular.size(); ++v)
     if(mesh.is_singular[v])
       for(const auto& ray : SS::internal::rays_from_vertex(mesh, v)) {
-        auto decisions = make_decisions();
-        Nothing nothing;
-        SS::internal::Isocurve_walk<decltype(decisions), Nothing> walk(mesh, decisions, limits,
-                                                                       nothing);
-        walk.run_from_vertex(ray);
+        const auto decisions = make_decisions();
+        SS::internal::Isocurve_walk<std::decay_t<decltype(decisions)>> walk(mesh, limits,
+                                                                            decisions);
+        walk.begin_at_vertex(ray);
+        SS::internal::run(walk, [](const auto&) { });
         crossings += walk.number_of_crossings();
       }
   return crossings;
@@ -114,7 +109,8 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
   std::cout << std::setw(10) << mesh.number_of_faces() << std::setw(12) << crossings
             << std::setw(12) << 1000 * preparation << std::setw(12) << exact << std::setw(12)
             << kept << std::setw(12) << threaded << std::setw(12) << naive << "  "
-            << file.substr(file.find_last_of('/') + 1) << std::endl;
+            << file.substr(file.find_last_of('/') + 1)
+            << std::endl;
 }
 
 int main(int argc, char* argv[])
