@@ -39,16 +39,29 @@ std::vector<char> exact_components(const Cut_complex<Group>& complex,
       if(k >= 0)
         result[std::size_t(k)] = false;
   };
+  // Sectors can cancel in a row, so that all of it are looked at: those that are left tell.
+  const auto mark_branch = [&](const std::size_t b) {
+    for(const auto* pair : {complex.pairs_begin(b), complex.pairs_end(b) - 1})
+      for(const Sector_index s : {pair->plus, pair->minus})
+        mark(components.of_node(s));
+    if(complex.has_inner_pairs(b))
+      mark(components.of_minus(b));
+  };
   const auto& u = complex.coordinates;
   for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
     if(!branch_is_exact(complex, b, u))
-      mark(components.of_node(complex.pairs_begin(b)->minus));
+      mark_branch(b);
   for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
     if(!chain_is_exact(complex, c, u))
-      mark(components.of_node(*complex.links_begin(c)));
+      for(const Sector_index s : {*complex.links_begin(c), *(complex.links_end(c) - 1)})
+        mark(components.of_node(s));
   for(const auto& path : complex.paths)
-    if(!path_is_exact(complex, path, u))
-      mark(components.of_node(path.a));
+    if(!path_is_exact(complex, path, u)) {
+      for(const Sector_index s : {path.a, path.b})
+        mark(components.of_node(s));
+      for(const auto& crossing : path.crossings)
+        mark_branch(std::size_t(crossing.branch));
+    }
   for(const auto& equation : complex.equations)
     if(!equation_is_exact<Group>(equation, u))
       for(const auto& term : equation.terms)
