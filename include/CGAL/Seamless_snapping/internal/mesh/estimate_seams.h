@@ -65,9 +65,10 @@ public:
     find_undecided();
     if(std::find(m_is_soft.begin(), m_is_soft.end(), true) == m_is_soft.end())
       return 0;
-    for(std::size_t v = 0; v < m_incidences.size(); ++v)
-      m_queue.push_back(Vertex_index(v));
-    complete_vertices();
+    continue_branches();
+    if(!m_has_corner_noise) // others fit best as they are
+      return std::size_t(std::count(m_is_soft.begin(), m_is_soft.end(), true));
+    complete_all_vertices();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
       if(!m_is_decided[i] && is_noise(m_edges[i].gap, i) && is_admissible(i, Group::identity()))
         decide(i, Group::identity());
@@ -85,6 +86,13 @@ public:
 
 private:
   enum : char { UNKNOWN, NO, YES };
+
+  void complete_all_vertices()
+  {
+    for(std::size_t v = 0; v < m_incidences.size(); ++v)
+      m_queue.push_back(Vertex_index(v));
+    complete_vertices();
+  }
 
   // --- noise ---
 
@@ -126,6 +134,7 @@ private:
     }
     if(2 * number <= CGAL::halfedges_around_target(halfedge_towards(v), m_tmesh).size())
       return;
+    m_has_corner_noise = true;
     for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
       m_noise[std::size_t(i->edge)] = (std::max)(m_noise[std::size_t(i->edge)], largest);
   }
@@ -174,6 +183,33 @@ private:
     }
   }
 
+  // From edges that are decided along their branches, at vertices where just two edges meet.
+  void continue_branches()
+  {
+    std::vector<Edge_index> known;
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      if(m_is_decided[i] && m_edges[i].is_cut)
+        known.push_back(Edge_index(i));
+    while(!known.empty()) {
+      const std::size_t i = std::size_t(known.back());
+      known.pop_back();
+      for(const Vertex_index v : {m_ends[i].source, m_ends[i].target}) {
+        const Incidence* pair = m_incidences.begin(v);
+        if(m_incidences.degree(v) != 2 || is_border(v))
+          continue;
+        const Incidence& other = pair[pair[0].edge == Edge_index(i) ? 1 : 0];
+        const std::size_t e = std::size_t(other.edge);
+        const Element behind = holonomy(v, other.edge);
+        const Element g = other.points_to_vertex ? Group::inverse(behind) : behind;
+        if(m_is_decided[e] || !is_admissible(e, g))
+          continue;
+        decide(e, g);
+        known.push_back(other.edge);
+      }
+    }
+    m_queue.clear();
+  }
+
   // --- vertices ---
 
   // At inner vertices all of whose edges but one are decided, that one leaves no cone, if it can.
@@ -181,7 +217,8 @@ private:
   {
     for(; !m_queue.empty(); m_queue.pop_front()) {
       const Vertex_index v = m_queue.front();
-      if(m_number_of_undecided[std::size_t(v)] != 1 || is_border(v))
+      if(m_number_of_undecided[std::size_t(v)] != 1 ||
+         is_border(v))
         continue;
       for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
         const std::size_t e = std::size_t(i->edge);
@@ -288,6 +325,7 @@ private:
   std::vector<int> m_number_of_undecided; // per vertex: edges
   std::vector<char> m_is_border, m_is_reached; // per vertex
   std::deque<Vertex_index> m_queue;
+  bool m_has_corner_noise = false;
 };
 
 } // namespace internal
