@@ -37,10 +37,10 @@ namespace internal {
 
 // One run. The noise at an edge is what residuals in its surroundings tell, and gaps where corners
 // differ along most edges. An edge whose length lets only one rotation explain it up to the noise
-// is decided by itself. Others take the rotation that leaves no cone at one of their ends; where
-// both ends leave a choice, they are no cut if their gap is noise too, and what fits best
-// otherwise. Cones that only such choices have made cancel each other along edges that are not
-// decided by themselves.
+// is decided by itself. Others take the rotation of the branch they lie on, or what fits best. Only
+// where corners have noise of their own, they take the rotation that leaves no cone at one of their
+// ends, or are no cut if their gap is noise too; cones that such choices have made cancel each
+// other along edges that are not decided by themselves.
 template <typename Group, typename TriangleMesh, typename Halfedge>
 class Seam_estimator
 {
