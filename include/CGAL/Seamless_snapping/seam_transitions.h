@@ -166,7 +166,8 @@ corners
    differ along most edges of a vertex, their gaps count as well.
 -# An edge for which only one rotation is within twice the noise takes this rotation.
 -# Another edge takes the rotation of the branch it lies on, or what fits best; where corners have
-   noise of their own, it takes the rotation that leaves no cone at an end where all other edges are decided;
+   noise of their own, it takes the rotation that leaves no cone at an end where all other edges are
+   decided;
 if no
    end tells, it is no cut provided that its sides differ by no more than the noise, and otherwise
    takes the rotation that fits best.
