@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
@@ -28,7 +29,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -173,13 +173,9 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename Face>
 CGAL::Orientation
 face_orientation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Face f)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto h = halfedge(f, tmesh);
-  const auto point = [&](const auto corner) {
-    const Uv u = get_uv(uv_map, corner);
-    return Kernel::Point_2(u[0], u[1]);
-  };
-  return Kernel().orientation_2_object()(point(prev(h, tmesh)), point(h), point(next(h, tmesh)));
+  return orientation({{get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
+                       get_uv(uv_map, next(h, tmesh))}});
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>

@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
@@ -62,7 +63,7 @@ class Surface_snapper
     CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
                                            std::declval<const NamedParameters&>()))>;
   using Cuts = Surface_cuts<Group, TriangleMesh>;
-  using Points = Movable_points<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
+  using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
 
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
@@ -142,8 +143,8 @@ private:
                          m_vertex_indices);
     m_timer.finish("solution");
 
-    Points points(m_tmesh, cuts, m_uv_map, m_vertex_indices, solver);
-    Orientation_repair<Points, HalfedgeUVMap>(points, m_uv_map, solver, m_repairs_flips)
+    Stars stars(m_tmesh, cuts, m_uv_map, m_vertex_indices);
+    Orientation_repair<Group>(cuts.complex, solver, stars, m_repairs_flips)
       .run(snapped.coordinates, m_report);
     m_timer.finish("orientation");
     if(was_exact && m_report.run.number_of_repaired_flips == 0)
@@ -155,7 +156,7 @@ private:
                      "was discarded; please report this",
                      {}};
     m_timer.finish("verification");
-    return write(cuts, points, snapped);
+    return write(cuts, stars, snapped);
   }
 
   // The uv map is a copy then, which can be changed before anything is known to succeed.
@@ -242,11 +243,11 @@ private:
     m_report.run.number_of_align_branches = complex.number_of_chains();
   }
 
-  std::optional<Refusal> write(const Cuts& cuts, const Points& points,
+  std::optional<Refusal> write(const Cuts& cuts, const Stars& stars,
                                const Snapped_coordinates<Group>& snapped)
   {
     Corner_changes figures(snapped.unit);
-    Coordinate_writer<Group, TriangleMesh, HalfedgeUVMap, Points> writer(cuts, points, m_uv_map);
+    Coordinate_writer<Group, TriangleMesh, HalfedgeUVMap, Stars> writer(cuts, stars, m_uv_map);
     if(!writer.write(snapped.coordinates, figures))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the uv map does not keep what is written to "
                      "it; each corner needs a place of its own, and the full precision of the "

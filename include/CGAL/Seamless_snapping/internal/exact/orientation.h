@@ -19,7 +19,9 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/enum.h>
+#include <CGAL/predicates/sign_of_determinant.h>
 
 #include <array>
 #include <cmath>
@@ -29,15 +31,6 @@ namespace Seamless_snapping {
 namespace internal {
 
 using Uv_triangle = std::array<Uv, 3>;
-
-// The sign of the area, exactly.
-inline CGAL::Orientation orientation(const Uv_triangle& t)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Point = Kernel::Point_2;
-  return Kernel().orientation_2_object()(Point(t[0][0], t[0][1]), Point(t[1][0], t[1][1]),
-                                         Point(t[2][0], t[2][1]));
-}
 
 // Whether the triangle stays positive however its corners move, each coordinate by up to `reach`.
 // May say no for lack of precision, but never wrongly yes: the error of the determinant is below
@@ -49,6 +42,20 @@ inline bool is_surely_positive(const Uv_triangle& t, const double reach)
   const double a = std::abs(ax) + std::abs(ay), b = std::abs(bx) + std::abs(by);
   return ax * by - ay * bx >
          2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
+}
+
+// The sign of the area, exactly. The number type is that of CGAL's own predicates where their
+// intervals can't tell; their kernel would take longer to compile than all else here.
+inline CGAL::Orientation orientation(const Uv_triangle& t)
+{
+  if(is_surely_positive(t, 0))
+    return CGAL::POSITIVE;
+  if(is_surely_positive({{t[0], t[2], t[1]}}, 0))
+    return CGAL::NEGATIVE;
+  using Number = CGAL::internal::Exact_ring_selector<double>::Type;
+  const Number x(t[0][0]), y(t[0][1]);
+  return CGAL::sign_of_determinant<Number>(Number(t[1][0]) - x, Number(t[1][1]) - y,
+                                           Number(t[2][0]) - x, Number(t[2][1]) - y);
 }
 
 } // namespace internal

@@ -67,9 +67,9 @@ private:
   double m_largest = 0, m_sum = 0, m_squares = 0, m_count = 0;
 };
 
-// Writes, reads back, and takes back. `Points` are those that repairs of orientations have met: the
-// sectors, and then vertices without a sector.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Points>
+// Writes, reads back, and takes back. `Stars` know the points that repairs of orientations have
+// met: the sectors, and then vertices without a sector.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Stars>
 class Coordinate_writer
 {
   using Cuts = Surface_cuts<Group, TriangleMesh>;
@@ -78,8 +78,8 @@ class Coordinate_writer
   using Number = typename Uv_number<HalfedgeUVMap>::type;
 
 public:
-  Coordinate_writer(const Cuts& cuts, const Points& points, HalfedgeUVMap& uv_map)
-    : m_cuts(cuts), m_points(points), m_uv_map(uv_map)
+  Coordinate_writer(const Cuts& cuts, const Stars& stars, HalfedgeUVMap& uv_map)
+    : m_cuts(cuts), m_stars(stars), m_uv_map(uv_map)
   { }
 
   // Returns false if the map does not keep what is written to it. Then, and if the map throws, it
@@ -119,8 +119,8 @@ private:
   {
     for(std::size_t i = number_of_sectors(); i < uv.size(); ++i) {
       double count = 0;
-      m_points.for_each_corner(Sector_index(i), [&](const auto) { count += 1; });
-      m_points.for_each_corner(Sector_index(i), [&](const auto corner) {
+      m_stars.for_each_corner(Sector_index(i), [&](const auto) { count += 1; });
+      m_stars.for_each_corner(Sector_index(i), [&](const auto corner) {
         const Uv before = get_uv(m_uv_map, corner);
         if(before == uv[i])
           return;
@@ -154,7 +154,7 @@ private:
   {
     bool result = true;
     for(std::size_t i = number_of_sectors(); i < uv.size(); ++i)
-      m_points.for_each_corner(Sector_index(i), [&](const auto corner) {
+      m_stars.for_each_corner(Sector_index(i), [&](const auto corner) {
         result = result && get_uv(m_uv_map, corner) == uv[i];
       });
     for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
@@ -225,7 +225,7 @@ private:
   struct Written { Halfedge corner; Point before; };
 
   const Cuts& m_cuts;
-  const Points& m_points;
+  const Stars& m_stars;
   HalfedgeUVMap& m_uv_map;
   std::vector<Point> m_before; // of corners of the sectors to remember
   Sector_index m_end = 0;      // of the sectors that were written, perhaps in part

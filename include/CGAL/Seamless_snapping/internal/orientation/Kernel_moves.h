@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_moves.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Watched_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -65,14 +64,15 @@ inline double wanted_area(const Uv_triangle& input, const bool was_positive, con
 // anything that rounding to the grid leaves positive.
 constexpr std::array<double, 4> area_margins{{1. / 4, 1. / 32, 1. / 1024, 0}};
 
-template <typename Points>
+template <typename Group>
 class Kernel_moves
 {
-  using Group = typename Points::Group;
   using Member = typename Vertex_move<Group>::Member;
 
 public:
-  Kernel_moves(Points& points, const Number_format& format) : m_points(points), m_format(format) { }
+  Kernel_moves(const Movable_points<Group>& points, const Number_format& format)
+    : m_points(points), m_format(format)
+  { }
 
   // Returns the faces that remain.
   // \param reach the largest change of a coordinate, from the input
@@ -136,13 +136,13 @@ private:
   {
     bool is_simple = true;
     for(const Member& member : plan.move.members)
-      m_points.for_each_face(member.point, [&](const Face_corner& corner) {
+      for(const Face_corner& corner : m_points.stars().star(member.point)) {
         const Domain_face& face = m_points.domain_face(corner.face);
         for(std::size_t i = 1; i < 3; ++i)
           is_simple = is_simple &&
                       plan.move.find(face.points[(corner.position + i) % 3]) == nullptr;
         plan.ring.push_back(ring_face(corner, member.element, target, state, plan.unit));
-      });
+      }
     return is_simple;
   }
 
@@ -215,13 +215,13 @@ private:
     const Uv u = m_points.uv(state, member.point);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Uv low{{-infinity, -infinity}}, high{{infinity, infinity}};
-    m_points.for_each_corner(member.point, [&](const auto corner) {
-      const Uv input = m_points.input(corner);
+    for(const Face_corner& corner : m_points.stars().star(member.point)) {
+      const Uv& input = m_points.domain_face(corner.face).input[corner.position];
       for(std::size_t c = 0; c < 2; ++c) {
         low[c] = (std::max)(low[c], input[c] - reach - u[c]);
         high[c] = (std::min)(high[c], input[c] + reach - u[c]);
       }
-    });
+    }
     for(std::size_t c = 0; c < 2 && std::isfinite(reach); ++c) {
       Uv axis{{0, 0}};
       axis[c] = 1;
@@ -294,7 +294,7 @@ private:
     return false;
   }
 
-  Points& m_points;
+  const Movable_points<Group>& m_points;
   Number_format m_format;
 };
 

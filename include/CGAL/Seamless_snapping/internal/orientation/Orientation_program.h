@@ -36,21 +36,21 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename Points>
+template <typename Group>
 class Orientation_program
 {
-  using Group = typename Points::Group;
   using Vectors = Sparse_vectors<Group>;
   using Response = typename Displacements<Group>::Response;
 
 public:
   // \param optimum the exact solution for targets that are not shifted
-  Orientation_program(const Points& points, const Complex_solver<Group>& solver, Uv_state optimum)
+  Orientation_program(const Movable_points<Group>& points, const Complex_solver<Group>& solver,
+                      Uv_state optimum)
     : m_points(points)
     , m_solver(solver)
     , m_optimum(std::move(optimum))
     , m_unit(solver.coarsest_step())
-    , m_displacements(points.cuts().complex, solver)
+    , m_displacements(points.complex(), solver)
   { }
 
   // \param margin the part of its wanted area that each face is to have
@@ -139,7 +139,7 @@ private:
     result.missing = (std::max)(margin * wanted, by_rounding) - twice_area(now, m_unit);
     double square = 0;
     for(const auto& g : result.gradient) {
-      const Uv here = m_points.uv(at, g.first), there = m_points.uv(m_optimum, g.first);
+      const Uv &here = m_points.uv(at, g.first), &there = m_points.uv(m_optimum, g.first);
       result.missing += dot(g.second, {{(here[0] - there[0]) / m_unit,
                                         (here[1] - there[1]) / m_unit}});
       square += dot(g.second, g.second);
@@ -175,7 +175,7 @@ private:
     }
   }
 
-  const Points& m_points;
+  const Movable_points<Group>& m_points;
   const Complex_solver<Group>& m_solver;
   Uv_state m_optimum; // that programs start from
   Vectors m_shift;    // its targets, in units

@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Watched_faces.h>
 
 #include <Eigen/Core>
 
@@ -36,28 +37,26 @@ namespace internal {
 
 // First what changes least: moves of single vertices; then, for what they can't repair, the nearest
 // exact solution that keeps the faces.
-template <typename Points, typename HalfedgeUVMap>
+template <typename Group>
 class Orientation_repair
 {
 public:
-  using Group = typename Points::Group;
-
   // \param repair_flips whether faces that are not positive in the input are to be repaired too
-  Orientation_repair(Points& points, const HalfedgeUVMap& uv_map,
-                     const Complex_solver<Group>& solver, const bool repair_flips)
-    : m_points(points), m_uv_map(uv_map), m_solver(solver), m_watched(m_points),
+  Orientation_repair(const Cut_complex<Group>& complex, const Complex_solver<Group>& solver,
+                     Point_stars& stars, const bool repair_flips)
+    : m_solver(solver), m_stars(stars), m_points(complex, solver, stars),
       m_move(m_points, solver.format()), m_repair_flips(repair_flips)
   { }
 
   // Repairs the coordinates of an exact solution, and keeps them exact.
   void run(Uv_state& state, Snapping_report& report)
   {
-    m_reach = largest_move(m_points.cuts(), m_uv_map, state);
+    m_reach = m_stars.largest_move(state);
     report.run.largest_change_before_repair = m_reach;
     watch_within(m_reach);
     if(m_repair_flips)
-      watch_flips();
-    const std::size_t lost = m_watched.not_positive(state, true).size();
+      m_watched.add(m_stars.possible_flips());
+    const std::size_t lost = m_watched.not_positive(m_points, state, true).size();
     const std::size_t flipped = flips(state).size();
     if(lost == 0 && flipped == 0)
       return;
@@ -68,16 +67,16 @@ public:
     m_optimum = state;
     Attempt best{state, {}, {}};
     make_attempts(best, report);
-    report.lost_faces = m_points.numbers_in_mesh(best.lost);
+    report.lost_faces = m_stars.numbers_in_mesh(best.lost);
     if(m_repair_flips) {
       report.run.number_of_repaired_flips = flipped - best.flips.size();
-      report.remaining_flips = m_points.numbers_in_mesh(best.flips);
+      report.remaining_flips = m_stars.numbers_in_mesh(best.flips);
     }
     state = std::move(best.state);
   }
 
 private:
-  using Program = Orientation_program<Points>;
+  using Program = Orientation_program<Group>;
 
   // Coordinates, the faces that lost their orientation in them, and the flips that remain to be
   // repaired.
@@ -106,18 +105,9 @@ private:
     count(report.run.number_of_faces_repaired_by_moves);
   }
 
-  void watch_flips()
-  {
-    for(const auto f : faces(m_points.mesh())) {
-      const auto h = halfedge(f, m_points.mesh());
-      if(!is_surely_positive(uv_triangle(m_points.mesh(), m_uv_map, h), 0))
-        m_watched.add(h);
-    }
-  }
-
   std::vector<Face_index> flips(const Uv_state& state) const
   {
-    return m_repair_flips ? m_watched.not_positive(state, false) : std::vector<Face_index>();
+    return m_repair_flips ? m_watched.not_positive(m_points, state, false) : std::vector<Face_index>();
   }
 
   // Faces that snapping costs are to be repaired without larger changes than snapping makes; flips
@@ -125,7 +115,7 @@ private:
   Attempt repaired_by_moves(const Uv_state& state, const double reach) const
   {
     Attempt result{state, {}, {}};
-    result.lost = m_move.repair(m_watched.not_positive(state, true), reach, result.state);
+    result.lost = m_move.repair(m_watched.not_positive(m_points, state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
     // others may have saved some
@@ -156,8 +146,7 @@ private:
   {
     if(reach <= m_watched_reach)
       return;
-    for(const auto h : corners_at_risk(m_points.mesh(), m_points.cuts(), m_uv_map, reach))
-      m_watched.add(h);
+    m_watched.add(m_stars.faces_at_risk(reach));
     m_watched_reach = reach;
   }
 
@@ -202,7 +191,7 @@ private:
         --idle;
         continue;
       }
-      watch_within(largest_move(m_points.cuts(), m_uv_map, next));
+      watch_within(m_stars.largest_move(next));
       watch_moved_vertices(next);
       const Attempt attempt = repaired_by_moves(next, m_reach);
       bool has_changed = is_better(attempt, best);
@@ -232,9 +221,9 @@ private:
 
   bool is_near_input(const Uv_state& state, const double reach) const
   {
-    bool result = largest_move(m_points.cuts(), m_uv_map, state) <= reach;
-    for(std::size_t p = m_points.number_of_sectors(); p < state.size(); ++p) {
-      const Uv before = m_points.uv({}, Point_index(p));
+    bool result = m_stars.largest_move(state) <= reach;
+    for(std::size_t p = m_stars.number_of_sectors(); p < state.size(); ++p) {
+      const Uv& before = m_stars.free_input(Point_index(p));
       result = result && std::abs(state[p][0] - before[0]) <= reach &&
                std::abs(state[p][1] - before[1]) <= reach;
     }
@@ -243,9 +232,9 @@ private:
 
   void watch_moved_vertices(const Uv_state& state)
   {
-    for(std::size_t p = m_points.number_of_sectors(); p < state.size(); ++p)
-      m_points.for_each_face(Point_index(p),
-                             [&](const Face_corner& corner) { m_watched.add(corner.face); });
+    for(std::size_t p = m_stars.number_of_sectors(); p < state.size(); ++p)
+      for(const Face_corner& corner : m_stars.star(Point_index(p)))
+        m_watched.add(corner.face);
   }
 
   // Repairs may change coordinates by so many times the violation or, where that is larger, the
@@ -256,11 +245,11 @@ private:
   // Faces of one program, and of all together: what takes some seconds.
   static constexpr std::size_t largest_program = 1000, largest_work = 6000;
 
-  Points& m_points;
-  const HalfedgeUVMap& m_uv_map;
   const Complex_solver<Group>& m_solver;
-  Watched_faces<Points> m_watched;
-  Kernel_moves<Points> m_move;
+  Point_stars& m_stars;
+  Movable_points<Group> m_points;
+  Watched_faces m_watched;
+  Kernel_moves<Group> m_move;
   bool m_repair_flips;
   Uv_state m_optimum; // the exact solution for targets that are not shifted
   std::size_t m_work = 0;

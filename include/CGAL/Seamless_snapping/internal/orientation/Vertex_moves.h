@@ -62,10 +62,9 @@ struct Vertex_move
 };
 
 // How a point can move.
-template <typename Points>
-Vertex_move<typename Points::Group> find_vertex_move(const Points& points, const Point_index p)
+template <typename Group>
+Vertex_move<Group> find_vertex_move(const Movable_points<Group>& points, const Point_index p)
 {
-  using Group = typename Points::Group;
   Vertex_move<Group> move;
   move.members.push_back({p, Group::identity()});
   if(!points.is_sector(p))

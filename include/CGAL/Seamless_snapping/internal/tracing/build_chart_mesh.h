@@ -16,12 +16,12 @@
 
 // From a mesh, its uv map, and its transitions to plain arrays.
 
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
 #include <cstddef>
@@ -49,13 +49,11 @@ inline Direction quadrant(const Uv& a, const Uv& b)
 // since the seams map axes to axes.
 inline int axes_passed(const Uv& p, const Uv& q, const Uv& r)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const Direction passed = turned(quadrant(p, r), Quarter_turns::inverse(quadrant(p, q)));
   for(const int axes : {0, 1, -1})
     if(passed == Quarter_turns::element(axes))
       return axes;
-  const Kernel::Point_2 a(p[0], p[1]), b(q[0], q[1]), c(r[0], r[1]);
-  return Kernel().orientation_2_object()(a, b, c) == CGAL::NEGATIVE ? -2 : 2;
+  return orientation({{p, q, r}}) == CGAL::NEGATIVE ? -2 : 2;
 }
 
 // The same angle where the seams are not exact; the sum is then near to an integer only.
