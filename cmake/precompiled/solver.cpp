@@ -8,6 +8,8 @@ namespace internal {
 
 SEAMLESS_SNAPPING_INSTANTIATE(, std::int64_t)
 SEAMLESS_SNAPPING_INSTANTIATE(, Exact_integer)
+template class Complex_solver<Rotation_group<4> >;
+template class Orientation_repair<Rotation_group<4> >;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -5,6 +5,7 @@
 #define SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
 #define SEAMLESS_SNAPPING_INSTANTIATE(PREFIX, INTEGER)                                             \
   PREFIX template class Unit_pivot_elimination<INTEGER>;                                           \
@@ -17,6 +18,8 @@ namespace internal {
 
 SEAMLESS_SNAPPING_INSTANTIATE(extern, std::int64_t)
 SEAMLESS_SNAPPING_INSTANTIATE(extern, Exact_integer)
+extern template class Complex_solver<Rotation_group<4> >;
+extern template class Orientation_repair<Rotation_group<4> >;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -65,6 +65,10 @@ class Surface_snapper
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
 
+  // Without the parameter, rounding to an integer-grid map is not even compiled.
+  static constexpr bool may_round = !CGAL::parameters::is_default_parameter<
+    NamedParameters, CGAL::internal_np::integer_grid_t>::value;
+
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
     : m_tmesh(tmesh)
@@ -111,21 +115,23 @@ private:
     if(aligned_edges.refusal() || constraints.refusal())
       return aligned_edges.refusal() ? aligned_edges.refusal() : constraints.refusal();
 
-    if(m_rounds)
-      constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
-                                                                unit_scale(transitions.extent)));
+    if constexpr(may_round)
+      if(m_rounds)
+        constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
+                                                                  unit_scale(transitions.extent)));
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
     m_timer.finish("cut complex");
     std::vector<Rounding<Group> > roundings;
-    if(m_rounds) {
-      if(const auto refusal = round_to_integers(cuts, constraints, roundings))
-        return refusal;
-      m_timer.finish("rounding");
-      if(!m_has_spread && m_report.largest_rounding > negligible_rounding)
-        return spread_and_snap(cuts, roundings);
-    }
+    if constexpr(may_round)
+      if(m_rounds) {
+        if(const auto refusal = round_to_integers(cuts, constraints, roundings))
+          return refusal;
+        m_timer.finish("rounding");
+        if(!m_has_spread && m_report.largest_rounding > negligible_rounding)
+          return spread_and_snap(cuts, roundings);
+      }
 
     const bool was_exact = transitions.is_exact && is_exact(cuts.complex, cuts.complex.coordinates);
     if(was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))

@@ -40,18 +40,7 @@ class Complex_solver
 public:
   using Coordinates = std::vector<typename Cut_complex<Group>::Vector>;
 
-  Complex_solver(const Cut_complex<Group>& complex, const Number_format& format)
-    : m_complex(complex), m_format(format), m_system(complex),
-      m_solver(m_system.rows(), m_system.weights(), format,
-               m_system.number_of_representable_columns(), false),
-      m_components(complex, m_system, m_solver),
-      m_largest(largest_coordinates(complex, m_components, m_solver.number_of_components()))
-  {
-    for(const double largest : m_largest)
-      m_grids.push_back(Grid::finest(format, largest));
-    m_is_exact = exact_components(complex, m_components, m_largest.size());
-  }
-
+  Complex_solver(const Cut_complex<Group>& complex, const Number_format& format);
   Complex_solver(const Complex_solver&) = delete; // its members refer to each other
   Complex_solver& operator=(const Complex_solver&) = delete;
 
@@ -65,25 +54,10 @@ public:
 
   // Exact coordinates near the input; `grids()` become those of the solution. Returns why there are
   // none, if so.
-  std::optional<Refusal> solve(Snapped_coordinates<Group>& snapped)
-  {
-    if(!m_solver.is_consistent())
-      return Refusal{Snapping_status::INCONSISTENT, {}, m_solver.certificate()};
-    if(!solve({}, m_grids, snapped))
-      return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
-    return std::nullopt;
-  }
+  std::optional<Refusal> solve(Snapped_coordinates<Group>& snapped);
 
   // The same for targets beside the input. Returns false if there are none.
-  bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const
-  {
-    std::vector<Grid> grids(m_grids);
-    Snapped_coordinates<Group> snapped;
-    if(!are_in_range(shifts) || !solve(shifts, grids, snapped))
-      return false;
-    coordinates.swap(snapped.coordinates);
-    return true;
-  }
+  bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const;
 
   // What the linear solver approximates where no target is shifted.
   Linear_target target() const { return linear_target({}, m_grids); }
@@ -183,6 +157,43 @@ private:
   std::vector<Grid> m_grids;     // per component
   std::vector<char> m_is_exact;  // per component: in the input
 };
+
+// Outside of the class, so that programs that share a library can share these, too.
+template <typename Group>
+Complex_solver<Group>::Complex_solver(const Cut_complex<Group>& complex,
+                                      const Number_format& format)
+  : m_complex(complex), m_format(format), m_system(complex),
+    m_solver(m_system.rows(), m_system.weights(), format,
+             m_system.number_of_representable_columns(), false),
+    m_components(complex, m_system, m_solver),
+    m_largest(largest_coordinates(complex, m_components, m_solver.number_of_components()))
+{
+  for(const double largest : m_largest)
+    m_grids.push_back(Grid::finest(format, largest));
+  m_is_exact = exact_components(complex, m_components, m_largest.size());
+}
+
+template <typename Group>
+std::optional<Refusal> Complex_solver<Group>::solve(Snapped_coordinates<Group>& snapped)
+{
+  if(!m_solver.is_consistent())
+    return Refusal{Snapping_status::INCONSISTENT, {}, m_solver.certificate()};
+  if(!solve({}, m_grids, snapped))
+    return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+  return std::nullopt;
+}
+
+template <typename Group>
+bool Complex_solver<Group>::solve_shifted(const Target_shifts<Group>& shifts,
+                                           Coordinates& coordinates) const
+{
+  std::vector<Grid> grids(m_grids);
+  Snapped_coordinates<Group> snapped;
+  if(!are_in_range(shifts) || !solve(shifts, grids, snapped))
+    return false;
+  coordinates.swap(snapped.coordinates);
+  return true;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -292,11 +292,15 @@ private:
   // The shortest y with M^T y = r, up to rounding and what d does.
   Vector solve(const Vector& r) const
   {
-    if(!m_is_augmented)
-      return m_rows * m_factors.solve(r);
-    Vector right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
-    right_hand_side.tail(r.size()) = -r;
-    return m_rows * m_factors.solve(right_hand_side).tail(r.size());
+    Vector right_hand_side = r;
+    if(m_is_augmented) {
+      right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
+      right_hand_side.tail(r.size()) = -r;
+    }
+    Vector multipliers = m_factors.solve(right_hand_side); // a vector: expressions compile slowly
+    if(m_is_augmented)
+      multipliers = Vector(multipliers.tail(r.size()));
+    return m_rows * multipliers;
   }
 
   // The same, refined.

@@ -49,31 +49,7 @@ public:
   { }
 
   // Repairs the coordinates of an exact solution, and keeps them exact.
-  void run(Uv_state& state, Snapping_report& report)
-  {
-    m_reach = m_stars.largest_move(state);
-    report.run.largest_change_before_repair = m_reach;
-    watch_within(m_reach);
-    if(m_repair_flips)
-      m_watched.add(m_stars.possible_flips());
-    const std::size_t lost = m_watched.not_positive(m_points, state, true).size();
-    const std::size_t flipped = flips(state).size();
-    if(lost == 0 && flipped == 0)
-      return;
-    report.run.number_of_lost_faces = lost;
-    m_largest_repair = (std::max)(largest_growth * (std::max)(m_reach, report.violation_before),
-                                  16 * m_solver.coarsest_step());
-    m_flip_reach = (std::max)(m_largest_repair, largest_reach * report.extent);
-    m_optimum = state;
-    Attempt best{state, {}, {}};
-    make_attempts(best, report);
-    report.lost_faces = m_stars.numbers_in_mesh(best.lost);
-    if(m_repair_flips) {
-      report.run.number_of_repaired_flips = flipped - best.flips.size();
-      report.remaining_flips = m_stars.numbers_in_mesh(best.flips);
-    }
-    state = std::move(best.state);
-  }
+  void run(Uv_state& state, Snapping_report& report);
 
 private:
   using Program = Orientation_program<Group>;
@@ -257,6 +233,34 @@ private:
   // that for which all faces are watched.
   double m_reach = 0, m_largest_repair = 0, m_flip_reach = 0, m_watched_reach = -1;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group>
+void Orientation_repair<Group>::run(Uv_state& state, Snapping_report& report)
+{
+  m_reach = m_stars.largest_move(state);
+  report.run.largest_change_before_repair = m_reach;
+  watch_within(m_reach);
+  if(m_repair_flips)
+    m_watched.add(m_stars.possible_flips());
+  const std::size_t lost = m_watched.not_positive(m_points, state, true).size();
+  const std::size_t flipped = flips(state).size();
+  if(lost == 0 && flipped == 0)
+    return;
+  report.run.number_of_lost_faces = lost;
+  m_largest_repair = (std::max)(largest_growth * (std::max)(m_reach, report.violation_before),
+                                16 * m_solver.coarsest_step());
+  m_flip_reach = (std::max)(m_largest_repair, largest_reach * report.extent);
+  m_optimum = state;
+  Attempt best{state, {}, {}};
+  make_attempts(best, report);
+  report.lost_faces = m_stars.numbers_in_mesh(best.lost);
+  if(m_repair_flips) {
+    report.run.number_of_repaired_flips = flipped - best.flips.size();
+    report.remaining_flips = m_stars.numbers_in_mesh(best.flips);
+  }
+  state = std::move(best.state);
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
