@@ -44,6 +44,7 @@
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
+  F(stop_policy_t, stop_policy, stop_policy)                                                       \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
@@ -179,6 +180,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
+ * - `stop_policy`: where curves of a layout end that meet others
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are

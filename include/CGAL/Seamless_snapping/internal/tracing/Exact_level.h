@@ -71,11 +71,49 @@ public:
 
   double approximation() const { return m_nearest; }
 
+  // Whether the approximation is the value.
+  bool is_double() const { return m_rational == nullptr && m_rest == 0; }
+
+  // 2^1023 is not exceeded.
+  Exact_level doubled() const
+  {
+    Exact_level result;
+    result.m_nearest = 2 * m_nearest;
+    result.m_rest = 2 * m_rest;
+    if(m_rational != nullptr)
+      result.set(Exact_rational(2 * *m_rational));
+    return result;
+  }
+
+  Exact_level minus(const Exact_level& other) const
+  {
+    Exact_level result;
+    if(is_double() && other.is_double()) {
+      const Exact_difference d(m_nearest, other.m_nearest);
+      result.m_nearest = d.rounded;
+      result.m_rest = d.error;
+    } else {
+      result.set(Exact_rational(exact() - other.exact()));
+    }
+    return result;
+  }
+
+  Exact_level negated() const { return Exact_level().minus(*this); }
+
   Exact_rational exact() const
   {
     if(m_rational != nullptr)
       return *m_rational;
     return Exact_rational(Exact_rational(m_nearest) + Exact_rational(m_rest));
+  }
+
+  // The sign of a - b. Rounding to the nearest number does not change the order.
+  friend int compare(const Exact_level& a, const Exact_level& b)
+  {
+    if(a.m_rational != nullptr || b.m_rational != nullptr)
+      return static_cast<int>(CGAL::compare(a.exact(), b.exact()));
+    const int nearest = compare(a.m_nearest, b.m_nearest);
+    return nearest != 0 ? nearest : compare(a.m_rest, b.m_rest);
   }
 
   friend bool operator==(const Exact_level& a, const Exact_level& b)

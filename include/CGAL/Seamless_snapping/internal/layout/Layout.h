@@ -1,0 +1,100 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A partition of a surface into rectangles: points, arcs, and patches. Nothing here depends on the
+// mesh data structure.
+
+#include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
+#include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
+#include <CGAL/Seamless_snapping/internal/layout/Layout_place.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Halves 2 a and 2 a + 1 of arc a run forward and back.
+using Half_arc_index = std::int32_t;
+using Point_index = std::int32_t;
+using Patch_index = std::int32_t;
+
+inline Half_arc_index twin(const Half_arc_index h) { return h ^ 1; }
+
+struct Layout_point
+{
+  Layout_place place;            // in its unique description
+  Start_kind start = Start_kind::NONE;
+  std::int32_t first_slot = 0;   // one slot for each quarter turn; at the border, for each ray
+  std::int32_t number_of_slots = 0;
+  std::int32_t degree = 0;       // the number of arcs
+};
+
+// Those ends of segments of a curve that an arc passes.
+struct Curve_piece
+{
+  Curve_index curve;
+  Segment_index begin, end;
+  bool is_reversed;
+};
+
+struct Layout_arc
+{
+  std::array<Point_index, 2> points;
+  Exact_level length;
+  std::array<Curve_piece, 2> pieces; // the second one may be empty
+  bool is_wall;
+};
+
+// The next half around the patch at the left; what lies outside of the surface is no patch.
+struct Half_arc
+{
+  Half_arc_index next = no_index;
+  std::int32_t turns = 0; // the angle at its end, in quarter turns
+  Patch_index patch = no_index;
+  bool is_outside = false;
+};
+
+// Its sides counterclockwise: the first and the third are of length `width`.
+struct Layout_patch
+{
+  std::array<std::vector<Half_arc_index>, 4> sides;
+  Exact_level width, height;
+};
+
+struct Layout
+{
+  std::vector<Layout_point> points;
+  std::vector<Half_arc_index> slots; // the half that leaves there, if any
+  std::vector<Layout_arc> arcs;
+  std::vector<Half_arc> half_arcs;
+  std::vector<Layout_patch> patches;
+
+  const Layout_arc& arc(const Half_arc_index h) const { return arcs[std::size_t(h / 2)]; }
+  Point_index source(const Half_arc_index h) const { return arc(h).points[std::size_t(h % 2)]; }
+  Point_index target(const Half_arc_index h) const { return source(twin(h)); }
+  const Half_arc& half(const Half_arc_index h) const { return half_arcs[std::size_t(h)]; }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_H

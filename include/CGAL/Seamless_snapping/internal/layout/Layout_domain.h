@@ -1,0 +1,127 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_DOMAIN_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_DOMAIN_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What a layout is made on: a chart mesh with its walls, which are borders and features, and the
+// vertices at which curves start.
+
+#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+enum class Start_kind : char
+{
+  NONE,   // no curve starts here
+  CONE,   // an interior vertex whose angle is not 360 degrees
+  CORNER, // where walls end, meet, or turn
+  GIVEN,  // by the caller
+  SEED    // in a part of the surface without any other
+};
+
+// Invariant: all walls lie on isocurves; the two walls at a vertex without curves are opposite.
+struct Layout_domain
+{
+  Chart_mesh mesh;
+  std::vector<char> is_wall;      // per corner: its edge
+  std::vector<char> is_on_wall;   // per vertex
+  std::vector<Start_kind> starts; // per vertex
+
+  bool is_start(const std::size_t v) const { return starts[v] != Start_kind::NONE; }
+};
+
+// The halfedge along which a ray leads, in either direction, if it leads along an edge.
+inline Corner_index edge_of_ray(const Vertex_ray& ray)
+{
+  switch(ray.kind) {
+  case Ray_kind::ALONG_FIRST_EDGE: return Chart_mesh::next(ray.corner);
+  case Ray_kind::ALONG_LAST_EDGE:  return ray.corner;
+  case Ray_kind::THROUGH_FACE:     break;
+  }
+  return no_index;
+}
+
+inline bool is_along_wall(const Layout_domain& domain, const Vertex_ray& ray)
+{
+  const Corner_index h = edge_of_ray(ray);
+  return h != no_index && domain.is_wall[std::size_t(h)];
+}
+
+// Whether one coordinate is constant along an edge.
+inline bool is_aligned(const Chart_mesh& mesh, const Corner_index h)
+{
+  const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
+  return a[0] == b[0] || a[1] == b[1];
+}
+
+// Borders are walls, and features: `is_feature` tells of corners whether their edge is one, or is
+// empty.
+inline void mark_walls(const std::vector<char>& is_feature, Layout_domain& domain)
+{
+  const Chart_mesh& mesh = domain.mesh;
+  domain.is_wall.assign(mesh.corners.size(), false);
+  domain.is_on_wall.assign(mesh.number_of_vertices(), false);
+  for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
+    const Corner_index h = Corner_index(i);
+    if(!mesh.is_border_edge(h) && (is_feature.empty() || !is_feature[i]))
+      continue;
+    domain.is_wall[i] = true;
+    domain.is_on_wall[mesh.vertex(h)] = domain.is_on_wall[mesh.source(h)] = true;
+  }
+}
+
+// Whether the walls at a vertex run straight on, with as much angle on either side as on a regular
+// surface.
+inline bool is_straight_wall(const Layout_domain& domain, const std::size_t v)
+{
+  const std::vector<Vertex_ray> rays = rays_from_vertex(domain.mesh, v);
+  std::size_t walls = 0, sum = 0;
+  for(std::size_t k = 0; k < rays.size(); ++k)
+    if(is_along_wall(domain, rays[k])) {
+      ++walls;
+      sum += k;
+    }
+  if(domain.mesh.is_border[v])
+    return rays.size() == 3 && walls == 2;
+  return rays.size() == 4 && walls == 2 && sum % 2 == 0;
+}
+
+// Where the geometry asks for curves. `is_given` tells of vertices whether the caller does, or is
+// empty.
+// \pre the walls are marked, and lie on isocurves
+inline void mark_starts(const std::vector<char>& is_given, Layout_domain& domain)
+{
+  const std::size_t n = domain.mesh.number_of_vertices();
+  domain.starts.assign(n, Start_kind::NONE);
+  for(std::size_t v = 0; v < n; ++v) {
+    if(domain.mesh.is_singular[v])
+      domain.starts[v] = Start_kind::CONE;
+    else if(domain.is_on_wall[v] && !is_straight_wall(domain, v))
+      domain.starts[v] = Start_kind::CORNER;
+    else if(!is_given.empty() && is_given[v])
+      domain.starts[v] = Start_kind::GIVEN;
+  }
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_DOMAIN_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a chart mesh to its layout, step by step, with all checks. Nothing here depends on the mesh
+// data structure.
+
+#include <CGAL/Seamless_snapping/Layout_status.h>
+#include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
+#include <CGAL/Seamless_snapping/internal/layout/Layout.h>
+#include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
+#include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
+#include <CGAL/Seamless_snapping/internal/layout/build_layout.h>
+#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/quads/remove_faces.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What a layout refers to. It stays where it is.
+struct Layout_data
+{
+  Layout_domain domain;
+  std::unique_ptr<Curve_race> race; // none unless the status is PARTITIONED
+  Layout layout;
+  Layout_status status = Layout_status::PARTITIONED;
+  std::string message;
+  std::vector<std::size_t> nonpositive_faces;
+};
+
+class Layout_maker
+{
+public:
+  // `is_feature` and `is_given` tell of corners and vertices; or are empty. `vertex_name` is for
+  // messages.
+  Layout_maker(Chart_mesh&& mesh, std::vector<char>&& is_feature, std::vector<char>&& is_given,
+               const Race_options& options,
+               const std::function<std::string(std::size_t)>& vertex_name, Layout_data& data)
+    : m_is_feature(std::move(is_feature)), m_is_given(std::move(is_given)), m_options(options),
+      m_vertex_name(vertex_name), m_data(data), m_domain(data.domain)
+  {
+    m_domain.mesh = std::move(mesh);
+  }
+
+  void run()
+  {
+    if(check_faces() && check_walls()) {
+      mark_starts(m_is_given, m_domain);
+      add_seeds(m_domain);
+      if(!race() || !build())
+        m_data.race.reset();
+    }
+  }
+
+private:
+  bool fail(const Layout_status status, const std::string& message)
+  {
+    m_data.status = status;
+    m_data.message = message;
+    return false;
+  }
+
+  bool check_faces()
+  {
+    m_data.nonpositive_faces = nonpositive_faces(m_domain.mesh);
+    const std::vector<std::size_t>& faces = m_data.nonpositive_faces;
+    return faces.empty() ||
+           fail(Layout_status::NOT_POSITIVE,
+                std::to_string(faces.size()) + (faces.size() == 1 ? " face is" : " faces are") +
+                  " flipped or degenerate in the domain, the first is face " +
+                  std::to_string(faces.front()) +
+                  "; repair them by snap_to_seamless() with repair_flips(true)");
+  }
+
+  bool check_walls()
+  {
+    Chart_mesh& mesh = m_domain.mesh;
+    const std::vector<char>& is_border = mesh.is_border;
+    if(std::find(is_border.begin(), is_border.end(), true) != is_border.end())
+      Fan_splitter(mesh).run();
+    if(!m_is_given.empty()) // new vertices are copies of given ones, if any
+      m_is_given.resize(mesh.number_of_vertices(), false);
+    mark_walls(m_is_feature, m_domain);
+    std::size_t number = 0;
+    Corner_index first = no_index;
+    for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(m_domain.is_wall[std::size_t(h)] && mesh.represents_edge(h) && !is_aligned(mesh, h)) {
+        first = number == 0 ? h : first;
+        ++number;
+      }
+    if(number == 0)
+      return true;
+    const bool is_border_edge = mesh.is_border_edge(first);
+    return fail(Layout_status::NOT_ALIGNED,
+                std::to_string(number) + (number == 1 ? " border or feature edge does"
+                                                      : " border or feature edges do") +
+                  " not lie on isocurves, the first is that from vertex " +
+                  m_vertex_name(mesh.source(first)) + " to vertex " +
+                  m_vertex_name(mesh.vertex(first)) +
+                  (is_border_edge ? ", on the border; call snap_to_seamless() with align_border(true)"
+                                  : "; call snap_to_seamless() with the same "
+                                    "edge_is_constrained_map") +
+                  ", on a map that is nearly aligned there");
+  }
+
+  bool race()
+  {
+    m_data.race = std::make_unique<Curve_race>(m_domain, m_options);
+    return m_data.race->run() ||
+           fail(Layout_status::TOO_LARGE,
+                "the curves cross faces more than " + std::to_string(m_options.maximum_number) +
+                  " times; raise maximum_number, or let curves end where they meet others");
+  }
+
+  bool build()
+  {
+    Layout_builder builder(m_domain, *m_data.race);
+    if(!builder.run() || !has_right_euler_characteristic(m_domain.mesh, builder.layout()))
+      return fail(Layout_status::INTERNAL_ERROR, "the curves do not bound rectangles");
+    m_data.layout = std::move(builder.layout());
+    return true;
+  }
+
+  std::vector<char> m_is_feature, m_is_given;
+  const Race_options& m_options;
+  std::function<std::string(std::size_t)> m_vertex_name;
+  Layout_data& m_data;
+  Layout_domain& m_domain;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H

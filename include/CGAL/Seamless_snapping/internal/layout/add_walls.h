@@ -1,0 +1,97 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_ADD_WALLS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_ADD_WALLS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Walls as curves: from corner to corner, or closed.
+
+#include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
+#include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Segment_walker.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Wall_builder
+{
+public:
+  Wall_builder(const Layout_domain& domain, Curve_set& curves)
+    : m_domain(domain), m_mesh(domain.mesh), m_curves(curves),
+      m_is_done(domain.mesh.corners.size(), false)
+  {
+    m_limits.is_stop = [&domain](const std::size_t v) { return domain.is_start(v); };
+  }
+
+  void run()
+  {
+    for(std::size_t v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if(m_domain.is_start(v) && m_domain.is_on_wall[v])
+        add_walls_from(v);
+    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i)
+      if(m_domain.is_wall[i] && !m_is_done[i])
+        add_walls_from(m_mesh.vertex(Corner_index(i)));
+  }
+
+private:
+  void add_walls_from(const std::size_t v)
+  {
+    const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    for(std::size_t k = 0; k < rays.size(); ++k) {
+      const Corner_index h = edge_of_ray(rays[k]);
+      if(h != no_index && m_domain.is_wall[std::size_t(h)] && !m_is_done[std::size_t(h)])
+        add_wall(v, k, rays[k]);
+    }
+  }
+
+  void add_wall(const std::size_t v, const std::size_t slot, const Vertex_ray& ray)
+  {
+    const Curve_index c = m_curves.add_curve(v, slot);
+    Segment_walker walker(m_mesh, m_limits, ray);
+    while(walker.advance() == Isocurve_status::CONTINUES) {
+      const Chart_segment& segment = walker.segment();
+      const Corner_index h = segment.along, g = m_mesh.opposite(h);
+      m_is_done[std::size_t(h)] = true;
+      if(g != no_index)
+        m_is_done[std::size_t(g)] = true;
+      m_curves.add_segment(c, segment, [](const Chord&, const Chord&, Flat_face_index) { },
+                           [](Curve_index, Segment_index) { });
+    }
+    Layout_curve& wall = m_curves[c];
+    const Curve_segment& last = wall.segments.back();
+    const bool is_border = m_mesh.is_border_edge(last.along);
+    wall.is_wall = true;
+    wall.is_closed = walker.status() == Isocurve_status::CLOSED;
+    wall.is_right_outside = is_border && last.exit.halfedge == last.along;
+    wall.is_left_outside = is_border && last.exit.halfedge != last.along;
+    wall.twice_length =
+      m_curves.length_at_vertex(c, Segment_index(wall.segments.size() - 1)).doubled();
+  }
+
+  const Layout_domain& m_domain;
+  const Chart_mesh& m_mesh;
+  Curve_set& m_curves;
+  Walk_limits m_limits;
+  std::vector<char> m_is_done; // per corner
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_ADD_WALLS_H
