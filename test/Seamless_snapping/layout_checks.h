@@ -1,0 +1,403 @@
+// What a layout must be, checked in rationals on what the public class tells, the mesh, and the map.
+
+#ifndef SEAMLESS_SNAPPING_TEST_LAYOUT_CHECKS_H
+#define SEAMLESS_SNAPPING_TEST_LAYOUT_CHECKS_H
+
+#include "checking.h"
+
+#include <CGAL/Seamless_snapping/surface_layout.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace layout_checks {
+
+namespace SS = CGAL::Seamless_snapping;
+using CGAL::Exact_rational;
+
+template <typename Mesh, typename UVMap, typename FeatureMap>
+class Checker
+{
+  using Graph = SS::Motorcycle_graph<Mesh>;
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
+
+public:
+  Checker(const Mesh& mesh, const UVMap& uv, const FeatureMap& features, const Graph& graph,
+          const std::string& context)
+    : m_mesh(mesh), m_uv(uv), m_features(features), m_graph(graph), m_context(context)
+  { }
+
+  void run()
+  {
+    CHECK_IN(m_context + ": " + m_graph.message(), bool(m_graph));
+    if(!m_graph)
+      return;
+    check_half_arcs();
+    check_patches();
+    check_numbers();
+    check_nodes();
+    check_paths();
+    check_walls();
+  }
+
+  // That each curve ends at one that has come there before: for motorcycle graphs only. Where four
+  // arcs meet at a point, they don't tell which curve they belong to.
+  void check_order()
+  {
+    for(std::size_t n = 0; n < m_graph.number_of_nodes(); ++n) {
+      const auto halves = m_graph.half_arcs_around_node(n);
+      if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION || halves.size() != 3)
+        continue;
+      Exact_rational stem(-1), through(-1);
+      bool is_clear = true;
+      for(const std::size_t h : halves) {
+        const std::size_t arriving = Graph::opposite(h);
+        const auto [end, distance] = follow(h);
+        is_clear = is_clear && end != UNCLEAR && !m_graph.arc_is_constrained(Graph::arc(h));
+        if(continuation(arriving) == none)
+          stem = distance;
+        else if(end == START && (through < 0 || distance < through))
+          through = distance;
+      }
+      if(is_clear)
+        CHECK_IN(m_context, through > 0 && through <= stem);
+    }
+  }
+
+private:
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // Which side of its patch a half-arc belongs to.
+  std::pair<std::size_t, std::size_t> side(const std::size_t h) const
+  { return m_sides.at(h); }
+
+  bool runs_straight(const std::size_t h) const
+  {
+    const std::size_t g = m_graph.next(h);
+    return m_graph.patch(h) != Graph::null_patch && side(h) == side(g);
+  }
+
+  // The half-arc straight on behind h, if there is one.
+  std::size_t continuation(const std::size_t h) const
+  {
+    if(runs_straight(h))
+      return m_graph.next(h);
+    const std::size_t p = m_previous.at(Graph::opposite(h));
+    return runs_straight(p) ? Graph::opposite(p) : none;
+  }
+
+  enum End { START, STOP, UNCLEAR };
+
+  // Straight on along h: whether that leads to a node where curves start; and how far it goes.
+  std::pair<End, Exact_rational> follow(std::size_t h) const
+  {
+    Exact_rational length(0);
+    for(;;) {
+      length += m_graph.arc_length(Graph::arc(h));
+      const std::size_t n = m_graph.target(h);
+      if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION)
+        return {START, length};
+      if(m_graph.half_arcs_around_node(n).size() != 3)
+        return {UNCLEAR, length};
+      h = continuation(h);
+      if(h == none)
+        return {STOP, length};
+    }
+  }
+
+  void check_half_arcs()
+  {
+    for(std::size_t h = 0; h < 2 * m_graph.number_of_arcs(); ++h) {
+      const std::size_t g = m_graph.next(h);
+      CHECK_IN(m_context, m_graph.target(h) == m_graph.source(g));
+      CHECK_IN(m_context, m_graph.patch(h) == m_graph.patch(g));
+      CHECK_IN(m_context, m_previous.emplace(g, h).second);
+      CHECK_IN(m_context, m_graph.arc_length(Graph::arc(h)) > 0);
+    }
+  }
+
+  // Each patch has one cycle of half-arcs, in four sides, the opposite ones of the same length.
+  void check_patches()
+  {
+    for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p) {
+      std::array<Exact_rational, 4> lengths;
+      std::vector<std::size_t> cycle;
+      for(std::size_t s = 0; s < 4; ++s) {
+        for(const std::size_t h : m_graph.patch_side(p, s)) {
+          lengths[s] += m_graph.arc_length(Graph::arc(h));
+          cycle.push_back(h);
+          CHECK_IN(m_context, m_graph.patch(h) == p);
+          CHECK_IN(m_context, m_sides.emplace(h, std::make_pair(p, s)).second);
+        }
+        CHECK_IN(m_context, lengths[s] > 0);
+      }
+      CHECK_IN(m_context, lengths[0] == lengths[2] && lengths[0] == m_graph.patch_width(p));
+      CHECK_IN(m_context, lengths[1] == lengths[3] && lengths[1] == m_graph.patch_height(p));
+      for(std::size_t i = 0; i < cycle.size(); ++i)
+        CHECK_IN(m_context, m_graph.next(cycle[i]) == cycle[(i + 1) % cycle.size()]);
+    }
+    std::size_t outside = 0;
+    for(std::size_t h = 0; h < 2 * m_graph.number_of_arcs(); ++h)
+      outside += m_graph.patch(h) == Graph::null_patch ? 1 : 0;
+    CHECK_IN(m_context, m_sides.size() + outside == 2 * m_graph.number_of_arcs());
+  }
+
+  Exact_rational area() const
+  {
+    Exact_rational twice(0);
+    for(const auto f : faces(m_mesh)) {
+      const Halfedge h = halfedge(f, m_mesh);
+      const auto a = get(m_uv, h), b = get(m_uv, next(h, m_mesh)), c = get(m_uv, prev(h, m_mesh));
+      const Exact_rational x(a.x()), y(a.y());
+      twice += (Exact_rational(b.x()) - x) * (Exact_rational(c.y()) - y) -
+               (Exact_rational(b.y()) - y) * (Exact_rational(c.x()) - x);
+    }
+    return Exact_rational(twice / 2);
+  }
+
+  // As each patch has one cycle, all of them are discs if and only if these characteristics agree.
+  void check_numbers()
+  {
+    Exact_rational sum(0);
+    for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p)
+      sum += m_graph.patch_width(p) * m_graph.patch_height(p);
+    CHECK_IN(m_context, sum == area());
+    std::ptrdiff_t expected = std::ptrdiff_t(faces(m_mesh).size()) -
+                              std::ptrdiff_t(edges(m_mesh).size());
+    for(const auto v : vertices(m_mesh))
+      expected += halfedge(v, m_mesh) != boost::graph_traits<Mesh>::null_halfedge() ? 1 : 0;
+    CHECK_EQUAL(std::ptrdiff_t(m_graph.number_of_nodes() + m_graph.number_of_patches()) -
+                  std::ptrdiff_t(m_graph.number_of_arcs()), expected);
+  }
+
+  double angle(const Halfedge h) const
+  {
+    const auto p = get(m_uv, h), q = get(m_uv, next(h, m_mesh)), r = get(m_uv, prev(h, m_mesh));
+    const double ax = q.x() - p.x(), ay = q.y() - p.y(), bx = r.x() - p.x(), by = r.y() - p.y();
+    return std::atan2(ax * by - ay * bx, ax * bx + ay * by) / std::acos(0.);
+  }
+
+  // As many arcs as quarter turns at inner vertices, one more on the border; at others, three or
+  // four.
+  void check_nodes()
+  {
+    std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> nodes;
+    for(std::size_t n = 0; n < m_graph.number_of_nodes(); ++n) {
+      const auto halves = m_graph.half_arcs_around_node(n);
+      for(const std::size_t h : halves)
+        CHECK_IN(m_context, m_graph.source(h) == n);
+      for(std::size_t i = 0; i < halves.size(); ++i) // counterclockwise
+        CHECK_IN(m_context, m_graph.next(Graph::opposite(halves[(i + 1) % halves.size()])) ==
+                              halves[i]);
+      if(m_graph.node_kind(n) == SS::Layout_node::JUNCTION)
+        CHECK_IN(m_context, halves.size() == 3 || halves.size() == 4);
+      if(m_graph.node_place(n) == SS::Isocurve_place::VERTEX)
+        CHECK_IN(m_context, nodes.emplace(target(m_graph.node_halfedge(n), m_mesh), n).second);
+    }
+    for(const auto v : vertices(m_mesh)) {
+      if(halfedge(v, m_mesh) == boost::graph_traits<Mesh>::null_halfedge())
+        continue;
+      double sum = 0;
+      bool is_border = false;
+      for(const auto h : CGAL::halfedges_around_target(v, m_mesh)) {
+        is_border = is_border || CGAL::is_border(h, m_mesh);
+        sum += CGAL::is_border(h, m_mesh) ? 0 : angle(h);
+      }
+      const long turns = std::lround(sum);
+      CHECK_IN(m_context, std::abs(sum - double(turns)) < 1e-3);
+      const auto node = nodes.find(v);
+      const bool is_regular = turns == (is_border ? 2 : 4);
+      CHECK_IN(m_context, is_regular || node != nodes.end());
+      if(node == nodes.end() || m_graph.node_kind(node->second) == SS::Layout_node::JUNCTION)
+        continue;
+      CHECK_IN(m_context, m_graph.half_arcs_around_node(node->second).size() ==
+                            std::size_t(turns) + (is_border ? 1 : 0));
+    }
+  }
+
+  // A point in the chart of a face.
+  std::array<double, 2> in_chart(const typename Graph::Location& location) const
+  {
+    const Halfedge h = halfedge(location.first, m_mesh);
+    const auto a = get(m_uv, prev(h, m_mesh)), b = get(m_uv, h), c = get(m_uv, next(h, m_mesh));
+    const auto& w = location.second;
+    return {w[0] * a.x() + w[1] * b.x() + w[2] * c.x(), w[0] * a.y() + w[1] * b.y() + w[2] * c.y()};
+  }
+
+  // What a location lies on: its vertices of positive weight.
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double>
+  support(const typename Graph::Location& location) const
+  {
+    const Halfedge h = halfedge(location.first, m_mesh);
+    std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double> result;
+    const std::array<Halfedge, 3> corners = {prev(h, m_mesh), h, next(h, m_mesh)};
+    for(std::size_t k = 0; k < 3; ++k)
+      if(location.second[k] != 0)
+        result[target(corners[k], m_mesh)] = location.second[k];
+    return result;
+  }
+
+  // The path leads from node to node, each time along a straight line in one face, and is as long as
+  // the arc; but for the rounding of its points. `result` is the length in faces that hold both.
+  bool step_length(const typename Graph::Location& a, const typename Graph::Location& b,
+                   double& result) const
+  {
+    const auto on_a = support(a), on_b = support(b);
+    for(const auto f : faces_around(a))
+      if(holds(f, on_a) && holds(f, on_b)) {
+        const auto p = in_chart(f, on_a), q = in_chart(f, on_b);
+        const double du = std::abs(p[0] - q[0]), dv = std::abs(p[1] - q[1]);
+        if((std::min)(du, dv) > 1e-6 * ((std::max)(du, dv) + 1))
+          continue; // another face with the same vertices
+        result = (std::max)(du, dv);
+        return true;
+      }
+    return false;
+  }
+
+  std::vector<typename boost::graph_traits<Mesh>::face_descriptor>
+  faces_around(const typename Graph::Location& a) const
+  {
+    std::vector<typename boost::graph_traits<Mesh>::face_descriptor> result(1, a.first);
+    for(const auto h : CGAL::halfedges_around_face(halfedge(a.first, m_mesh), m_mesh))
+      for(const auto g : CGAL::halfedges_around_target(h, m_mesh))
+        if(!CGAL::is_border(g, m_mesh))
+          result.push_back(face(g, m_mesh));
+    return result;
+  }
+
+  template <typename Face, typename Support>
+  bool holds(const Face f, const Support& on) const
+  {
+    std::size_t number = 0;
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+      number += on.count(target(h, m_mesh));
+    return number >= on.size();
+  }
+
+  template <typename Face, typename Support>
+  std::array<double, 2> in_chart(const Face f, const Support& on) const
+  {
+    std::array<double, 2> result{};
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const auto i = on.find(target(h, m_mesh));
+      if(i == on.end())
+        continue;
+      result[0] += i->second * get(m_uv, h).x();
+      result[1] += i->second * get(m_uv, h).y();
+    }
+    return result;
+  }
+
+  static bool comes_near_vertex(const typename Graph::Location& location)
+  {
+    return std::any_of(location.second.begin(), location.second.end(),
+                       [](const double w) { return w != 0 && w < 1e-9; });
+  }
+
+  void check_paths()
+  {
+    for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a) {
+      const auto path = m_graph.arc_path(a);
+      CHECK_IN(m_context, path.size() >= 2 &&
+                            path.front() == m_graph.node_location(m_graph.source(2 * a)) &&
+                            path.back() == m_graph.node_location(m_graph.target(2 * a)));
+      if(std::any_of(path.begin(), path.end(), comes_near_vertex))
+        continue; // rounding may move such a point to another edge
+      double length = 0;
+      bool is_path = true;
+      for(std::size_t i = 0; i + 1 < path.size(); ++i) {
+        double step = 0;
+        is_path = is_path && step_length(path[i], path[i + 1], step);
+        length += step;
+      }
+      const double expected = CGAL::to_double(m_graph.arc_length(a));
+      CHECK_IN(m_context, is_path && std::abs(length - expected) < 1e-6 * (expected + 1));
+    }
+  }
+
+  // All border and feature edges are on constrained arcs, by their length.
+  void check_walls()
+  {
+    Exact_rational expected(0), found(0);
+    for(const auto e : edges(m_mesh)) {
+      Halfedge h = halfedge(e, m_mesh);
+      if(!CGAL::is_border_edge(h, m_mesh) && !get(m_features, e))
+        continue;
+      h = CGAL::is_border(h, m_mesh) ? opposite(h, m_mesh) : h;
+      const auto a = get(m_uv, prev(h, m_mesh)), b = get(m_uv, h);
+      expected += CGAL::abs(Exact_rational(Exact_rational(a.x()) - Exact_rational(b.x()))) +
+                  CGAL::abs(Exact_rational(Exact_rational(a.y()) - Exact_rational(b.y())));
+    }
+    for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a)
+      if(m_graph.arc_is_constrained(a))
+        found += m_graph.arc_length(a);
+    CHECK_IN(m_context, found == expected);
+  }
+
+  const Mesh& m_mesh;
+  const UVMap& m_uv;
+  const FeatureMap& m_features;
+  const Graph& m_graph;
+  const std::string m_context;
+  std::map<std::size_t, std::size_t> m_previous;
+  std::map<std::size_t, std::pair<std::size_t, std::size_t> > m_sides; // patch and side
+};
+
+template <typename Mesh, typename UVMap, typename FeatureMap>
+void check_layout(const Mesh& mesh, const UVMap& uv, const FeatureMap& features,
+                  const SS::Motorcycle_graph<Mesh>& graph, const std::string& context)
+{
+  Checker<Mesh, UVMap, FeatureMap>(mesh, uv, features, graph, context).run();
+}
+
+template <typename Mesh, typename UVMap, typename FeatureMap>
+void check_motorcycle_graph(const Mesh& mesh, const UVMap& uv, const FeatureMap& features,
+                            const SS::Motorcycle_graph<Mesh>& graph, const std::string& context)
+{
+  Checker<Mesh, UVMap, FeatureMap> checker(mesh, uv, features, graph, context);
+  checker.run();
+  if(graph)
+    checker.check_order();
+}
+
+// What does not depend on the numbering: lengths, sizes of patches, kinds and degrees of nodes.
+struct Shape
+{
+  std::vector<std::pair<Exact_rational, bool> > arcs;
+  std::vector<std::pair<Exact_rational, Exact_rational> > patches;
+  std::vector<std::pair<SS::Layout_node, std::size_t> > nodes;
+
+  friend bool operator==(const Shape& a, const Shape& b)
+  { return a.arcs == b.arcs && a.patches == b.patches && a.nodes == b.nodes; }
+};
+
+template <typename Mesh>
+Shape shape(const SS::Motorcycle_graph<Mesh>& graph)
+{
+  Shape result;
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a)
+    result.arcs.emplace_back(graph.arc_length(a), graph.arc_is_constrained(a));
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+    result.patches.push_back(std::minmax({graph.patch_width(p), graph.patch_height(p)}));
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
+    result.nodes.emplace_back(graph.node_kind(n), graph.half_arcs_around_node(n).size());
+  std::sort(result.arcs.begin(), result.arcs.end());
+  std::sort(result.patches.begin(), result.patches.end());
+  std::sort(result.nodes.begin(), result.nodes.end());
+  return result;
+}
+
+} // namespace layout_checks
+
+#endif // SEAMLESS_SNAPPING_TEST_LAYOUT_CHECKS_H

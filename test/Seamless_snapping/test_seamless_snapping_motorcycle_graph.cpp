@@ -1,0 +1,479 @@
+// Tests of motorcycle graphs and other layouts: on surfaces of squares, where much is known in
+// advance, and on parametrizations that solvers made; all of what a partition into rectangles is
+// made of is checked in rationals on each.
+
+#include "Polyhedron_copy.h"
+#include "layout_checks.h"
+#include "quad_reference.h"
+#include "test_data.h"
+#include "test_surfaces.h"
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/surface_layout.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <set>
+#include <string>
+
+using namespace layout_checks;
+using quad_reference::Grid_map;
+using quad_reference::Kernel;
+using quad_reference::Mesh;
+using quad_reference::Point_2;
+using square_complex::Square_complex;
+namespace surfaces = test_meshes;
+namespace parameters = SS::parameters;
+using SS::Layout_node;
+using SS::Layout_status;
+using Graph = SS::Motorcycle_graph<Mesh>;
+using Meeting = SS::Curve_meeting<Mesh>;
+using Vertex_set = Mesh::Property_map<Mesh::Vertex_index, bool>;
+
+std::size_t number_of(const Graph& graph, const Layout_node kind)
+{
+  std::size_t result = 0;
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
+    result += graph.node_kind(n) == kind ? 1 : 0;
+  return result;
+}
+
+// Curves end or not by a rule without any sense, but always the same.
+bool ends_at_random(const Meeting& m)
+{
+  const double x = CGAL::to_double(m.length) * 7 + CGAL::to_double(m.other_length) * 3;
+  return std::lround(std::fmod(std::abs(x) * 16, 5)) != 2;
+}
+
+// --- surfaces of squares -------------------------------------------------------------------------
+
+void check_all_policies(const Grid_map& map, const std::string& context)
+{
+  const auto np = parameters::edge_is_constrained_map(map.is_feature);
+  check_motorcycle_graph(map.mesh, map.uv, map.is_feature,
+                         SS::motorcycle_graph(map.mesh, map.uv, np), context);
+  check_layout(map.mesh, map.uv, map.is_feature,
+               SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(SS::Run_to_nodes())),
+               context + ", base complex");
+  check_layout(map.mesh, map.uv, map.is_feature,
+               SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(&ends_at_random)),
+               context + ", random policy");
+}
+
+void test_surface(const std::string& name, const Square_complex& complex)
+{
+  for(const auto& [side, n] : {std::pair{4, 4}, {3, 8}})
+    for(const unsigned seed : {0u, 1u, 2u}) {
+      Grid_map map(complex, side, n);
+      if(seed > 0)
+        map.perturb(seed, 0.4 * side / n, seed == 1 ? 3 : 30);
+      check_all_policies(map, name + ", seed " + std::to_string(seed));
+    }
+}
+
+Square_complex with_all_features()
+{
+  Square_complex result = surfaces::disc(5, 5);
+  surfaces::mark_all_kinds_of_features(result);
+  return result;
+}
+
+void test_surfaces()
+{
+  test_surface("cube", surfaces::box(1, 1, 1));
+  test_surface("box", surfaces::box(2, 1, 3));
+  test_surface("notched cube", surfaces::notched_cube());
+  test_surface("double torus", surfaces::double_torus());
+  test_surface("box with holes", surfaces::box_with_holes());
+  test_surface("disc", surfaces::disc(3, 2));
+  test_surface("torus", surfaces::torus(1, 2));
+  test_surface("genus 2", surfaces::genus_2());
+  test_surface("tetrahedron", surfaces::tetrahedron());
+  test_surface("cylinder", surfaces::cylinder(2, 3));
+  test_surface("pair of pants", surfaces::pair_of_pants());
+  test_surface("two islands", surfaces::two_islands());
+  test_surface("island", surfaces::island(1, {{3, 5}}, true));
+  test_surface("features", with_all_features());
+  for(const int quarter_turns : {1, 2, 3, 5, 8})
+    test_surface("cone ring " + std::to_string(quarter_turns), surfaces::cone_ring(quarter_turns));
+  Square_complex scattered = surfaces::double_torus();
+  surfaces::scatter_charts(scattered);
+  test_surface("scattered", scattered);
+  Square_complex creased = surfaces::box(1, 2, 1);
+  surfaces::mark_creases(creased);
+  test_surface("creases", creased);
+  Square_complex parts = surfaces::box(1, 1, 1);
+  parts.append(surfaces::disc(2, 2));
+  parts.append(surfaces::torus(2, 1));
+  parts.append(surfaces::double_torus());
+  test_surface("parts", parts);
+}
+
+// Each square is a patch, where all vertices of squares are nodes.
+void check_counts(const Square_complex& complex, const std::size_t nodes, const std::size_t arcs,
+                  const std::size_t patches)
+{
+  Grid_map map(complex, 10, 8);
+  map.perturb(5, 0.3, 20);
+  const Graph graph = SS::motorcycle_graph(map.mesh, map.uv);
+  CHECK_EQUAL(graph.number_of_nodes(), nodes);
+  CHECK_EQUAL(graph.number_of_arcs(), arcs);
+  CHECK_EQUAL(graph.number_of_patches(), patches);
+  CHECK_EQUAL(number_of(graph, Layout_node::JUNCTION), std::size_t(0));
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+    CHECK(graph.patch_width(p) == 10 && graph.patch_height(p) == 10);
+}
+
+void test_known_counts()
+{
+  check_counts(surfaces::box(1, 1, 1), 8, 12, 6);
+  check_counts(surfaces::tetrahedron(), 4, 4, 2);
+  check_counts(surfaces::torus(1, 1), 1, 2, 1);
+  check_counts(surfaces::genus_2(), 1, 6, 3);
+  check_counts(surfaces::disc(1, 1), 4, 4, 1);
+}
+
+// --- who ends ------------------------------------------------------------------------------------
+
+Mesh::Vertex_index vertex_at(const Grid_map& map, const double u, const double v)
+{
+  for(const auto h : map.mesh.halfedges())
+    if(!map.mesh.is_border(h) && map.uv[h] == Point_2(u, v))
+      return map.mesh.target(h);
+  CHECK(false);
+  return Mesh::null_vertex();
+}
+
+// On a square with sides of 8 units.
+struct Square_with_nodes
+{
+  Grid_map map{surfaces::disc(1, 1), 8, 8};
+  Vertex_set is_given = map.mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
+
+  explicit Square_with_nodes(const std::vector<std::array<double, 2> >& nodes)
+  {
+    for(const auto& [u, v] : nodes)
+      is_given[vertex_at(map, u, v)] = true;
+  }
+
+  Graph graph() const
+  {
+    return SS::motorcycle_graph(map.mesh, map.uv, parameters::vertex_is_constrained_map(is_given));
+  }
+};
+
+// Degrees of the nodes at these coordinates; 0 where there is none.
+std::size_t degree_at(const Graph& graph, const Exact_rational& u, const Exact_rational& v)
+{
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
+    if(graph.node_coordinates(n) == std::array<Exact_rational, 2>{u, v})
+      return graph.half_arcs_around_node(n).size();
+  return 0;
+}
+
+// Whether a curve from (u, v) in this direction runs on at the point where it meets another one:
+// there is an arc from that point which goes on.
+bool has_arc_to(const Graph& graph, const std::array<Exact_rational, 2>& from,
+                const std::array<Exact_rational, 2>& to)
+{
+  for(std::size_t h = 0; h < 2 * graph.number_of_arcs(); ++h)
+    if(graph.node_coordinates(graph.source(h)) == from &&
+       graph.node_coordinates(graph.target(h)) == to)
+      return true;
+  return false;
+}
+
+void test_right_of_way()
+{
+  // Both curves that meet have the same length: they come to (5, 3) from the left and from above,
+  // to (3, 5) from below and from the right.
+  const Square_with_nodes ties({{3, 3}, {5, 5}});
+  const Graph graph = ties.graph();
+  check_motorcycle_graph(ties.map.mesh, ties.map.uv, ties.map.is_feature, graph, "ties");
+  CHECK_EQUAL(degree_at(graph, 5, 3), std::size_t(3));
+  CHECK_EQUAL(degree_at(graph, 3, 5), std::size_t(3));
+  CHECK(has_arc_to(graph, {5, 3}, {8, 3})); // who comes from above sees the other at the right
+  CHECK(!has_arc_to(graph, {5, 3}, {5, 0}));
+  CHECK(has_arc_to(graph, {3, 5}, {0, 5}));
+  CHECK(!has_arc_to(graph, {3, 5}, {3, 8}));
+  CHECK_EQUAL(number_of(graph, Layout_node::GIVEN), std::size_t(2));
+
+  // The nearer one is there before, whatever the side.
+  const Square_with_nodes earlier({{4, 3}, {5, 5}});
+  const Graph second = earlier.graph();
+  check_motorcycle_graph(earlier.map.mesh, earlier.map.uv, earlier.map.is_feature, second, "sooner");
+  CHECK(has_arc_to(second, {5, 3}, {8, 3}) && !has_arc_to(second, {5, 3}, {5, 0}));
+  CHECK(has_arc_to(second, {4, 5}, {0, 5}) && !has_arc_to(second, {4, 5}, {4, 8}));
+
+  // Four at once, two by two head on: all of them end, or two arcs cross, which is the same.
+  const Square_with_nodes four({{4, 2}, {6, 4}, {4, 6}, {2, 4}});
+  const Graph third = four.graph();
+  check_motorcycle_graph(four.map.mesh, four.map.uv, four.map.is_feature, third, "four at once");
+  CHECK_EQUAL(degree_at(third, 4, 4), std::size_t(4));
+
+  // Three at once.
+  const Square_with_nodes three({{4, 2}, {6, 4}, {4, 6}});
+  const Graph fourth = three.graph();
+  check_motorcycle_graph(three.map.mesh, three.map.uv, three.map.is_feature, fourth, "three");
+  CHECK_EQUAL(degree_at(fourth, 4, 4), std::size_t(3));
+  CHECK(!has_arc_to(fourth, {4, 4}, {0, 4}));
+
+  // Head on, off the middle: no node between both; and a third one that comes where they met.
+  const Square_with_nodes head_on({{1, 4}, {6, 4}});
+  const Graph fifth = head_on.graph();
+  check_motorcycle_graph(head_on.map.mesh, head_on.map.uv, head_on.map.is_feature, fifth, "head on");
+  CHECK(has_arc_to(fifth, {1, 4}, {6, 4}));
+  const Square_with_nodes later({{2, 4}, {6, 4}, {4, 1}});
+  const Graph sixth = later.graph();
+  check_motorcycle_graph(later.map.mesh, later.map.uv, later.map.is_feature, sixth, "later");
+  CHECK_EQUAL(degree_at(sixth, 4, 4), std::size_t(3));
+  CHECK(!has_arc_to(sixth, {4, 4}, {4, 8}));
+}
+
+// Many nodes at random: crossings of all kinds, in faces, on edges, and at vertices.
+void test_given_nodes()
+{
+  std::mt19937_64 random(11);
+  for(const auto& complex : {surfaces::disc(2, 2), surfaces::box(1, 1, 1), surfaces::torus(2, 1),
+                             surfaces::genus_2(), surfaces::cylinder(2, 2), with_all_features()})
+    for(int run = 0; run < 12; ++run) {
+      Grid_map map(complex, 4, 4);
+      map.perturb(unsigned(run), 0.4, run % 3 == 0 ? 1 : run % 3 == 1 ? 3 : 20);
+      auto is_given = map.mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
+      for(int k = 0; k <= run; ++k)
+        is_given[Mesh::Vertex_index(unsigned(random() % map.mesh.number_of_vertices()))] = true;
+      const auto np = parameters::edge_is_constrained_map(map.is_feature)
+                        .vertex_is_constrained_map(is_given);
+      const std::string context = "given nodes, run " + std::to_string(run);
+      check_motorcycle_graph(map.mesh, map.uv, map.is_feature,
+                             SS::motorcycle_graph(map.mesh, map.uv, np), context);
+      check_layout(map.mesh, map.uv, map.is_feature,
+                   SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(&ends_at_random)),
+                   context + ", random policy");
+      check_layout(map.mesh, map.uv, map.is_feature,
+                   SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(SS::Run_to_nodes())),
+                   context + ", base complex");
+    }
+}
+
+// --- the same graph for any numbering and mesh data structure ------------------------------------
+
+// The same mesh with faces, corners, and vertices in another order.
+struct Renumbered
+{
+  Mesh mesh;
+  quad_reference::UV_map uv = square_complex::uv_map(mesh);
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature = square_complex::feature_map(mesh);
+
+  Renumbered(const Mesh& original, const quad_reference::UV_map& original_uv,
+             const Mesh::Property_map<Mesh::Edge_index, bool>& features, const unsigned seed)
+  {
+    std::mt19937_64 random(seed);
+    std::vector<Mesh::Vertex_index> order(original.vertices().begin(), original.vertices().end());
+    std::shuffle(order.begin(), order.end(), random);
+    std::map<Mesh::Vertex_index, Mesh::Vertex_index> copy;
+    for(const auto v : order)
+      copy[v] = mesh.add_vertex(original.point(v));
+    std::vector<Mesh::Face_index> triangles(original.faces().begin(), original.faces().end());
+    std::shuffle(triangles.begin(), triangles.end(), random);
+    for(const auto f : triangles) {
+      auto h = original.halfedge(f);
+      for(std::size_t k = random() % 3; k > 0; --k)
+        h = original.next(h);
+      const auto g = original.next(h), i = original.next(g);
+      mesh.add_face(copy[original.target(h)], copy[original.target(g)], copy[original.target(i)]);
+    }
+    for(const auto h : original.halfedges()) {
+      const auto c = mesh.halfedge(copy[original.source(h)], copy[original.target(h)]);
+      uv[c] = original_uv[h];
+      is_feature[mesh.edge(c)] = features[original.edge(h)];
+    }
+  }
+  Renumbered(const Renumbered&) = delete;
+};
+
+void check_numbering(const Mesh& mesh, const quad_reference::UV_map& uv,
+                     const Mesh::Property_map<Mesh::Edge_index, bool>& features,
+                     const std::string& context)
+{
+  const Graph graph =
+    SS::motorcycle_graph(mesh, uv, parameters::edge_is_constrained_map(features));
+  for(const unsigned seed : {1u, 2u}) {
+    const Renumbered other(mesh, uv, features, seed);
+    const Graph renumbered = SS::motorcycle_graph(
+      other.mesh, other.uv, parameters::edge_is_constrained_map(other.is_feature));
+    CHECK_IN(context, bool(renumbered) && shape(graph) == shape(renumbered));
+    CHECK_IN(context,
+             graph.number_of_visited_segments() == renumbered.number_of_visited_segments());
+  }
+}
+
+void test_numbering()
+{
+  for(const auto& complex : {surfaces::box(2, 1, 3), surfaces::double_torus(), surfaces::disc(3, 2),
+                             surfaces::notched_cube(), with_all_features()}) {
+    Grid_map map(complex, 4, 4);
+    check_numbering(map.mesh, map.uv, map.is_feature, "aligned");
+    map.perturb(3, 0.3, 20);
+    check_numbering(map.mesh, map.uv, map.is_feature, "perturbed");
+    const surfaces::Polyhedron_copy<Kernel> copy(map.mesh);
+    const auto graph = SS::motorcycle_graph(
+      copy.polyhedron, copy.uv, parameters::edge_is_constrained_map(copy.is_feature));
+    CHECK(shape(graph) == shape(SS::motorcycle_graph(
+                            map.mesh, map.uv,
+                            parameters::edge_is_constrained_map(map.is_feature))));
+  }
+}
+
+// --- what is refused -----------------------------------------------------------------------------
+
+void check_refusal(const Graph& graph, const Layout_status status, const std::string& word)
+{
+  CHECK_EQUAL(graph.status(), status);
+  CHECK_IN(graph.message(), graph.message().find(word) != std::string::npos);
+  CHECK_EQUAL(graph.number_of_nodes() + graph.number_of_arcs() + graph.number_of_patches(),
+              std::size_t(0));
+}
+
+void test_refusals()
+{
+  Grid_map box(surfaces::box(1, 1, 1), 4, 4);
+  const auto h = *box.mesh.halfedges().begin();
+  const Point_2 good = box.uv[h];
+  box.uv[h] = Point_2(std::nextafter(good.x(), 100), good.y());
+  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Layout_status::NOT_SEAMLESS,
+                "snap_to_seamless");
+  box.uv[h] = Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
+  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Layout_status::NOT_FINITE, "face");
+  box.uv[h] = good;
+  check_refusal(SS::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20)),
+                Layout_status::TOO_LARGE, "maximum_number");
+  CHECK(bool(SS::motorcycle_graph(box.mesh, box.uv)));
+
+  Grid_map disc(surfaces::disc(2, 2), 4, 4);
+  const auto seams = SS::seam_transitions(disc.mesh, disc.uv);
+  const auto inner = disc.mesh.halfedge(vertex_at(disc, 3, 3));
+  disc.move_vertex(seams, inner, Kernel::Vector_2(1.5, 0.25));
+  const Graph flipped = SS::motorcycle_graph(disc.mesh, disc.uv);
+  check_refusal(flipped, Layout_status::NOT_POSITIVE, "repair_flips");
+  CHECK(!flipped.nonpositive_faces().empty());
+  for(const std::size_t f : flipped.nonpositive_faces()) {
+    const auto g = disc.mesh.halfedge(Mesh::Face_index(unsigned(f)));
+    CHECK(!disc.is_positive(g));
+  }
+
+  Grid_map bent(surfaces::disc(2, 2), 4, 4);
+  for(const auto g : bent.mesh.halfedges())
+    if(!bent.mesh.is_border(g) && bent.uv[g] == Point_2(8, 3))
+      bent.uv[g] = Point_2(8.25, 3);
+  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv), Layout_status::NOT_ALIGNED,
+                "align_border");
+  Grid_map diagonal(surfaces::disc(2, 2), 4, 4);
+  for(const auto e : diagonal.mesh.edges()) {
+    auto g = diagonal.mesh.halfedge(e);
+    g = diagonal.mesh.is_border(g) ? diagonal.mesh.opposite(g) : g;
+    const Point_2 a = diagonal.uv[g], b = diagonal.uv[diagonal.mesh.prev(g)];
+    if(a.x() != b.x() && a.y() != b.y()) {
+      diagonal.is_feature[e] = true;
+      break;
+    }
+  }
+  const Graph misaligned = SS::motorcycle_graph(
+    diagonal.mesh, diagonal.uv, parameters::edge_is_constrained_map(diagonal.is_feature));
+  check_refusal(misaligned, Layout_status::NOT_ALIGNED, "edge_is_constrained_map");
+  CHECK(misaligned.message().find("1 border or feature edge does not") == 0);
+
+  Mesh quad;
+  const auto uv = square_complex::uv_map(quad);
+  std::vector<Mesh::Vertex_index> corners;
+  for(int i = 0; i < 4; ++i)
+    corners.push_back(quad.add_vertex(Kernel::Point_3(i, i * i, 0)));
+  quad.add_face(corners);
+  check_refusal(SS::motorcycle_graph(quad, uv), Layout_status::NOT_TRIANGULAR, "face 0");
+}
+
+// --- parametrizations that solvers made ----------------------------------------------------------
+
+struct File
+{
+  Mesh mesh;
+  quad_reference::UV_map uv = square_complex::uv_map(mesh);
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature = square_complex::feature_map(mesh);
+
+  explicit File(const std::string& path)
+  {
+    CHECK_IN(path, bool(SS::IO::read_OBJ(path, mesh, uv,
+                                         parameters::edge_is_constrained_map(is_feature))));
+  }
+  File(const File&) = delete;
+};
+
+// Two graphs, with features and without. Returns whether border and features can be aligned.
+bool test_file(const std::string& path, const bool with_features)
+{
+  File file(path);
+  if(!with_features)
+    for(const auto e : file.mesh.edges())
+      file.is_feature[e] = false;
+  const auto np = parameters::edge_is_constrained_map(file.is_feature);
+  const auto report =
+    SS::snap_to_seamless(file.mesh, file.uv, np.align_border(true).repair_flips(true));
+  if(report.status == SS::Snapping_status::NOT_ALIGNED)
+    return false;
+  CHECK_IN(path, bool(report));
+  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv, np);
+  if(!report.remaining_flips.empty()) {
+    CHECK_IN(path, graph.status() == Layout_status::NOT_POSITIVE);
+    return false;
+  }
+  check_motorcycle_graph(file.mesh, file.uv, file.is_feature, graph, path);
+  return true;
+}
+
+void test_files()
+{
+  for(const auto& path : test_data::package_files())
+    for(const bool with_features : {false, true})
+      test_file(path.string(), with_features);
+  std::size_t number = 0, refused = 0;
+  for(const auto& path : test_data::further_files("uv", ".obj"))
+    for(const bool with_features : {false, true})
+      ++(test_file(path.string(), with_features) ? number : refused);
+  std::cout << number << " maps divided, " << refused
+            << " with flips, or a border that is not aligned" << std::endl;
+}
+
+void test_cube_file()
+{
+  const auto folder = test_data::further_data("uv", "the cube of 10 x 10 x 10");
+  if(folder.empty())
+    return;
+  const File file((folder / "mc_s01c_cube.obj").string());
+  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv);
+  CHECK_EQUAL(graph.number_of_nodes(), std::size_t(8));
+  CHECK_EQUAL(graph.number_of_arcs(), std::size_t(12));
+  CHECK_EQUAL(graph.number_of_patches(), std::size_t(6));
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+    CHECK_EQUAL(graph.patch_width(p) * graph.patch_height(p), Exact_rational(100));
+  check_numbering(file.mesh, file.uv, file.is_feature, "cube");
+}
+
+int main()
+{
+  std::cout.precision(17);
+  test_known_counts();
+  test_surfaces();
+  test_right_of_way();
+  test_given_nodes();
+  test_numbering();
+  test_refusals();
+  test_files();
+  test_cube_file();
+  return report_checks();
+}
