@@ -5,9 +5,13 @@
 
 #include "checking.h"
 
+#include <CGAL/Seamless_snapping/copy_to_face_graph.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -16,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +53,8 @@ public:
     check_nodes();
     check_paths();
     check_walls();
+    check_refinement();
+    check_copy();
   }
 
   // That each curve ends at one that has come there before: for motorcycle graphs only. Where four
@@ -324,6 +331,98 @@ private:
       const double expected = CGAL::to_double(m_graph.arc_length(a));
       CHECK_IN(m_context, is_path && std::abs(length - expected) < 1e-6 * (expected + 1));
     }
+  }
+
+  // The chart of a face that holds all these locations, and them in it.
+  bool common_chart(const std::vector<typename Graph::Location>& locations,
+                    std::vector<std::array<double, 2> >& points) const
+  {
+    for(const auto f : faces_around(locations.front())) {
+      points.clear();
+      for(const auto& location : locations) {
+        const auto on = support(location);
+        if(holds(f, on))
+          points.push_back(in_chart(f, on));
+      }
+      if(points.size() == locations.size())
+        return true;
+    }
+    return false;
+  }
+
+  // A mesh whose faces are separated by arcs, into as many parts as patches, of the same areas.
+  void check_refinement()
+  {
+    namespace PMP = CGAL::Polygon_mesh_processing;
+    using Refined = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+    using Face = Refined::Face_index;
+    Refined refined;
+    auto locations =
+      refined.add_property_map<Refined::Vertex_index, typename Graph::Location>("v:location").first;
+    auto is_arc = refined.add_property_map<Refined::Edge_index, bool>("e:arc").first;
+    auto patches = refined.add_property_map<Face, std::size_t>("f:patch").first;
+    CHECK_IN(m_context, SS::refine_along_arcs(m_graph, refined, SS::parameters::default_values(),
+                                              SS::parameters::vertex_location_map(locations)
+                                                .edge_is_constrained_map(is_arc)
+                                                .face_patch_map(patches)));
+    CHECK_IN(m_context, CGAL::is_valid_polygon_mesh(refined));
+    auto parts = refined.add_property_map<Face, std::size_t>("f:part").first;
+    const std::size_t number =
+      PMP::connected_components(refined, parts, SS::parameters::edge_is_constrained_map(is_arc)
+                                                  .cgal_named_parameters());
+    CHECK_EQUAL(number, m_graph.number_of_patches());
+    std::map<std::size_t, std::size_t> part_of_patch;
+    std::vector<double> areas(m_graph.number_of_patches(), 0);
+    bool is_near_vertex = false;
+    for(const Face f : refined.faces()) {
+      CHECK_IN(m_context, part_of_patch.emplace(patches[f], parts[f]).first->second == parts[f]);
+      std::vector<typename Graph::Location> corners;
+      for(const auto v : refined.vertices_around_face(refined.halfedge(f)))
+        corners.push_back(locations[v]);
+      is_near_vertex =
+        is_near_vertex || std::any_of(corners.begin(), corners.end(), comes_near_vertex);
+      std::vector<std::array<double, 2> > points;
+      if(is_near_vertex || !common_chart(corners, points)) {
+        is_near_vertex = true;
+        continue;
+      }
+      for(std::size_t i = 2; i < points.size(); ++i)
+        areas[patches[f]] += ((points[i - 1][0] - points[0][0]) * (points[i][1] - points[0][1]) -
+                              (points[i - 1][1] - points[0][1]) * (points[i][0] - points[0][0])) / 2;
+    }
+    CHECK_IN(m_context, part_of_patch.size() == number);
+    for(std::size_t p = 0; p < areas.size() && !is_near_vertex; ++p) {
+      const double expected = CGAL::to_double(m_graph.patch_width(p)) *
+                              CGAL::to_double(m_graph.patch_height(p));
+      CHECK_IN(m_context, std::abs(areas[p] - expected) < 1e-6 * (expected + 1));
+    }
+  }
+
+  bool is_simple() const
+  {
+    std::set<std::pair<std::size_t, std::size_t> > ends;
+    for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a) {
+      const auto pair = std::minmax({m_graph.source(2 * a), m_graph.target(2 * a)});
+      if(pair.first == pair.second || !ends.insert(pair).second)
+        return false;
+    }
+    return true;
+  }
+
+  void check_copy()
+  {
+    using Patches = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+    Patches patches;
+    const bool is_copied = SS::copy_to_face_graph(m_graph, patches);
+    CHECK_IN(m_context, is_copied == is_simple());
+    if(!is_copied) {
+      CHECK_IN(m_context, patches.is_empty());
+      return;
+    }
+    CHECK_IN(m_context, CGAL::is_valid_polygon_mesh(patches));
+    CHECK_IN(m_context, patches.number_of_vertices() == m_graph.number_of_nodes() &&
+                          patches.number_of_edges() == m_graph.number_of_arcs() &&
+                          patches.number_of_faces() == m_graph.number_of_patches());
   }
 
   // All border and feature edges are on constrained arcs, by their length.

@@ -55,6 +55,7 @@
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
 #define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
   F(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                           \
+  F(face_patch_t, face_patch, face_patch_map)                                                      \
   F(maximum_number_t, maximum_number, maximum_number)                                              \
   F(number_of_iterations_t, number_of_iterations, number_of_iterations)                            \
   F(random_seed_t, random_seed, random_seed)                                                       \
@@ -191,8 +192,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
  * - `weld`: whether a reader joins border edges that coincide in space
  *
- * Names of \cgal: `edge_is_constrained_map`, `maximum_number`, `number_of_iterations`,
- * `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,
+ * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
+ * `number_of_iterations`, `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,
  * `vertex_is_constrained_map`, `vertex_point_map`.
  *
  * Which of them a function reads is listed with the function; it ignores the others.
