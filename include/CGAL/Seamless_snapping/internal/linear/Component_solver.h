@@ -220,18 +220,29 @@ private:
                      Component_solution& solution) const
   {
     Component_solution nearest(solution);
-    const bool found = evaluate_on_grids(m_core.get(), coarsest, nearest);
-    if(!is_whole() && m_system.number_of_columns() <= Core_solver::largest_whole_system &&
-       (!found || nearest.grid.exponent() > solution.grid.exponent() ||
-        is_far(values, solution.optimum, nearest))) {
+    bool found = evaluate_on_grids(m_core.get(), coarsest, nearest);
+    const auto is_good = [&]() {
+      return found && nearest.grid.exponent() <= solution.grid.exponent() &&
+             !is_far(values, solution, nearest);
+    };
+    const auto try_again = [&](const Core_solver* const core, Component_solution other) {
+      if(!evaluate_on_grids(core, coarsest, other) ||
+         (found && distance(other) >= distance(nearest)))
+        return;
+      nearest = std::move(other);
+      found = true;
+    };
+    const std::size_t n = m_system.number_of_columns();
+    if(!is_whole() && n <= Core_solver::largest_whole_system && !is_good()) {
       if(m_whole == nullptr)
         m_whole = std::make_unique<Core_solver>(m_system, m_form, true);
-      Component_solution other(solution);
-      if(evaluate_on_grids(m_whole.get(), coarsest, other) &&
-         (!found || distance(other) < distance(nearest))) {
-        solution = std::move(other);
-        return true;
-      }
+      try_again(m_whole.get(), solution);
+    }
+    // Values near the largest of a grid may have a solution nearby that is smaller.
+    for(int bits = 1; bits <= 3 && m_may_be_finer && n <= 16 && !is_good(); ++bits) {
+      Component_solution finer(solution);
+      change_grid((std::max)(solution.grid.exponent() - bits, m_format.minimum_exponent), finer);
+      try_again(is_whole() ? m_core.get() : m_whole.get(), std::move(finer));
     }
     solution = std::move(nearest);
     return found;
@@ -254,18 +265,21 @@ private:
 
   // Whether a solution is several times as far from the optimum as the values are, or as the grid
   // makes necessary.
-  bool is_far(const Component_solution& values, const std::vector<Grid_value>& optimum,
+  // \param optimum on any grid
+  bool is_far(const Component_solution& values, const Component_solution& optimum,
               const Component_solution& solution) const
   {
-    double change = 0, distance = 0; // in steps
-    const int shift = solution.grid.exponent() - values.grid.exponent();
+    double change = 0, distance = 0; // in steps of the optimum's grid
+    const int shift = optimum.grid.exponent() - values.grid.exponent();
+    const double unit =
+      std::ldexp(1., solution.grid.exponent() - optimum.grid.exponent());
     for(std::size_t j = 0; j < solution.x.size(); ++j)
       if(m_is_representable[j]) {
         Grid_value v = values.optimum[j];
         rescale(v, shift);
-        change = (std::max)(change, std::abs(difference(optimum[j], v)));
-        distance = (std::max)(distance,
-                              std::abs(difference(optimum[j], Grid_value{solution.x[j], 0})));
+        change = (std::max)(change, std::abs(difference(optimum.optimum[j], v)));
+        const double rest = difference(solution.optimum[j], Grid_value{solution.x[j], 0});
+        distance = (std::max)(distance, std::abs(rest) * unit);
       }
     return distance > 4 * (change + 1 + static_cast<double>(solution.x.size() / 16));
   }
