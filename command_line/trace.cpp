@@ -16,6 +16,7 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
@@ -113,7 +114,8 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
     model.mesh, uv_map,
     parameters::edge_is_constrained_map(is_feature).align_border(options.border)
                .tolerance(options.tolerance).connection_constraints(connections)
-               .cycle_constraints(cycles));
+               .cycle_constraints(cycles)
+               .connection_tolerance((std::max)(0.01, 2 * options.near_by)));
   std::ostringstream outcome;
   outcome << report;
   if(!report)

@@ -28,6 +28,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -91,6 +92,7 @@ Measurement measure(const std::string& file, std::size_t number_of_connections,
   const auto cycles = random.cycles(settings.cycles);
   const auto parameters = SS::parameters::edge_is_constrained_map(model.is_aligned)
                             .connection_constraints(connections)
+                            .connection_tolerance(std::numeric_limits<double>::infinity())
                             .cycle_constraints(cycles);
 
   Measurement result;

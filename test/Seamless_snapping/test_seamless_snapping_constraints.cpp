@@ -12,6 +12,7 @@
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,9 @@ using Connection = CS::Connection_constraint<Mesh>;
 using Cycle = CS::Cycle_constraint<Mesh>;
 using Corner = CS::Corner_constraint<Mesh>;
 using exact_reference::Rational;
+
+// Random paths ask for large changes.
+constexpr double any_distance = std::numeric_limits<double>::infinity();
 
 struct Model : Parametrized_model
 {
@@ -78,6 +83,7 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   const std::vector<Cycle> cycle_constraints = random.cycles(cycles);
   const auto np = parameters::connection_constraints(connection_constraints)
                              .cycle_constraints(cycle_constraints)
+                             .connection_tolerance(any_distance)
                              .edge_is_constrained_map(model.is_aligned);
   const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
   if(!CHECK(bool(report)))
@@ -219,6 +225,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
   const auto np = parameters::edge_is_constrained_map(model.is_aligned)
                              .connection_constraints(connections)
                              .cycle_constraints(cycles)
+                             .connection_tolerance(any_distance)
                              .corner_constraints(corners);
   const auto values = model.values();
   const auto reduced = reduced_system::reduced_seamless_system(model.mesh, model.uv, np);
@@ -242,6 +249,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
       parameters::edge_is_constrained_map(three.is_aligned)
                  .connection_constraints(left_out == 0 ? std::vector<Connection>() : connections)
                  .cycle_constraints(left_out == 1 ? std::vector<Cycle>() : cycles)
+                 .connection_tolerance(any_distance)
                  .corner_constraints(left_out == 2 ? std::vector<Corner>() : corners))));
   }
 }
@@ -324,8 +332,99 @@ void test_fine_pin(double value)
     CHECK(uv[h] == after);
 }
 
+// By how much a connection misses: in rational numbers, edge by edge.
+double distance(const Model& model, const Connection& c)
+{
+  exact_check::Exact_vector u = { Rational(model.uv[c.a].x()), Rational(model.uv[c.a].y()) };
+  exact_check::Exact_vector across = { Rational(1 - c.component), Rational(c.component) };
+  for(const Halfedge h : c.path)
+    random_constraints::cross(h, model.mesh, model.uv, model.transitions.rotation(h), u, across);
+  return std::abs(CGAL::to_double(Rational(across[0] * (u[0] - Rational(model.uv[c.b].x())) +
+                                           across[1] * (u[1] - Rational(model.uv[c.b].y())))));
+}
+
+// A path that is not meant is refused, with the distance by which it misses.
+void test_distances(const std::string& name, std::uint64_t seed)
+{
+  Model model(test_data::package_file(name));
+  random_constraints::Generator<Mesh> random(model.mesh, model.transitions, seed);
+  Connection wrong = random.connection();
+  while(distance(model, wrong) < 0.3 * model.transitions.extent())
+    wrong = random.connection();
+  const std::vector<Connection> connections = { random.connection(), wrong };
+  const double largest = (std::max)(distance(model, connections[0]), distance(model, wrong));
+  const double tolerance = largest / model.transitions.extent();
+  const auto np = parameters::connection_constraints(connections);
+  const auto values = model.values();
+  const auto check = [&](const CS::Snapping_report& report, const bool is_refused) {
+    CHECK(std::abs(report.connection_violation_before - largest) <= 1e-9 * largest);
+    CHECK_EQUAL(report.status == CS::Snapping_status::NOT_CONNECTED, is_refused);
+    CHECK_EQUAL(bool(report), !is_refused);
+    if(!is_refused)
+      return;
+    CHECK(model.values() == values);
+    const std::string worst = largest == distance(model, wrong) ? "1" : "0";
+    if(!CHECK(report.message.find("connection constraint " + worst + " misses by") == 0))
+      std::cerr << report << std::endl;
+  };
+  check(CS::snap_to_seamless(model.mesh, model.uv, np), true);
+  check(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(0.999 * tolerance)),
+        true);
+  check(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(1.001 * tolerance)),
+        false);
+  for(const double invalid : { -1., std::numeric_limits<double>::quiet_NaN() })
+    CHECK(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(invalid)).status ==
+          CS::Snapping_status::INVALID_ARGUMENT);
+}
+
+// Five by five vertices on isocurves, with a hole in the middle. Connections from the left to the
+// right hold in every row. That of the third row is interrupted by the hole. The others lie beside
+// the border or the hole: above or below by less than can be seen, which decides whether they are.
+void test_interception(const bool is_inside)
+{
+  Mesh mesh;
+  CGAL::make_grid(4, 4, mesh, [](double x, double y) { return Kernel::Point_3(x, y, 0); }, true);
+  const auto vertex = [&](const double x, const double y) {
+    for(const Mesh::Vertex_index v : mesh.vertices())
+      if(mesh.point(v) == Kernel::Point_3(x, y, 0))
+        return v;
+    return Mesh::null_vertex();
+  };
+  const Halfedge center = CGAL::Euler::remove_center_vertex(mesh.halfedge(vertex(2, 2)), mesh);
+  CGAL::Euler::remove_face(center, mesh);
+  auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+  const double inwards[5] = { 1, -1, 1, 1, -1 };
+  for(const Halfedge h : mesh.halfedges()) {
+    const Kernel::Point_3& p = mesh.point(mesh.target(h));
+    const double noise = (is_inside ? 1e-10 : -1e-10) * inwards[int(p.y())];
+    uv[h] = Kernel::Point_2(p.x(), p.x() == 4 ? p.y() + noise : p.y());
+  }
+  std::vector<Connection> connections;
+  std::vector<std::size_t> expected;
+  for(int y = 0; y < 5; ++y) {
+    Halfedge ends[2] = { mesh.halfedge(vertex(0, y)), mesh.halfedge(vertex(4, y)) };
+    for(Halfedge& h : ends)
+      h = mesh.is_border(h) ? mesh.prev(mesh.opposite(h)) : h;
+    connections.push_back({ ends[0], ends[1], 1,
+                            CS::shortest_face_path(mesh, ends[0], ends[1]) });
+    if(y == 2 || !is_inside)
+      expected.push_back(std::size_t(y));
+  }
+  const auto report =
+    CS::snap_to_seamless(mesh, uv, parameters::connection_constraints(connections));
+  CHECK(report.status == CS::Snapping_status::SNAPPED);
+  CHECK(report.intercepted_connections == expected);
+  const std::string first = "connection constraint " + std::to_string(expected.front()) + " does";
+  if(!CHECK(report.message.find(first) != std::string::npos))
+    std::cerr << report << std::endl;
+}
+
 int main()
 {
+  test_interception(true);
+  test_interception(false);
+  for(std::uint64_t seed = 1; seed <= 3; ++seed)
+    test_distances("genus2", seed);
   test_paths_on_border("genus2_border");
   for(const double value : { 0.1, 1e-5, 1e-300 })
     test_fine_pin(value);

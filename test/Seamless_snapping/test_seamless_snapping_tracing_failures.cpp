@@ -163,7 +163,22 @@ private:
     if(!CHECK(report) || !CHECK(report.largest_change <= change))
       std::cerr << report << ", largest change " << report.largest_change << " of " << change
                 << std::endl;
+    if(!constraints.empty())
+      check_intercepted(report.intercepted_connections);
     return bool(report);
+  }
+
+  // The report names the connections whose isocurves end before, or go elsewhere.
+  void check_intercepted(const std::vector<std::size_t>& reported) const
+  {
+    if(Kind::expected != Status::TARGET)
+      return;
+    const Tracer tracer(m_mesh, m_uv);
+    std::vector<std::size_t> expected;
+    for(std::size_t i = 0; i < m_passes.size(); ++i)
+      if(trace(tracer, m_passes[i], true).status != Kind::expected)
+        expected.push_back(i);
+    CHECK(reported == expected);
   }
 
   void keep_possible_ones()

@@ -32,7 +32,8 @@ namespace Seamless_snapping {
 \ingroup PkgSeamlessSnappingRef
 
 The outcome of a snapping function. After `ALREADY_EXACT` and `SNAPPED` all constraints hold
-exactly; after any other outcome the caller's values are untouched to the bit.
+exactly; after any other outcome the caller's values are untouched to the bit, unless they are in a
+property map that does not keep what is written to it.
 */
 enum class Snapping_status
 {
@@ -44,6 +45,8 @@ enum class Snapping_status
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
   /// an edge that is to lie on an isocurve is farther from one than the tolerance
   NOT_ALIGNED,
+  /// a connection or cycle constraint misses by more than its tolerance
+  NOT_CONNECTED,
   NOT_INTEGER,        ///< an integer-grid map is asked for, and none is as near as the tolerance
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INCONSISTENT,       ///< the constraints contradict each other
@@ -67,6 +70,7 @@ inline const char* to_string(const Snapping_status status)
   case Snapping_status::NOT_FINITE:        return "not finite";
   case Snapping_status::NOT_SEAMLESS:      return "not seamless";
   case Snapping_status::NOT_ALIGNED:       return "not aligned";
+  case Snapping_status::NOT_CONNECTED:     return "not connected";
   case Snapping_status::NOT_INTEGER:       return "not integer";
   case Snapping_status::INVALID_ROTATIONS: return "invalid rotations";
   case Snapping_status::INCONSISTENT:      return "inconsistent";
@@ -186,6 +190,9 @@ struct Snapping_report
   /// the largest violation of a constraint by the input; for the surface function, of a transition
   /// or an alignment
   double violation_before = 0;
+  /// the largest distance by which the isocurve of a connection or cycle constraint misses its end
+  /// in the input
+  double connection_violation_before = 0;
   /// with `integer_grid`: the largest distance of a translation, a cone, or the level of an aligned
   /// edge from the integer it was rounded to
   double largest_rounding = 0;
@@ -206,6 +213,13 @@ struct Snapping_report
   /// with `repair_flips`: faces that were not positive in the input, and still are not
   std::vector<std::size_t> remaining_flips;
   /// @}
+
+  /*!
+  After success, of the surface function: the connection constraints, by their places in the range,
+  that hold, but whose isocurve does not arrive at its end, since a singular vertex or the border is
+  in its way. `message` names the first.
+  */
+  std::vector<std::size_t> intercepted_connections;
 
   Snapping_figures run;                ///< figures of the run
   Linear_solver_figures linear_solver; ///< figures of the linear system

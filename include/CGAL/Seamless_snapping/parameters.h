@@ -33,6 +33,7 @@
   F(allow_holes_t, allow_holes, allow_holes)                                                       \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
+  F(connection_tolerance_t, connection_tolerance, connection_tolerance)                            \
   F(corner_constraints_t, corner_constraints, corner_constraints)                                  \
   F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
@@ -171,6 +172,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
  *   parametrization
+ * - `connection_tolerance`: the largest distance by which connections and cycles may miss before
+ *   snapping, relative to the extent of the coordinates (`double`)
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known

@@ -116,6 +116,14 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{a range of `Cycle_constraint<TriangleMesh>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
+  \cgalParamNBegin{connection_tolerance}
+    \cgalParamDescription{the largest distance by which the isocurve of a connection or a cycle may
+                          miss its end before snapping, relative to the extent of the coordinates. A
+                          larger one is an error, since a path that is not meant would distort the
+                          map; raise it where the distance is meant.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+  \cgalParamNEnd
   \cgalParamNBegin{corner_constraints}
     \cgalParamDescription{linear equations on the coordinates of corners}
     \cgalParamType{a range of `Corner_constraint<TriangleMesh>`}
@@ -179,20 +187,21 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
+        - `NOT_CONNECTED`: a connection or cycle constraint misses by more than its tolerance;
         - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
           other, or an edge that is given as no cut has a rotation;
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,
-          a corner has no face, the tolerance is negative, or the given indices of vertices are not
+          a corner has no face, a tolerance is negative, or the given indices of vertices are not
           unique or out of range;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest
           number, as can happen with `float`s close to it;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
-        - `INTERNAL_ERROR`: the result failed its verification, or did not read back as it was
-          written, and the old coordinates have been restored. A `uv_map` that does not keep what is
-          written to it causes this.
+        - `INTERNAL_ERROR`: the result failed its verification; or a `uv_map` does not keep what is
+          written to it, as one that stores `float`s in place of `double`s. The old coordinates have
+          been written back then; whether such a map returns them is not looked at.
         .
         The message names the place and the remedy.
 

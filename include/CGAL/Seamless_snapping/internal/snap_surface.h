@@ -19,10 +19,12 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mesh_stars.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
@@ -94,6 +96,11 @@ public:
     m_timer.finish("release of memory");
     if(m_report && m_report.run.number_of_cut_edges == 0)
       note_coinciding_border_edges();
+    if(m_report)
+      find_intercepted_connections(
+        CGAL::parameters::get_parameter_reference(m_np, CGAL::internal_np::connection_constraints),
+        m_tmesh, m_uv_map, m_np, m_vertex_indices, m_report);
+    m_timer.finish("notes");
     return std::move(m_report);
   }
 
@@ -122,6 +129,9 @@ private:
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
+    if(!m_has_spread)
+      if(const auto refusal = check_paths(cuts.complex, constraints, m_np, m_report))
+        return refusal;
     m_timer.finish("cut complex");
     std::vector<Rounding<Group> > roundings;
     if constexpr(may_round)
@@ -256,8 +266,8 @@ private:
     Coordinate_writer<Group, TriangleMesh, HalfedgeUVMap, Stars> writer(cuts, stars, m_uv_map);
     if(!writer.write(snapped.coordinates, figures))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the uv map does not keep what is written to "
-                     "it; each corner needs a place of its own, and the full precision of the "
-                     "points' number type", {}};
+                     "it, so that what it had was written back; each corner needs a place of its "
+                     "own, and the full precision of the points' number type", {}};
     figures.fill_in(m_report, snapped.optimal_squares);
     m_report.run.grid_step = snapped.unit;
     m_report.status = Snapping_status::SNAPPED;

@@ -56,7 +56,7 @@ std::vector<char> exact_components(const Cut_complex<Group>& complex,
       for(const Sector_index s : {*complex.links_begin(c), *(complex.links_end(c) - 1)})
         mark(components.of_node(s));
   for(const auto& path : complex.paths)
-    if(!path_is_exact(complex, path, u)) {
+    if(path_misfit(complex, path, u) != 0) {
       for(const Sector_index s : {path.a, path.b})
         mark(components.of_node(s));
       for(const auto& crossing : path.crossings)

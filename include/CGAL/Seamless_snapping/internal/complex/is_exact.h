@@ -95,10 +95,12 @@ bool chain_is_exact(const Cut_complex<Group>& complex, const std::size_t c,
   return true;
 }
 
-// Eq. (6). \pre the branches are exact
+// By how much the value of the functional at the end of a path differs from that at its beginning:
+// 0 if Eq. (6) holds. Where a branch is inexact, the transition is that of its first pair.
 template <typename Group, typename Vector>
-bool path_is_exact(const Cut_complex<Group>& complex, const typename Cut_complex<Group>::Path& path,
-                   const std::vector<Vector>& u)
+Exact_rational path_misfit(const Cut_complex<Group>& complex,
+                           const typename Cut_complex<Group>::Path& path,
+                           const std::vector<Vector>& u)
 {
   Exact_vector<Group> x = exact_vector<Group>(u[std::size_t(path.a)]);
   int f = path.functional;
@@ -118,8 +120,9 @@ bool path_is_exact(const Cut_complex<Group>& complex, const typename Cut_complex
       x[c] += there[c];
     f = Group::act(g, f).index;
   }
-  return exact_value<Group>(Group::functional(f), x) ==
-         exact_value<Group>(Group::functional(f), exact_vector<Group>(u[std::size_t(path.b)]));
+  return Exact_rational(
+    exact_value<Group>(Group::functional(f), x) -
+    exact_value<Group>(Group::functional(f), exact_vector<Group>(u[std::size_t(path.b)])));
 }
 
 template <typename Group, typename Vector>
@@ -145,7 +148,7 @@ bool is_exact(const Cut_complex<Group>& complex, const std::vector<Vector>& u)
     if(!chain_is_exact(complex, c, u))
       return false;
   for(const auto& path : complex.paths)
-    if(!path_is_exact(complex, path, u))
+    if(path_misfit(complex, path, u) != 0)
       return false;
   for(const auto& equation : complex.equations)
     if(!equation_is_exact<Group>(equation, u))

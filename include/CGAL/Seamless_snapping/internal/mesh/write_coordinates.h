@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Writes exact coordinates to the uv map, all or nothing: what a map had is given back if it
+// Writes exact coordinates to the uv map, all or nothing: what a map had is written back if it
 // throws, or does not keep what is written, which would void the verification.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
@@ -82,8 +82,8 @@ public:
     : m_cuts(cuts), m_stars(stars), m_uv_map(uv_map)
   { }
 
-  // Returns false if the map does not keep what is written to it. Then, and if the map throws, it
-  // has what it had before.
+  // Returns false if the map does not keep what is written to it. Then, and if the map throws, what
+  // was read from it is written back.
   // \param uv per point
   bool write(const std::vector<Uv>& uv, Corner_changes& figures)
   {

@@ -1,0 +1,124 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_INTERCEPTED_CONNECTIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_INTERCEPTED_CONNECTIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Connections that hold, but are interrupted. The equation of a connection says where its isocurve
+// would arrive if nothing was in its way; whether something is, is found by tracing it.
+
+#include <CGAL/Seamless_snapping/Isocurve_tracer.h>
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/surface_constraints.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// From corner a to corner b of a connection, in the chart of a, as if the faces of the path lay in
+// the plane. Rounded: it tells the direction, and about how far the isocurve has to go.
+template <typename TriangleMesh>
+Uv displacement(const Isocurve_tracer<TriangleMesh>& tracer,
+                const Connection_constraint<TriangleMesh>& connection)
+{
+  using Group = Quarter_turns;
+  const Chart_mesh& mesh = tracer.chart_mesh();
+  const auto corner = [&](const auto h) { return tracer.correspondence().corner(h); };
+  Uv u = mesh.uv(corner(connection.a));
+  Group::Element g = Group::identity();
+  for(const auto h : connection.path) {
+    const auto t = mesh.corner(corner(h)).transition;
+    if(t == no_index)
+      continue;
+    const Chart_transition& transition = mesh.transitions[std::size_t(t)];
+    u = Group::apply(transition.rotation, u);
+    for(std::size_t c = 0; c < 2; ++c)
+      u[c] += transition.translation[c].rounded;
+    g = Group::compose(transition.rotation, g);
+  }
+  const Uv b = mesh.uv(corner(connection.b));
+  return Group::apply(Group::inverse(g), Uv{b[0] - u[0], b[1] - u[1]});
+}
+
+// Traces the isocurve of a connection until it is as long as it should be.
+template <typename TriangleMesh>
+Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh>& tracer,
+                                        const Connection_constraint<TriangleMesh>& connection,
+                                        const Uv& displacement)
+{
+  const std::size_t running = std::size_t(1 - connection.component);
+  const Direction axis = running == 0 ? Direction(Isocurve_direction::PLUS_U)
+                                      : Direction(Isocurve_direction::PLUS_V);
+  return tracer.trace(Isocurve_start<TriangleMesh>::at_vertex(connection.a),
+                      Isocurve_direction(displacement[running] > 0 ? axis : reversed(axis)),
+                      parameters::target_vertex(target(connection.b, tracer.mesh()))
+                                 .maximum_length(1.001 * std::abs(displacement[running])));
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters,
+          typename VertexIndexMap>
+void find_intercepted_connections(const CGAL::internal_np::Param_not_found&, const TriangleMesh&,
+                                  const HalfedgeUVMap&, const NamedParameters&,
+                                  const VertexIndexMap&, Snapping_report&)
+{ }
+
+// Fills in the report. \pre the map is exactly seamless, and the connections hold
+template <typename Connections, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters, typename VertexIndexMap>
+void find_intercepted_connections(const Connections& connections, const TriangleMesh& tmesh,
+                                  const HalfedgeUVMap& uv_map, const NamedParameters& np,
+                                  const VertexIndexMap& vertex_indices, Snapping_report& report)
+{
+  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map, np);
+  if(!tracer.is_exact())
+    return;
+  std::string obstacle; // of the first
+  std::size_t i = 0;
+  for(const Connection_constraint<TriangleMesh>& connection : connections) {
+    const Uv d = displacement(tracer, connection);
+    const std::size_t place = i++;
+    // the ends may have become one point, with nothing between
+    if(std::abs(d[std::size_t(1 - connection.component)]) <= 1e-12 * report.extent)
+      continue;
+    const auto curve = trace_connection(tracer, connection, d);
+    if(curve.status == Isocurve_status::TARGET)
+      continue;
+    if(report.intercepted_connections.empty())
+      obstacle = curve.status != Isocurve_status::SINGULAR_VERTEX
+                   ? " does not arrive at its end"
+                   : " ends at vertex " +
+                       std::to_string(get(vertex_indices,
+                                          target(curve.points.back().halfedge(), tmesh))) +
+                       " before its end";
+    report.intercepted_connections.push_back(place);
+  }
+  const std::size_t number = report.intercepted_connections.size();
+  if(number == 0)
+    return;
+  report.message += std::string(report.message.empty() ? "" : "; ") + "the isocurve of connection "
+    "constraint " + std::to_string(report.intercepted_connections.front()) + obstacle +
+    (number > 1 ? ", and " + std::to_string(number - 1) + " others are interrupted"
+                : std::string());
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_INTERCEPTED_CONNECTIONS_H
