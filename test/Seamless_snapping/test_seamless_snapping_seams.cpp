@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <iostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -47,9 +49,13 @@ void test_noise()
           if(!truth.is_clear_with(noise))
             continue;
           uv_noise::perturb(named.mesh, uv, noise, seed, kind);
-          surface_checks::check_transitions(
-            named.mesh, truth, SS::seam_transitions(named.mesh, uv),
-            named.name + ", noise " + std::to_string(size) + ", seed " + std::to_string(seed));
+          const std::string context =
+            named.name + ", noise " + std::to_string(size) + ", seed " + std::to_string(seed);
+          // all edges are long enough to be decided by themselves, whatever the tolerance
+          const auto transitions =
+            SS::seam_transitions(named.mesh, uv, SS::parameters::tolerance(1.));
+          surface_checks::check_transitions(named.mesh, truth, transitions, context);
+          CHECK_IN(context, transitions.data().number_of_edges_decided_by_surroundings == 0);
           ++runs;
         }
   std::cout << "noise: " << runs << " runs, seeds 1 to " << seeds << std::endl;
@@ -232,6 +238,64 @@ void test_tiny_torus(const std::filesystem::path& path)
   }
 }
 
+// Maps as solvers compute them, with noise that the shortest edge exceeds 20 times: no rotation
+// changes, none is decided by surroundings, and snapping costs no face.
+void test_noise_on_file(const std::filesystem::path& path, const uv_noise::Noise kind,
+                        const double size, std::size_t& runs)
+{
+  File file(path);
+  Mesh& mesh = file.mesh;
+  const std::string context = path.filename().string() + ", noise " + std::to_string(size);
+  const auto clean = SS::seam_transitions(mesh, file.uv);
+  CHECK_IN(context, bool(clean));
+  double shortest = clean.extent();
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h)) {
+      const auto d = file.uv[h] - file.uv[mesh.prev(h)];
+      shortest = (std::min)(shortest, std::sqrt(d.squared_length()));
+    }
+  const double noise = size * clean.extent();
+  if(!(shortest > 20 * noise))
+    return;
+  std::mt19937_64 random(1);
+  for(const auto v : mesh.vertices()) {
+    const auto starts_sector = [&](const auto h) { return mesh.is_border(h) || clean.is_cut(h); };
+    auto first = mesh.halfedge(v);
+    for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
+      first = starts_sector(h) ? h : first;
+    Kernel::Vector_2 move(0, 0);
+    for(const auto h : CGAL::halfedges_around_target(first, mesh)) {
+      if(h == first || starts_sector(h) || kind == uv_noise::Noise::per_corner)
+        move = noise * Kernel::Vector_2(uv_noise::symmetric_random(random),
+                                        uv_noise::symmetric_random(random));
+      if(!mesh.is_border(h))
+        file.uv[h] = file.uv[h] + move;
+    }
+  }
+  const auto found = SS::seam_transitions(mesh, file.uv);
+  CHECK_IN(context, bool(found) && found.data().number_of_edges_decided_by_surroundings == 0);
+  CHECK_IN(context, found.singular_vertices() == clean.singular_vertices());
+  for(const auto h : mesh.halfedges())
+    CHECK_IN(context, found.rotation(h) == clean.rotation(h));
+  const auto report = SS::snap_to_seamless(mesh, file.uv);
+  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED && report.lost_faces.empty());
+  ++runs;
+}
+
+void test_noise_on_files()
+{
+  std::size_t runs = 0;
+  const auto files = test_data::further_files("uv", ".obj");
+  if(files.empty())
+    return;
+  for(const auto& path : files) {
+    test_noise_on_file(path, uv_noise::Noise::per_sector, 1e-5, runs);
+    test_noise_on_file(path, uv_noise::Noise::per_corner, 1e-6, runs);
+  }
+  std::cout << "noise on files: " << runs << " runs, seed 1" << std::endl;
+  CHECK(runs > files.size());
+}
+
 int main()
 {
   test_noise();
@@ -245,5 +309,6 @@ int main()
     test_tiny_torus(folder / "tiny_exact_torus_36faces.obj");
     test_tiny_torus(folder / "tiny_exact_torus_256faces_slow.obj");
   }
+  test_noise_on_files();
   return report_checks();
 }

@@ -54,8 +54,8 @@ public:
                  const Vertex_incidences& incidences, std::vector<Edge>& edges)
     : m_tmesh(tmesh), m_scale(scale), m_tolerance(tolerance), m_epsilon(epsilon), m_ends(ends),
       m_incidences(incidences), m_edges(edges), m_is_decided(edges.size(), true),
-      m_is_soft(edges.size(), false), m_number_of_undecided(incidences.size(), 0),
-      m_is_border(incidences.size(), UNKNOWN)
+      m_is_soft(edges.size(), false), m_is_by_surroundings(edges.size(), false),
+      m_number_of_undecided(incidences.size(), 0), m_is_border(incidences.size(), UNKNOWN)
   { }
 
   // Returns the number of edges that were decided by their surroundings.
@@ -66,8 +66,17 @@ public:
     if(std::find(m_is_soft.begin(), m_is_soft.end(), true) == m_is_soft.end())
       return 0;
     continue_branches();
-    if(!m_has_corner_noise) // others fit best as they are
-      return std::size_t(std::count(m_is_soft.begin(), m_is_soft.end(), true));
+    if(m_has_corner_noise) // else others fit best as they are
+      leave_few_cones();
+    return std::size_t(
+      std::count(m_is_by_surroundings.begin(), m_is_by_surroundings.end(), true));
+  }
+
+private:
+  enum : char { UNKNOWN, NO, YES };
+
+  void leave_few_cones()
+  {
     complete_all_vertices();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
       if(!m_is_decided[i] && is_noise(m_edges[i].gap, i) && is_admissible(i, Group::identity()))
@@ -75,17 +84,13 @@ public:
     complete_vertices();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
       if(!m_is_decided[i]) {
-        decide(i, m_edges[i].rotation); // of least residual
+        set_decided(i); // with the least residual
         complete_vertices();
       }
     for(std::size_t v = 0; v < m_incidences.size(); ++v)
       if(is_cone(Vertex_index(v)))
         cancel_cone(Vertex_index(v));
-    return std::size_t(std::count(m_is_soft.begin(), m_is_soft.end(), true));
   }
-
-private:
-  enum : char { UNKNOWN, NO, YES };
 
   void complete_all_vertices()
   {
@@ -118,25 +123,32 @@ private:
   }
 
   // Where corners differ along most edges of a vertex, each has noise of its own, which their gaps
-  // show even if the edges are too short for residuals to.
+  // show even if the edges are too short for residuals to: the median of the gaps, since a cut may
+  // be among them.
   void add_gaps(const Vertex_index v)
   {
     if(m_incidences.degree(v) < 3)
       return;
-    std::size_t number = 0;
-    double largest = 0;
+    m_gaps.clear();
     for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
       const Edge& edge = m_edges[std::size_t(i->edge)];
-      if(edge.is_exact || edge.gap > 4 * edge.length)
-        continue;
-      ++number;
-      largest = (std::max)(largest, edge.gap);
+      if(!edge.is_exact && edge.gap <= 4 * edge.length && !has_clear_gap(edge))
+        m_gaps.push_back(edge.gap);
     }
-    if(2 * number <= CGAL::halfedges_around_target(halfedge_towards(v), m_tmesh).size())
+    const std::size_t size = CGAL::halfedges_around_target(halfedge_towards(v), m_tmesh).size();
+    if(2 * m_gaps.size() <= size)
       return;
     m_has_corner_noise = true;
+    const auto median = m_gaps.end() - std::ptrdiff_t((size + 1) / 2); // other edges have no gap
+    std::nth_element(m_gaps.begin(), median, m_gaps.end());
     for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
-      m_noise[std::size_t(i->edge)] = (std::max)(m_noise[std::size_t(i->edge)], largest);
+      m_noise[std::size_t(i->edge)] = (std::max)(m_noise[std::size_t(i->edge)], *median);
+  }
+
+  // Whether a transition fits so well that it can't be by chance: its gap is no noise.
+  static bool has_clear_gap(const Edge& edge)
+  {
+    return (std::min)(edge.gap, edge.length) > 8 * edge.residual;
   }
 
   bool is_noise(const double x, const std::size_t i) const { return x <= 2 * m_noise[i]; }
@@ -175,7 +187,18 @@ private:
 
   void decide(const std::size_t i, const Element g)
   {
+    turn(i, g);
+    set_decided(i);
+  }
+
+  void turn(const std::size_t i, const Element g)
+  {
     set_rotation<Group>(m_edges[i], Edge_vectors(m_edges[i].sides), g, m_scale);
+    m_is_by_surroundings[i] = true;
+  }
+
+  void set_decided(const std::size_t i)
+  {
     m_is_decided[i] = true;
     for(const Vertex_index v : {m_ends[i].source, m_ends[i].target}) {
       --m_number_of_undecided[std::size_t(v)];
@@ -301,11 +324,8 @@ private:
       }
     for(const Vertex_index v : reached)
       is_reached[std::size_t(v)] = false;
-    for(std::size_t k = found; k != 0; k = std::size_t(arrival[k])) {
-      const std::size_t e = std::size_t(by[k].edge);
-      set_rotation<Group>(m_edges[e], Edge_vectors(m_edges[e].sides), turned(by[k], index),
-                          m_scale);
-    }
+    for(std::size_t k = found; k != 0; k = std::size_t(arrival[k]))
+      turn(std::size_t(by[k].edge), turned(by[k], index));
   }
 
   // The rotation of an edge that takes a cone from the vertex of the incidence to its other end.
@@ -322,9 +342,11 @@ private:
   std::vector<Edge>& m_edges;
   std::vector<double> m_noise; // per edge
   std::vector<char> m_is_decided, m_is_soft; // per edge: now, and not by itself
+  std::vector<char> m_is_by_surroundings;    // per edge: took its rotation from them
   std::vector<int> m_number_of_undecided; // per vertex: edges
   std::vector<char> m_is_border, m_is_reached; // per vertex
   std::deque<Vertex_index> m_queue;
+  std::vector<double> m_gaps; // scratch
   bool m_has_corner_noise = false;
 };
 
