@@ -185,8 +185,8 @@ private:
   }
 
   // factor f(u) for a sector
-  void
-  append_functional(const Sector_index s, const Functional<dimension>& f, const std::int64_t factor)
+  void append_functional(const Sector_index s, const Functional<dimension>& f,
+                         const std::int64_t factor)
   {
     for(std::size_t d = 0; d < dimension; ++d)
       if(f[d] != 0)

@@ -60,9 +60,9 @@ class Linear_solver
 public:
   // \param weights of the least-squares target, one per column, positive
   // \param number_of_representable_columns columns from this one on are quantities of the system
-  // alone,
+  //        alone, which need not be numbers of the format
   // \param may_be_finer whether a component may be solved on a finer grid than the target's where
-  // its
+  //        its numbers allow it
   Linear_solver(const Scaled_system& system, const std::vector<double>& weights,
                 const Number_format& format, const std::size_t number_of_representable_columns,
                 const bool may_be_finer)

@@ -68,10 +68,8 @@ Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts
         constraints.corner_constraints().empty()
             ? "the exact coordinates would exceed the largest number of their type; scale them down"
             : "the corner constraints have solutions, but none whose coordinates are multiples of "
-              "one power "
-              "of two that the number type can hold at the size of the coordinates; round their "
-              "right-hand "
-              "sides to fewer bits";
+              "one power of two that the number type can hold at the size of the coordinates; "
+              "round their right-hand sides to fewer bits";
     return refusal;
   }
   constexpr std::size_t at_most = 8;

@@ -304,8 +304,8 @@ private:
     return std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
   }
 
-  void
-  fail(Data& data, const Snapping_status status, const Halfedge h, const std::string& what) const
+  void fail(Data& data, const Snapping_status status, const Halfedge h,
+            const std::string& what) const
   {
     data.refusal = Refusal{status, edge_name(m_tmesh, m_vertex_indices, h) + what, {}};
     data.edges.clear(); // incomplete
