@@ -91,7 +91,8 @@ private:
   Attempt repaired_by_moves(const Uv_state& state, const double reach) const
   {
     Attempt result{state, {}, {}};
-    result.lost = m_move.repair(m_watched.not_positive(m_points, state, true), reach, result.state);
+    result.lost =
+      m_move.repair(m_watched.not_positive(m_points, state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
     // others may have saved some

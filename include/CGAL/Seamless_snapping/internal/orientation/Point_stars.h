@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Sectors, and vertices that belong to none: first the sectors, then the other vertices in the order
-// in which they are met.
+// Sectors, and vertices that belong to none: first the sectors, then the other vertices in the
+// order in which they are met.
 using Point_index = Sector_index;
 using Face_index = std::int32_t; // in the order in which they are met
 
