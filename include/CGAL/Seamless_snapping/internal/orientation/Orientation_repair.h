@@ -83,7 +83,8 @@ private:
 
   std::vector<Face_index> flips(const Uv_state& state) const
   {
-    return m_repair_flips ? m_watched.not_positive(m_points, state, false) : std::vector<Face_index>();
+    return m_repair_flips ? m_watched.not_positive(m_points, state, false)
+                          : std::vector<Face_index>();
   }
 
   // Faces that snapping costs are to be repaired without larger changes than snapping makes; flips
