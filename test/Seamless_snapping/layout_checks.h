@@ -403,7 +403,8 @@ private:
     std::set<std::pair<std::size_t, std::size_t> > ends;
     for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a) {
       const auto pair = std::minmax({m_graph.source(2 * a), m_graph.target(2 * a)});
-      if(pair.first == pair.second || !ends.insert(pair).second)
+      if(pair.first == pair.second || m_graph.patch(2 * a) == m_graph.patch(2 * a + 1) ||
+         !ends.insert(pair).second)
         return false;
     }
     return true;

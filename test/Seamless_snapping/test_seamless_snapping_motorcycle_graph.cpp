@@ -9,9 +9,9 @@
 #include "test_surfaces.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/integer_arc_lengths.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
-
 
 
 #include <cmath>
@@ -262,6 +262,32 @@ void test_given_nodes()
     }
 }
 
+// --- integer lengths -----------------------------------------------------------------------------
+
+void test_integer_lengths()
+{
+  Grid_map map(surfaces::notched_cube(), 3, 4); // lengths are odd multiples of 3
+  const Graph graph = SS::motorcycle_graph(map.mesh, map.uv);
+  const SS::Integer_arc_lengths integers = SS::integer_arc_lengths(graph);
+  CHECK(integers.unit == 1);
+  bool is_any_odd = false;
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    CHECK(graph.arc_length(a) == Exact_rational(integers.lengths[a]) * integers.unit);
+    is_any_odd = is_any_odd || integers.lengths[a] % 2 != 0;
+  }
+  CHECK(is_any_odd);
+  CHECK(SS::are_lengths_consistent(graph, integers.lengths));
+  auto other = integers.lengths;
+  other.front() += 1;
+  CHECK(!SS::are_lengths_consistent(graph, other));
+
+  for(const auto h : map.mesh.halfedges())
+    map.uv[h] = Point_2(map.uv[h].x() / 64, map.uv[h].y() / 64);
+  const auto finer = SS::integer_arc_lengths(SS::motorcycle_graph(map.mesh, map.uv));
+  CHECK(finer.unit * 64 == integers.unit);
+  CHECK(finer.lengths == integers.lengths);
+}
+
 // --- the same graph for any numbering and mesh data structure ------------------------------------
 
 // The same mesh with faces, corners, and vertices in another order.
@@ -462,6 +488,8 @@ void test_cube_file()
   CHECK_EQUAL(graph.number_of_patches(), std::size_t(6));
   for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
     CHECK(graph.patch_width(p) == 10 && graph.patch_height(p) == 10);
+  for(const auto e : file.mesh.edges())
+    file.is_feature[e] = false;
   check_numbering(file.mesh, file.uv, file.is_feature, "cube");
 }
 
@@ -472,6 +500,7 @@ int main()
   test_surfaces();
   test_right_of_way();
   test_given_nodes();
+  test_integer_lengths();
   test_numbering();
   test_refusals();
   test_files();

@@ -177,9 +177,9 @@ faces are added in the order of nodes, arcs, and patches.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `false` if there is no layout, or if it has loops or several arcs between the same two nodes,
-        which no face graph can hold. Then nothing is added. More nodes, by
-        `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
+\return `false` if there is no layout, or if it has loops, several arcs between the same two nodes, or
+        a patch on both sides of an arc, which no valid polygon mesh has. Then nothing is added. More
+        nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
 */
 template <typename TriangleMesh, typename PolygonMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,

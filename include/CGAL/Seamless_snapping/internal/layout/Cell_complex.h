@@ -39,15 +39,18 @@ struct Cell_complex
   std::size_t number_of_darts() const { return targets.size(); }
 };
 
-// Whether no edge is a loop, and no two have the same ends, as face graphs must have it.
+// Whether no edge is a loop or has the same cell on both sides, and no two have the same ends, as
+// polygon meshes must have it.
 inline bool is_simple(const Cell_complex& complex)
 {
   std::vector<std::pair<std::int32_t, std::int32_t> > ends;
-  for(std::size_t d = 0; d < complex.number_of_darts(); d += 2)
+  for(std::size_t d = 0; d < complex.number_of_darts(); d += 2) {
     ends.push_back(std::minmax(complex.targets[d], complex.targets[d + 1]));
+    if(ends.back().first == ends.back().second || complex.cells[d] == complex.cells[d + 1])
+      return false;
+  }
   std::sort(ends.begin(), ends.end());
-  return std::adjacent_find(ends.begin(), ends.end()) == ends.end() &&
-         std::none_of(ends.begin(), ends.end(), [](const auto& e) { return e.first == e.second; });
+  return std::adjacent_find(ends.begin(), ends.end()) == ends.end();
 }
 
 // Adds the cells to a graph. Calls at_vertex(descriptor, vertex), at_edge(descriptor, edge), and

@@ -1,0 +1,110 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTEGER_ARC_LENGTHS_H
+#define CGAL_SEAMLESS_SNAPPING_INTEGER_ARC_LENGTHS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Lengths of arcs as integers: what quantizations of layouts start from, and what they must keep.
+
+#include <CGAL/Seamless_snapping/Motorcycle_graph.h>
+
+#include <CGAL/Exact_integer.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingLayout
+
+The lengths of the arcs of a layout, as integers.
+*/
+struct Integer_arc_lengths
+{
+  std::vector<Exact_integer> lengths; ///< per arc, in multiples of the unit
+  Exact_rational unit{1};             ///< a power of two
+};
+
+/*!
+\ingroup PkgSeamlessSnappingLayout
+
+returns the lengths of all arcs in multiples of a unit: the largest power of two of which all of them
+are integer multiples. There always is one, since coordinates are dyadic numbers. These lengths solve
+what a quantization of the layout has to solve, at a scale that is far too fine; see
+`are_lengths_consistent()`.
+
+\pre `bool(graph)`
+*/
+template <typename TriangleMesh>
+Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& graph)
+{
+  using Fraction_traits = CGAL::Fraction_traits<Exact_rational>;
+  typename Fraction_traits::Numerator_type numerator;
+  typename Fraction_traits::Denominator_type denominator;
+  Integer_arc_lengths result;
+  bool is_first = true;
+  // The unit is the least power of two that any length is an odd multiple of.
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    typename Fraction_traits::Decompose()(graph.arc_length(a), numerator, denominator);
+    Exact_rational unit(Exact_rational(1) / Exact_rational(denominator));
+    for(; Exact_integer(numerator % 2) == 0; numerator = Exact_integer(numerator / 2))
+      unit = Exact_rational(unit * 2);
+    if(is_first || unit < result.unit)
+      result.unit = unit;
+    is_first = false;
+  }
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    typename Fraction_traits::Decompose()(Exact_rational(graph.arc_length(a) / result.unit),
+                                          numerator, denominator);
+    result.lengths.push_back(numerator);
+  }
+  return result;
+}
+
+/*!
+\ingroup PkgSeamlessSnappingLayout
+
+returns whether other lengths of the arcs also make rectangles of all patches: whether opposite sides
+have the same length. With positive integers, each patch can then be filled by a grid of quads that
+fits those of its neighbors, whose number is the sum of the products of width and height.
+
+\tparam Length a number type with exact sums
+\param graph the layout
+\param lengths one length per arc
+
+\pre `bool(graph)`, and `lengths.size() == graph.number_of_arcs()`
+*/
+template <typename TriangleMesh, typename Length>
+bool are_lengths_consistent(const Motorcycle_graph<TriangleMesh>& graph,
+                            const std::vector<Length>& lengths)
+{
+  const auto length_of_side = [&](const std::size_t p, const std::size_t side) {
+    Length sum(0);
+    for(const std::size_t h : graph.patch_side(p, side))
+      sum += lengths[graph.arc(h)];
+    return sum;
+  };
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+    if(length_of_side(p, 0) != length_of_side(p, 2) || length_of_side(p, 1) != length_of_side(p, 3))
+      return false;
+  return true;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTEGER_ARC_LENGTHS_H
