@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
@@ -31,6 +30,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
 #include <CGAL/Dynamic_property_map.h>
