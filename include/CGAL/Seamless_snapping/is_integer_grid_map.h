@@ -17,6 +17,7 @@
 // Checking and measuring integer-grid maps.
 
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
@@ -120,8 +121,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = area(mesh);
-  for_each_aligned_edge(tmesh, np, [&](const auto e) {
-    const double distance = distance_to_grid_line(tmesh, uv_map, halfedge(e, tmesh));
+  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+    const double distance = distance_to_grid_line(tmesh, uv_map, h);
     ++measure.number_of_aligned_edges;
     measure.number_of_unaligned_edges += distance != 0 ? 1 : 0;
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);

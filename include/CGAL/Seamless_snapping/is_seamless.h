@@ -105,29 +105,6 @@ double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Half
   return (std::min)(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])); // 0 only if equal
 }
 
-// Calls `f(e)` for the edges that the named parameters ask to align, while it returns true.
-template <typename TriangleMesh, typename NamedParameters, typename F>
-bool for_each_aligned_edge(const TriangleMesh& tmesh, const NamedParameters& np, const F& f)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
-  const auto is_constrained =
-    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
-  const bool align_border =
-      choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
-  if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
-    return true;
-  for(const Edge e : edges(tmesh)) {
-    const bool asked = get(is_constrained, e) ||
-                       (align_border && CGAL::is_border_edge(halfedge(e, tmesh), tmesh));
-    if(asked && has_face(halfedge(e, tmesh), tmesh) && !f(e))
-      return false;
-  }
-  return true;
-}
-
 // Edges of no length don't tell the rotation of a path that crosses them: as where they are
 // snapped, the branch does.
 // \pre all transitions and alignments hold exactly
@@ -162,8 +139,8 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
     if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge<Group>(tmesh, uv_map, given, h))
       return false;
   }
-  const bool aligned = for_each_aligned_edge(tmesh, np, [&](const auto e) {
-    return misalignment(tmesh, uv_map, halfedge(e, tmesh)) == 0;
+  const bool aligned = for_each_edge_to_align(tmesh, np, [&](const auto h) {
+    return misalignment(tmesh, uv_map, h) == 0;
   });
   return aligned && further_constraints_hold<Group>(tmesh, uv_map, np);
 }
@@ -210,8 +187,8 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
     result.violation = (std::max)(result.violation,
                                   transition_violation<Group>(sides, given, h, scale) / scale);
   }
-  for_each_aligned_edge(tmesh, np, [&](const auto e) {
-    const double m = misalignment(tmesh, uv_map, halfedge(e, tmesh));
+  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+    const double m = misalignment(tmesh, uv_map, h);
     ++result.number_of_aligned_edges;
     result.number_of_misaligned_edges += (m == 0) ? 0 : 1;
     result.misalignment = (std::max)(result.misalignment, m);

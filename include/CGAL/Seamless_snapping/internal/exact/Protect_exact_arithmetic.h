@@ -21,6 +21,8 @@
 
 #include <CGAL/FPU.h>
 
+#include <boost/config.hpp>
+
 #include <limits>
 #include <stdexcept>
 
@@ -98,9 +100,9 @@ inline double error_of_difference(const double a, const double b)
 // Whether a few operations give what they should. They fail where the compiler reorders sums, keeps
 // intermediate results in registers of more bits (-mfpmath=387), or assumes that no number is NaN;
 // and where small numbers are flushed to zero on a processor whose bits for that are not known. The
-// numbers are volatile, so that the operations take place at run time. To be called while
-// arithmetic is protected.
-inline bool is_arithmetic_exact()
+// numbers are volatile, so that the operations take place at run time; and the function is not
+// inlined, so that they take place where it is called. To be called while arithmetic is protected.
+inline BOOST_NOINLINE bool is_arithmetic_exact()
 {
   volatile double large = 1, tie = 0x1p-53, above_tie = 0x1.001p-53, smallest = 0x1p-1074;
   volatile double infinity = std::numeric_limits<double>::infinity();

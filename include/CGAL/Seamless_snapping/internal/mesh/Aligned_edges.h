@@ -31,24 +31,35 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename F>
-void for_each_edge_to_align(const TriangleMesh& tmesh,
-                            const EdgeIsConstrainedMap& edge_is_constrained,
-                            const bool align_border,
-                            const F& f)
+// Calls `f(h)`, for one halfedge each, for the edges that the named parameters ask to align, while
+// it returns true. Returns whether it always did.
+template <typename TriangleMesh, typename NamedParameters, typename F>
+bool for_each_edge_to_align(const TriangleMesh& tmesh, const NamedParameters& np, const F& f)
 {
-  for(const auto e : edges(tmesh)) {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
+  const auto is_constrained =
+    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
+  const bool align_border =
+    choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
+    return true;
+  for(const Edge e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
-    if((get(edge_is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
-       has_face(h, tmesh))
-      f(h);
+    if((get(is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
+       has_face(h, tmesh) && !f(h))
+      return false;
   }
+  return true;
 }
 
 // Invariant: each edge is represented by a halfedge that has a face, in whose chart the functional
@@ -62,17 +73,13 @@ public:
 
   explicit Aligned_edges(const TriangleMesh& tmesh) : m_tmesh(&tmesh) { }
 
-  template <typename HalfedgeUVMap, typename VertexIndexMap, typename EdgeIsConstrainedMap>
+  // \param found in any order
+  template <typename HalfedgeUVMap, typename VertexIndexMap>
   Aligned_edges(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-              const VertexIndexMap& vertex_indices, const EdgeIsConstrainedMap& edge_is_constrained,
-              const bool align_border, const double tolerance)
+                const VertexIndexMap& vertex_indices, std::vector<Edge> found,
+                const double tolerance)
     : m_tmesh(&tmesh)
   {
-    const auto index = [&](const auto v) { return std::size_t(get(vertex_indices, v)); };
-    std::vector<Edge> found;
-    for_each_edge_to_align(tmesh, edge_is_constrained, align_border, [&](const Halfedge h) {
-      found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
-    });
     const auto turn = [&](Edge& edge) {
       edge = {opposite(edge.halfedge, tmesh), edge.target, edge.source};
     };
@@ -158,21 +165,19 @@ Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh,
                                                       const double extent,
                                                       const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
-  const auto edge_is_constrained =
-    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
-  const bool align_border =
-      choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
-  if(std::is_same<std::decay_t<decltype(edge_is_constrained)>, No_edges>::value && !align_border)
-    return Aligned_edges<Group, TriangleMesh>(tmesh);
-  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
-                                            default_tolerance);
-  return Aligned_edges<Group, TriangleMesh>(tmesh, uv_map,
-                                            CGAL::get_initialized_vertex_index_map(tmesh, np),
-                                            edge_is_constrained, align_border, tolerance * extent);
+  using Aligned = Aligned_edges<Group, TriangleMesh>;
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto index = [&](const auto v) { return std::size_t(get(vertex_indices, v)); };
+  std::vector<typename Aligned::Edge> found;
+  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+    found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
+    return true;
+  });
+  const double tolerance = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance), default_tolerance);
+  return found.empty() ? Aligned(tmesh)
+                       : Aligned(tmesh, uv_map, vertex_indices, std::move(found),
+                                 tolerance * extent);
 }
 
 } // namespace internal
