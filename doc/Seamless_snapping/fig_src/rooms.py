@@ -42,7 +42,7 @@ def read_rooms(include):
         includes[str(header.relative_to(root))] = [n for n in names if (root / n).exists()]
 
     used_inside = {
-        n for header, names in includes.items() for n in names if header.startswith("internal/")
+        n for header, names in includes.items() for n in names if header.count("/") > 1
     }
 
     def room(name):

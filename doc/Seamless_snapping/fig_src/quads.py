@@ -1,0 +1,99 @@
+# Quads: the grid of a seamless map, whose lines don't meet across the cuts, and the mesh of quads
+# that its integer-grid map describes.
+#
+#   quads.py SNAPPED.obj QUADS.obj OUT.png
+
+import sys
+
+from matplotlib.lines import Line2D
+
+from renderer import Buffer, Camera, distance_to_isolines, visible_pieces
+from style import BLACK, BLUE, ORANGE, VERMILLION, np, plt, rgb, save, show
+from uv_mesh import read_obj
+
+
+class Triangles:
+    """What the renderer asks of a mesh: quads, each as two triangles."""
+
+    def __init__(self, filename):
+        self.points, self.quads = [], []
+        with open(filename, encoding="utf-8") as lines:
+            for line in lines:
+                words = line.split()
+                if words[:1] == ["v"]:
+                    self.points.append([float(x) for x in words[1:4]])
+                elif words[:1] == ["f"]:
+                    self.quads.append([int(w.split("/")[0]) - 1 for w in words[1:]])
+        self.points, self.quads = np.array(self.points), np.array(self.quads)
+        self.faces = np.concatenate([self.quads[:, [0, 1, 2]], self.quads[:, [0, 2, 3]]])
+
+    def face_normals(self):
+        p = self.points[self.faces]
+        return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+
+    def edges(self):
+        ends = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
+        return np.unique(np.sort(ends, axis=1), axis=0)
+
+    def irregular_vertices(self):
+        valence = np.bincount(self.quads.reshape(-1), minlength=len(self.points))
+        return np.nonzero(valence != 4)[0]
+
+
+def draw_map(axes, mesh, camera):
+    buffer = Buffer(mesh, camera)
+    colors = np.full(((buffer.face >= 0).sum(), 3), 0.95)
+    near = distance_to_isolines(buffer, mesh.uv) < 0.009
+    colors[near[:, 1]] = rgb(ORANGE)
+    colors[near[:, 0]] = rgb(BLUE)
+    show(axes, buffer.image(colors))
+    for h in np.nonzero(mesh.is_cut)[0]:
+        for piece in visible_pieces(buffer, mesh.points[[mesh.source[h], mesh.target[h]]]):
+            axes.plot(*piece.T, color=BLACK, lw=2)
+    lines = [Line2D([], [], color=c, lw=3) for c in (BLUE, ORANGE, BLACK)]
+    axes.legend(
+        lines,
+        ["$u$ is an integer", "$v$ is an integer", "cut"],
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.03),
+        ncol=3,
+        frameon=False,
+    )
+
+
+def draw_quads(axes, mesh, camera):
+    buffer = Buffer(mesh, camera)
+    show(axes, buffer.image(np.full(((buffer.face >= 0).sum(), 3), 0.95), is_smooth=False))
+    for edge in mesh.edges():
+        for piece in visible_pieces(buffer, mesh.points[edge]):
+            axes.plot(*piece.T, color=BLACK, lw=0.6)
+    irregular = mesh.points[mesh.irregular_vertices()]
+    seen = camera.project(irregular[buffer.visible(irregular)])
+    axes.plot(seen[:, 0], seen[:, 1], "o", color=VERMILLION, ms=6)
+    axes.legend(
+        [Line2D([], [], color=VERMILLION, marker="o", lw=0, ms=6)],
+        ["vertices whose valence is not 4: the cones"],
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.03),
+        frameon=False,
+    )
+
+
+def main(map_name, quads_name, out):
+    mesh, quads = read_obj(map_name), Triangles(quads_name)
+    camera = Camera((0.35, 1, -0.95), (0, 0, 1), mesh.points.mean(axis=0), 5.5, (700, 520))
+    figure = plt.figure(figsize=(14, 6))
+    titles = (
+        "A seamless map: its grid breaks where cuts\nhave translations that are not integers",
+        "Its integer-grid map: the grid goes on everywhere,\nand is a mesh of %d quads"
+        % len(quads.quads),
+    )
+    for i, (draw, shown) in enumerate(((draw_map, mesh), (draw_quads, quads))):
+        axes = figure.add_axes([0.5 * i, 0.07, 0.5, 0.8])
+        draw(axes, shown, camera)
+        figure.text(0.25 + 0.5 * i, 0.93, titles[i], ha="center", va="center", linespacing=1.3)
+    save(figure, out)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
