@@ -27,7 +27,9 @@ WORDS = {  # what a room is for, and the color of its kind
     "orientation": ("signs of faces, moves, repair", PALE_GREEN),
     "parameterization": ("computes parametrizations", PALE_GREEN),
     "tracing": ("traces isocurves", PALE_GREEN),
-    "quads": ("layouts and quad meshes", PALE_GREEN),
+    "quads": ("quad meshes", PALE_GREEN),
+    "layout": ("motorcycle graphs, patches", PALE_GREEN),
+    "quantization": ("integers for layouts, coarse complexes", PALE_GREEN),
     "IO": ("reads and writes files", PALE_GREEN),
 }
 
