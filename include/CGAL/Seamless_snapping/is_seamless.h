@@ -18,6 +18,7 @@
 // at about the price of a floating point pass: see Exact_difference.h.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
@@ -95,14 +96,19 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
     return satisfies_some_transition<Group>(sides);
 }
 
-// Eq. (5) for one edge: whether a coordinate is constant along it, exactly.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+// Eq. (5) for one edge: by how much the functional differs that differs least along it. 0 only if
+// it is constant, exactly.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
 {
   if(is_border(h, tmesh))
     h = opposite(h, tmesh);
   const Uv a = get_uv(uv_map, prev(h, tmesh)), b = get_uv(uv_map, h);
-  return (std::min)(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])); // 0 only if equal
+  double least = (std::min)(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])); // 0 only if equal
+  if constexpr(!Group::is_signed_permutation)
+    if(is_finite(a) && is_finite(b))
+      least = (std::min)(least, change_of_sum(a, b));
+  return least;
 }
 
 // Edges of no length don't tell the rotation of a path that crosses them: as where they are
@@ -112,7 +118,7 @@ template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typenam
 bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                               const NamedParameters& np)
 {
-  const Constraint_list<TriangleMesh> constraints(tmesh, np);
+  const Constraint_list<TriangleMesh> constraints(tmesh, np, Group::number_of_functionals);
   if(constraints.refusal())
     return false;
   if(constraints.empty())
@@ -132,7 +138,7 @@ bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
-  using Group = Quarter_turns;
+  using Group = Symmetry_group<NamedParameters>;
   const auto given = given_transitions<Group>(tmesh, np);
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
@@ -140,7 +146,7 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
       return false;
   }
   const bool aligned = for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    return misalignment(tmesh, uv_map, h) == 0;
+    return misalignment<Group>(tmesh, uv_map, h) == 0;
   });
   return aligned && further_constraints_hold<Group>(tmesh, uv_map, np);
 }
@@ -160,7 +166,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
                                   const NamedParameters& np)
 {
   Seamlessness result;
-  using Group = Quarter_turns;
+  using Group = Symmetry_group<NamedParameters>;
   const auto given = given_transitions<Group>(tmesh, np);
   Uv_box box;
   for(const auto f : faces(tmesh)) {
@@ -188,7 +194,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
                                   transition_violation<Group>(sides, given, h, scale) / scale);
   }
   for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    const double m = misalignment(tmesh, uv_map, h);
+    const double m = misalignment<Group>(tmesh, uv_map, h);
     ++result.number_of_aligned_edges;
     result.number_of_misaligned_edges += (m == 0) ? 0 : 1;
     result.misalignment = (std::max)(result.misalignment, m);
@@ -250,12 +256,18 @@ coordinates do not tell which is meant: pass `halfedge_rotation_map` as well.
     \cgalParamDefault{every edge may be a cut}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
-                          halfedge}
+    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
+                          turns by default, of the transition across each halfedge}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
     \cgalParamDefault{any rotation will do}
+  \cgalParamNEnd
+  \cgalParamNBegin{rotational_symmetry}
+    \cgalParamDescription{the angles by which charts may be turned across cuts: multiples of
+                          \f$ 360 / N \f$ degrees}
+    \cgalParamType{`Rotational_symmetry<N>`}
+    \cgalParamDefault{`Rotational_symmetry<4>()`}
   \cgalParamNEnd
   \cgalParamNBegin{connection_constraints}
     \cgalParamDescription{pairs of corners that are to be connected by an isocurve}

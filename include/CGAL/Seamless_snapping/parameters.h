@@ -44,6 +44,7 @@
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
+  F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
   F(stop_policy_t, stop_policy, stop_policy)                                                       \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
@@ -178,11 +179,12 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
- * - `halfedge_rotation_map`: the number of quarter turns of the transition across each halfedge,
- *   where it is known
+ * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
+ *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
  * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
+ * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `stop_policy`: where curves of a layout end that meet others
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)

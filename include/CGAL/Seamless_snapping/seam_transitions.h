@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -32,6 +33,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,15 +43,16 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-The transitions of a parametrization: for each interior halfedge `h` the number of quarter turns by
-which the chart of `face(h)` is rotated into that of `face(opposite(h))`, the cut edges, and the
-singular vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is
+The transitions of a parametrization: for each interior halfedge `h` the number of turns by
+\f$ 360 / N \f$ degrees, quarter turns by default, by which the chart of `face(h)` is rotated into
+that of `face(opposite(h))`, the cut edges, and the singular vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is
 neither modified nor destroyed. They must not outlive it: they hold a dynamic property of its edges,
 which is removed from the mesh together with the last copy.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
+\tparam N the order of the rotational symmetry: 1, 2, 3, 4, or 6
 */
-template <typename TriangleMesh>
+template <typename TriangleMesh, int N = 4>
 class Seam_transitions
 {
 public:
@@ -58,8 +61,8 @@ public:
   /// a vertex of the mesh
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// an interior vertex and its index in quarter turns: 1 for a cone of 270 degrees, -1 for one of
-  /// 450
+  /// an interior vertex and its index in turns by 360 / N degrees: with N = 4, 1 for a cone of 270
+  /// degrees, -1 for one of 450
   using Singular_vertex = std::pair<vertex_descriptor, int>;
 
   /// \cond SKIP_IN_MANUAL
@@ -98,8 +101,8 @@ public:
   /// returns the place, the reason, and the remedy in these cases.
   std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
 
-  /// returns the number 0, 1, 2, or 3 of counterclockwise quarter turns of the transition from the
-  /// chart of `face(h)` to the chart of `face(opposite(h))`.
+  /// returns the number from 0 to N - 1 of counterclockwise turns by 360 / N degrees of the
+  /// transition from the chart of `face(h)` to the chart of `face(opposite(h))`.
   int rotation(const halfedge_descriptor h) const
   {
     const int i = index(h);
@@ -134,13 +137,13 @@ public:
   /// returns the larger side of the bounding box of all coordinates.
   double extent() const { return m_data.extent; }
 
-  /// returns the largest violation of a transition, that is the larger component of
+  /// returns the largest violation of a transition, that is the largest component of
   /// \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) - (\mathbf{u}'(b) - \mathbf{u}'(a)) \f$ over the
-  /// interior edges \f$ ab \f$.
+  /// interior edges \f$ ab \f$; with N = 3 and 6, \f$ u + v \f$ counts as a component too.
   double violation() const { return m_data.violation; }
 
 private:
-  using Group = internal::Quarter_turns;
+  using Group = internal::Rotation_group<N>;
   using Edge_map =
     typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
 
@@ -203,12 +206,20 @@ estimate: the topology that explains the coordinates with the smallest residuals
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
-                          halfedge, where it is known; modulo 4, and inverse for opposite halfedges}
+    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
+                          turns by default, of the transition across each halfedge, where it is
+                          known; modulo \f$ N \f$, and inverse for opposite halfedges}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
     \cgalParamDefault{read off the uv map}
+  \cgalParamNEnd
+  \cgalParamNBegin{rotational_symmetry}
+    \cgalParamDescription{the angles by which charts are turned across cuts: multiples of
+                          \f$ 360 / N \f$ degrees. A smaller \f$ N \f$ leaves less to guess at
+                          short edges.}
+    \cgalParamType{`Rotational_symmetry<N>`}
+    \cgalParamDefault{`Rotational_symmetry<4>()`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
@@ -230,15 +241,20 @@ One pass over the edges, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose side
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Seam_transitions<TriangleMesh> seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
-                                                const NamedParameters& np =
-                                                  CGAL::parameters::default_values())
+#ifdef DOXYGEN_RUNNING
+Seam_transitions<TriangleMesh, N>
+#else
+auto
+#endif
+seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return Seam_transitions<TriangleMesh>(tmesh, uv_map,
-                                        internal::read_transitions<internal::Quarter_turns>(
-                                          tmesh, uv_map, internal::strip(np)));
+  using Parameters = std::decay_t<decltype(internal::strip(np))>;
+  using Group = internal::Symmetry_group<Parameters>;
+  return Seam_transitions<TriangleMesh, Group::order>(
+    tmesh, uv_map, internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

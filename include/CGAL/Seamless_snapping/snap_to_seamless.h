@@ -17,6 +17,7 @@
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -99,12 +100,22 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise quarter turns of the transition across each
-                          halfedge, where it is known; modulo 4, and inverse for opposite halfedges}
+    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
+                          turns by default, of the transition across each halfedge, where it is
+                          known; modulo \f$ N \f$, and inverse for opposite halfedges}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
     \cgalParamDefault{read off the uv map}
+  \cgalParamNEnd
+  \cgalParamNBegin{rotational_symmetry}
+    \cgalParamDescription{the angles by which charts are turned across cuts: multiples of
+                          \f$ 360 / N \f$ degrees. For \f$ N = 3, 6 \f$ the coordinates are
+                          lattice coordinates, see `Rotational_symmetry`.}
+    \cgalParamType{`Rotational_symmetry<N>`}
+    \cgalParamDefault{`Rotational_symmetry<4>()`}
+    \cgalParamExtra{A map that fits another symmetry is refused as `NOT_SEAMLESS`, and the message
+                    tells which.}
   \cgalParamNEnd
   \cgalParamNBegin{connection_constraints}
     \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
@@ -151,6 +162,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                           change is spread over the surface. See `extract_quad_mesh()`.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{With \f$ N = 3, 6 \f$, this is refused as `INVALID_ARGUMENT`.}
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
     \cgalParamDescription{a positive number that the coordinates are multiplied by first}
@@ -228,7 +240,7 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     return report;
   }
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
-  using Group = internal::Quarter_turns;
+  using Group = internal::Symmetry_group<Parameters>;
   using Is_default_scale =
     CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::grid_scale_t>;
   using Is_default_grid =

@@ -67,9 +67,11 @@ class Surface_snapper
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
 
-  // Without the parameter, rounding to an integer-grid map is not even compiled.
-  static constexpr bool may_round = !CGAL::parameters::is_default_parameter<
-    NamedParameters, CGAL::internal_np::integer_grid_t>::value;
+  // Without the parameter, rounding to an integer-grid map is not even compiled. Lattice coordinates
+  // are not rounded one by one.
+  static constexpr bool may_round = Group::is_signed_permutation &&
+    !CGAL::parameters::is_default_parameter<NamedParameters,
+                                            CGAL::internal_np::integer_grid_t>::value;
 
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
@@ -109,6 +111,10 @@ private:
   {
     if(faces(m_tmesh).size() == 0)
       return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
+    if(m_rounds && !Group::is_signed_permutation)
+      return Refusal{Snapping_status::INVALID_ARGUMENT, "integer_grid needs a rotational symmetry "
+                     "of order 1, 2, or 4; leave it out, or state the integers as corner "
+                     "constraints", {}};
     const auto transitions = read_transitions<Group>(m_tmesh, m_uv_map, m_np);
     fill_in(transitions);
     m_timer.finish("transitions");
@@ -118,7 +124,7 @@ private:
     const auto aligned_edges =
       read_aligned_edges<Group>(m_tmesh, m_uv_map, transitions.extent, m_np);
     m_report.violation_before = (std::max)(transitions.violation, aligned_edges.violation());
-    Constraint_list<TriangleMesh> constraints(m_tmesh, m_np);
+    Constraint_list<TriangleMesh> constraints(m_tmesh, m_np, Group::number_of_functionals);
     if(aligned_edges.refusal() || constraints.refusal())
       return aligned_edges.refusal() ? aligned_edges.refusal() : constraints.refusal();
 
@@ -287,7 +293,7 @@ private:
 };
 
 // Changes and orientations against the input times a number, where there were steps between.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename ScaledMap>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename ScaledMap>
 void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                         const ScaledMap& result, const double scale, Snapping_report& report)
 {
@@ -302,8 +308,8 @@ void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
       const Uv u = get_uv(uv_map, h), v = get_uv(result, h);
       before[k] = u;
       after[k++] = v;
-      for(std::size_t c = 0; c < 2; ++c)
-        report.largest_change = (std::max)(report.largest_change, std::abs(v[c] - scale * u[c]));
+      for(const double change : Group::to_cartesian({v[0] - scale * u[0], v[1] - scale * u[1]}))
+        report.largest_change = (std::max)(report.largest_change, std::abs(change));
     }
     if(orientation(after) != CGAL::POSITIVE)
       (orientation(before) == CGAL::POSITIVE ? report.lost_faces : report.remaining_flips)
@@ -335,7 +341,7 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   report = Snapper(tmesh, scaled, np).run();
   if(!report)
     return report;
-  compare_with_input(tmesh, uv_map, scaled, scale, report);
+  compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);
   report.status = Snapping_status::SNAPPED;
   for(const auto h : halfedges(tmesh))
     if(!is_border(h, tmesh))

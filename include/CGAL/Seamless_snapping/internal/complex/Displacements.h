@@ -99,7 +99,7 @@ public:
     switch(role.kind) {
     case Role::FREE: break;
     case Role::NODE: return m_solver.linear_solver().component(role.column + Column_index(c)) >= 0;
-    case Role::LINK: return Group::functional(role.functional)[c] != 0;
+    case Role::LINK: return Group::shortest_at_level_1(role.functional)[c] != 0;
     case Role::PLUS:
     case Role::MINUS: return true;
     }
@@ -147,37 +147,31 @@ private:
     return result;
   }
 
-  static double value(const Functional<dimension>& f, const Vector& u)
-  {
-    double result = 0;
-    for(std::size_t c = 0; c < dimension; ++c)
-      result += f[c] * u[c];
-    return result;
-  }
-
   // The unknowns of a branch or chain are means over its pairs or links.
   void add_to_reduced(const Sector_index p, const Vector& d, std::vector<double>& reduced) const
   {
     const Role role = this->role(p);
-    double* const target = reduced.data() + role.column;
     switch(role.kind) {
     case Role::FREE: break;
-    case Role::NODE:
-      for(std::size_t c = 0; c < dimension; ++c)
-        target[c] += d[c];
-      break;
+    case Role::NODE: add_vector(role.column, d, 1, reduced); break;
     case Role::LINK:
-      *target += value(Group::functional(role.functional), d) / weight(role);
+      reduced[std::size_t(role.column)] += Group::value(role.functional, d) *
+                                           (Group::squares_at_level_1 / weight(role));
       break;
     case Role::PLUS:
-    case Role::MINUS: {
-      const double part = (role.kind == Role::MINUS ? 0.5 : -0.5) / weight(role);
-      const Vector change = role.kind == Role::MINUS ? d : Group::apply(role.element, d);
-      for(std::size_t c = 0; c < dimension; ++c)
-        target[c] += part * change[c];
+      add_vector(role.column, Group::apply(role.element, d), -0.5 / weight(role), reduced);
       break;
+    case Role::MINUS: add_vector(role.column, d, 0.5 / weight(role), reduced); break;
     }
-    }
+  }
+
+  void add_vector(const Column_index column, const Vector& d, const double factor,
+                  std::vector<double>& reduced) const
+  {
+    for(std::size_t c = 0; c < dimension; ++c)
+      reduced[std::size_t(column) + c] += factor * d[c];
+    if constexpr(Reduced_system<Group>::has_sums)
+      reduced[std::size_t(m_system.sum(column))] += factor * (d[0] + d[1]);
   }
 
   double weight(const Role& role) const { return m_system.weights()[std::size_t(role.column)]; }
@@ -194,13 +188,9 @@ private:
 
   static Vector link_displacement(const Response& response, const Vector& own, const Role& role)
   {
-    const auto f = Group::functional(role.functional);
-    const double squares = value(f, Vector{double(f[0]), double(f[1])});
-    const double missing = response.unknowns[std::size_t(role.column)] - value(f, own);
-    Vector result = own;
-    for(std::size_t c = 0; c < dimension; ++c)
-      result[c] += f[c] * missing / squares;
-    return result;
+    const double missing =
+      response.unknowns[std::size_t(role.column)] - Group::value(role.functional, own);
+    return sum(own, Group::shortest_at_level_1(role.functional), missing);
   }
 
   const Complex_solver<Group>& m_solver;

@@ -88,13 +88,13 @@ public:
     return result;
   }
 
-  // Of the inner sectors of a chain: those coordinates that the functional has.
+  // Of the inner sectors of a chain: those coordinates that its level moves.
   Components<dimension> of_link(const std::size_t chain) const
   {
-    const auto f = Group::functional(m_complex.functional[chain]);
+    const auto direction = Group::shortest_at_level_1(m_complex.functional[chain]);
     Components<dimension> result{};
     for(std::size_t c = 0; c < dimension; ++c)
-      result[c] = f[c] != 0 ? m_solver.component(m_system.level(chain)) : -1;
+      result[c] = direction[c] != 0 ? m_solver.component(m_system.level(chain)) : -1;
     return result;
   }
 

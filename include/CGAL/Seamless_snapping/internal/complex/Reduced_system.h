@@ -31,10 +31,10 @@ namespace Seamless_snapping {
 namespace internal {
 
 // What a row of the system says: which branch, chain, path, or equation of the complex it comes
-// from.
+// from. Sums contradict nothing: each defines an unknown.
 struct Row_origin
 {
-  enum Kind { BRANCH, CHAIN, PATH, EQUATION };
+  enum Kind { BRANCH, CHAIN, PATH, EQUATION, SUM };
   Kind kind;
   std::size_t index;
   bool is_at_end; // of the branch or chain, else at its beginning
@@ -42,6 +42,8 @@ struct Row_origin
 
 // Invariant: the columns are those of the nodes' sectors, one per coordinate, in order; then those
 // of the translations of branches, and of the levels of chains, that have vertices between nodes.
+// In lattice coordinates, the sum of the squares of all three functionals is what is to be small:
+// u + v is a further column for each of these vectors then, and a row defines it.
 template <typename Group>
 class Reduced_system
 {
@@ -61,6 +63,7 @@ public:
       add_branch_rows(b, builder);
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
       add_chain_rows(c, builder);
+    add_sum_rows(builder);
     for(std::size_t i = 0; i < complex.paths.size(); ++i) {
       append_path(complex.paths[i]);
       add_row({Row_origin::PATH, i, false}, builder);
@@ -85,6 +88,15 @@ public:
   // The column of a chain's level, or -1 for chains without inner links.
   Column_index level(const std::size_t c) const { return m_level[c]; }
 
+  // Whether vectors have a column for the sum of their coordinates.
+  static constexpr bool has_sums = Group::number_of_functionals > int(dimension);
+  // That of the vector whose coordinate 0 has the given column: of a node or a translation.
+  Column_index sum(const Column_index vector) const
+  {
+    return m_first_sum + vector / Column_index(dimension);
+  }
+  std::size_t number_of_sums() const { return m_weights.size() - std::size_t(m_first_sum); }
+
 private:
   // \return the first of `number` new columns
   Column_index add_column(const double weight, const std::size_t number)
@@ -106,10 +118,25 @@ private:
       m_translation.push_back(inner > 0 ? add_column(0.5 * static_cast<double>(inner), dimension)
                                         : -1);
     }
+    m_end_of_vectors = Column_index(m_weights.size());
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c) {
       const std::ptrdiff_t inner = m_complex.links_end(c) - m_complex.links_begin(c) - 2;
-      m_level.push_back(inner > 0 ? add_column(static_cast<double>(inner), 1) : -1);
+      m_level.push_back(
+        inner > 0 ? add_column(Group::squares_at_level_1 * static_cast<double>(inner), 1) : -1);
     }
+    m_first_sum = Column_index(m_weights.size());
+    if constexpr(has_sums)
+      for(Column_index j = 0; j < m_end_of_vectors; j += Column_index(dimension))
+        add_column(m_weights[std::size_t(j)], 1);
+  }
+
+  void add_sum_rows(System_builder& builder)
+  {
+    if constexpr(has_sums)
+      for(Column_index j = 0; j < m_end_of_vectors; j += Column_index(dimension)) {
+        m_row = {{j, 1}, {j + 1, 1}, {sum(j), -1}};
+        add_row({Row_origin::SUM, std::size_t(j), false}, builder);
+      }
   }
 
   // u- = g u+ + t at both ends. Without t: the difference of both.
@@ -221,6 +248,7 @@ private:
   std::vector<Column_index> m_unknown, m_translation, m_level;
   std::vector<double> m_weights;
   std::size_t m_number_of_node_columns = 0;
+  Column_index m_end_of_vectors = 0, m_first_sum = 0;
   Row m_row; // under way
   std::vector<Row_origin> m_origins;
   Scaled_system m_rows;

@@ -37,8 +37,8 @@ template <typename Group>
 struct Snapped_coordinates
 {
   std::vector<typename Cut_complex<Group>::Vector> coordinates; // per sector
-  // The sum of the squared changes of all coordinates, had they not been rounded to grids: that of
-  // the least-squares optimum, in `unit`s squared.
+  // The sum of the squared changes of all Cartesian coordinates, had they not been rounded to
+  // grids: that of the least-squares optimum, in `unit`s squared.
   double optimal_squares = 0;
   double unit = 1; // the step of the coarsest grid
   // a component that needs a coarser grid; if there is one, all is void
@@ -104,12 +104,14 @@ private:
         continue;
       const Components<dimension> k = m_components.of_node(s);
       const Grid_point<dimension> target = m_targets(s, k);
+      Vector change{};
       for(std::size_t c = 0; c < dimension; ++c)
         if(k[c] >= 0 && !is_kept(k[c])) {
           const Column_index column = unknown + Column_index(c);
           set(s, c, k[c], m_solution.x[std::size_t(column)]);
-          add_optimal_change(optimal_change({target.base[c], target.offset[c]}, column), k[c]);
+          change[c] = optimal_change({target.base[c], target.offset[c]}, column);
         }
+      add_optimal_change(change, k);
     }
   }
 
@@ -132,11 +134,13 @@ private:
       const Grid_point<dimension> minus = m_targets(p->minus, minus_k);
       const Vector gap = Group::apply(back, translation_gap<Group>(g, plus, minus, t));
       std::array<std::int64_t, dimension> x;
+      Vector change;
       for(std::size_t c = 0; c < dimension; ++c) {
         x[c] = plus.base[c] + nearest_integer(plus.offset[c] + gap[c] * 0.5);
-        for(int side = 0; side < 2; ++side)
-          add_optimal_change((gap[c] - rounding[c]) * 0.5, plus_k[c]);
+        change[c] = (gap[c] - rounding[c]) * 0.5;
       }
+      for(int side = 0; side < 2; ++side)
+        add_optimal_change(change, plus_k);
       const auto turned = Group::apply(g, x);
       for(std::size_t c = 0; c < dimension; ++c) {
         set(p->plus, c, plus_k[c], x[c]);
@@ -145,29 +149,30 @@ private:
     }
   }
 
-  // What a functional of several coordinates misses is shared by these.
+  // Each link moves by the shortest way to the level. One coordinate of the functional takes what
+  // rounding leaves, so that the level is exact.
   void expand_chain(const std::size_t chain)
   {
     const auto f = Group::functional(m_complex.functional[chain]);
+    const auto direction = Group::shortest_at_level_1(m_complex.functional[chain]);
     const Components<dimension> k = m_components.of_link(chain);
     const std::size_t column = std::size_t(m_system.level(chain));
-    const int number_of_terms = f[0] * f[0] + f[1] * f[1];
+    const std::size_t last = f[1] != 0 ? 1 : 0, other = 1 - last;
     for(auto s = m_complex.links_begin(chain) + 1; s != m_complex.links_end(chain) - 1; ++s) {
       const Grid_point<dimension> target = m_targets(*s, k);
       std::int64_t rest = m_solution.x[column];
       double gap = static_cast<double>(rest);
       for(std::size_t c = 0; c < dimension; ++c)
         gap -= f[c] * (static_cast<double>(target.base[c]) + target.offset[c]);
-      for(std::size_t c = 0, left = std::size_t(number_of_terms); c < dimension; ++c) {
-        if(f[c] == 0)
-          continue;
-        const std::int64_t x = --left == 0 ? rest : target.base[c] +
-                                 nearest_integer(target.offset[c] + gap / number_of_terms);
-        rest -= x;
-        set(*s, c, k[c], x);
+      if(k[other] >= 0) {
+        const std::int64_t x =
+          target.base[other] + nearest_integer(target.offset[other] + direction[other] * gap);
+        rest -= f[other] * x;
+        set(*s, other, k[other], x);
       }
-      add_optimal_change(optimal_level_change(f, target, column) / std::sqrt(number_of_terms),
-                         k[0] >= 0 ? k[0] : k[1]);
+      set(*s, last, k[last], rest);
+      const double change = optimal_level_change(f, target, column);
+      add_optimal_change(Vector{change * direction[0], change * direction[1]}, k);
     }
   }
 
@@ -189,11 +194,14 @@ private:
     return optimal_change(level, Column_index(column));
   }
 
-  // \param change in steps of the component's grid
-  void add_optimal_change(const double change, const Component_index k)
+  // \param change in steps of the components' grids; those of a vector are the same unless its
+  // coordinates are Cartesian
+  void add_optimal_change(const Vector& change, const Components<dimension>& k)
   {
-    if(!is_kept(k))
-      add_optimal_change(change * (grid(k).step() / m_result.unit));
+    const Vector cartesian = Group::to_cartesian(change);
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(k[c] >= 0 && !is_kept(k[c]))
+        add_optimal_change(cartesian[c] * (grid(k[c]).step() / m_result.unit));
   }
 
   void add_optimal_change(const double change) { m_result.optimal_squares += change * change; }

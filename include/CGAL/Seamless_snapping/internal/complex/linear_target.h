@@ -57,6 +57,8 @@ public:
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c)
       if(m_complex.has_inner_links(c))
         add_level(c);
+    if constexpr(Reduced_system<Group>::has_sums)
+      add_sums();
     return std::move(m_values);
   }
 
@@ -105,6 +107,14 @@ private:
       sum += static_cast<double>(level - base) + offset;
     }
     m_values.push_back({base, sum / static_cast<double>(last - first)});
+  }
+
+  void add_sums()
+  {
+    for(std::size_t k = 0; k < m_system.number_of_sums(); ++k) {
+      const Grid_value u = m_values[dimension * k], v = m_values[dimension * k + 1];
+      m_values.push_back({u.base + v.base, u.offset + v.offset});
+    }
   }
 
   const Cut_complex<Group>& m_complex;

@@ -125,8 +125,7 @@ private:
       int best = 0;
       double least = std::numeric_limits<double>::infinity();
       for(int f = 0; f < Group::number_of_functionals; ++f) {
-        const auto terms = Group::functional(f);
-        const double change = std::abs(terms[0] * vector[0] + terms[1] * vector[1]);
+        const double change = std::abs(Group::value(f, vector));
         if(change < least) {
           best = f;
           least = change;
@@ -144,7 +143,9 @@ private:
       return;
     const std::string message =
         edge_name(*m_tmesh, vertex_indices, worst) +
-        " is to be aligned, but neither coordinate is constant along it: the lesser change is " +
+        " is to be aligned, but " +
+        (Group::is_signed_permutation ? "neither coordinate" : "none of u, v, and u + v") +
+        " is constant along it: the least change is " +
         short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
         (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
         "; constrain only edges that lie on isocurves, or raise the tolerance";

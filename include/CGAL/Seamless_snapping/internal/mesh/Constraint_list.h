@@ -44,8 +44,8 @@ struct Path_constraint
   std::string name; // "connection 3"
 };
 
-// Invariant: unless there is a refusal, all corners have faces, all components are 0 or 1, and all
-// paths are connected and cross interior edges only.
+// Invariant: unless there is a refusal, all corners have faces, all components are those of the
+// symmetry, and all paths are connected and cross interior edges only.
 template <typename TriangleMesh>
 class Constraint_list
 {
@@ -53,9 +53,11 @@ public:
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Corner = Corner_constraint<TriangleMesh>;
 
+  // \param number_of_components 2, for u and v; or 3, with u + v
   template <typename NamedParameters>
-  Constraint_list(const TriangleMesh& tmesh, const NamedParameters& np)
-    : m_tmesh(tmesh)
+  Constraint_list(const TriangleMesh& tmesh, const NamedParameters& np,
+                  const int number_of_components)
+    : m_tmesh(tmesh), m_number_of_components(number_of_components)
   {
     namespace parameters = CGAL::parameters;
     add_connections(
@@ -130,8 +132,9 @@ private:
   {
     if(h == boost::graph_traits<TriangleMesh>::null_halfedge() || is_border(h, m_tmesh))
       fail(name + " names a corner that is not in a face; a corner is a halfedge that has a face");
-    else if(component != 0 && component != 1)
-      fail(name + " names component " + std::to_string(component) + "; components are 0 and 1");
+    else if(component < 0 || component >= m_number_of_components)
+      fail(name + " names component " + std::to_string(component) + "; components are " +
+           (m_number_of_components == 2 ? "0 and 1" : "0, 1, and 2 for u, v, and u + v"));
   }
 
   void check_path(const Path_constraint<TriangleMesh>& p)
@@ -164,6 +167,7 @@ private:
   }
 
   const TriangleMesh& m_tmesh;
+  int m_number_of_components;
   std::vector<Path_constraint<TriangleMesh> > m_paths;
   std::vector<Corner> m_corner_constraints;
   std::vector<Halfedge> m_large_cones;

@@ -47,6 +47,7 @@ std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, Tria
   case Row_origin::CHAIN:
     return "the alignment of " + edge_name(tmesh, vertex_indices, cuts.chain_ends[i][end]);
   case Row_origin::PATH: return constraints.paths()[i].name;
+  case Row_origin::SUM: // in no contradiction
   case Row_origin::EQUATION: break;
   }
   const std::size_t n = constraints.corner_constraints().size();

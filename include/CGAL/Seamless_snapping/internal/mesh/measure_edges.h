@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -46,16 +45,16 @@ void set_rotation(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
   edge.residual = edge.is_exact ? 0 : vectors.residual<Group>(g, scale);
 }
 
-template <typename Halfedge>
+template <typename Group, typename Halfedge>
 void measure_length_and_gap(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
                             const double scale)
 {
   const Edge_sides& sides = edge.sides;
-  edge.length = vectors.length(scale);
-  edge.gap = 0;
-  for(std::size_t c = 0; c < 2; ++c)
-    edge.gap = (std::max)({edge.gap, scale * std::abs(sides.a[c] - sides.a_opposite[c]),
-                                     scale * std::abs(sides.b[c] - sides.b_opposite[c])});
+  edge.length = vectors.length<Group>(scale);
+  const auto gap = [&](const Uv& u, const Uv& v) {
+    return scale * Group::norm({u[0] - v[0], u[1] - v[1]});
+  };
+  edge.gap = (std::max)(gap(sides.a, sides.a_opposite), gap(sides.b, sides.b_opposite));
 }
 
 } // namespace internal

@@ -374,15 +374,17 @@ private:
         mixed.largest = (std::max)({mixed.largest, std::abs(u[0]), std::abs(u[1])});
       }
       const double count = static_cast<double>(differences.size());
-      double squares = 0; // in units, so that they neither overflow nor vanish
       for(std::size_t c = 0; c < 2; ++c) {
         double sum = 0;
         for(const Uv& d : differences)
           sum += d[c];
         mixed.deviation[c] = sum / count;
-        for(const Uv& d : differences)
-          squares += ((d[c] - mixed.deviation[c]) / unit) * ((d[c] - mixed.deviation[c]) / unit);
       }
+      double squares = 0; // in units, so that they neither overflow nor vanish
+      for(const Uv& d : differences)
+        for(const double x : Group::to_cartesian({d[0] - mixed.deviation[0],
+                                                  d[1] - mixed.deviation[1]}))
+          squares += (x / unit) * (x / unit);
       mixed.distance = unit * std::sqrt(squares / count);
     }
   }
@@ -456,8 +458,13 @@ private:
     }
     for(const auto& constraint : m_constraints.corner_constraints()) {
       complex.equations.push_back({{}, constraint.right_hand_side});
-      for(const auto& term : constraint.terms)
-        complex.equations.back().terms.push_back({*sector++, term.component, term.coefficient});
+      for(const auto& term : constraint.terms) {
+        const auto f = Group::functional(term.component);
+        for(int c = 0; c < int(Group::dimension); ++c)
+          if(f[std::size_t(c)] != 0)
+            complex.equations.back().terms.push_back({*sector, c, term.coefficient});
+        ++sector;
+      }
     }
     for(std::size_t i = m_node_corners.size() - m_constraints.large_cones().size();
         i < m_node_corners.size(); ++i)

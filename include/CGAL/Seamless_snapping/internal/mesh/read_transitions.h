@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
+#include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
@@ -218,7 +219,7 @@ private:
   bool read_rotation_of(Mismatched_edge<Halfedge>& edge, Data& data) const
   {
     const Edge_vectors vectors(edge.sides);
-    measure_length_and_gap(edge, vectors, m_scale);
+    measure_length_and_gap<Group>(edge, vectors, m_scale);
     edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
     if constexpr(Given::has_rotations) {
       const auto g = m_given.rotation(edge.halfedge);
@@ -265,12 +266,24 @@ private:
     }
     if(worst == nullptr)
       return true;
+    const std::string hint = hint_on_other_symmetry(data);
     fail(data, Snapping_status::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
          (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
-         "; if this is the accuracy of the parametrization, raise the tolerance");
+         (hint.empty() ? "; if this is the accuracy of the parametrization, raise the tolerance"
+                       : hint));
     return false;
+  }
+
+  // Given cuts and rotations are those of the symmetry, so that there is no other.
+  std::string hint_on_other_symmetry(const Data& data) const
+  {
+    std::vector<Edge_sides> edges;
+    for(const Mismatched_edge<Halfedge>& edge : data.edges)
+      edges.push_back(edge.sides);
+    return Given::has_cuts || Given::has_rotations
+      ? std::string() : hint_on_symmetry(edges, m_tolerance * data.extent, Group::order);
   }
 
   // Returns false if an edge takes a rotation from its surroundings that misses by too much.

@@ -32,17 +32,17 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Figures of the changes of all coordinates, in units that keep squares in range.
+// Figures of the changes of all Cartesian coordinates, in units that keep squares in range.
 class Corner_changes
 {
 public:
   explicit Corner_changes(const double unit) : m_unit(unit) { }
 
   // Each sector counts once; its corners, where they differed, share its weight.
-  void add(const Uv& before, const Uv& after, const double weight = 1)
+  void add(const Uv& difference, const double weight = 1)
   {
     for(std::size_t c = 0; c < 2; ++c) {
-      const double change = std::abs(after[c] - before[c]) / m_unit;
+      const double change = std::abs(difference[c]) / m_unit;
       m_largest = (std::max)(m_largest, change);
       m_sum += weight * change;
       m_squares += weight * change * change;
@@ -106,6 +106,11 @@ private:
     return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
   }
 
+  static Uv change(const Uv& before, const Uv& after)
+  {
+    return Group::to_cartesian({after[0] - before[0], after[1] - before[1]});
+  }
+
   // A zero that stays one keeps its sign.
   static Uv with_signs_of_zeros(Uv uv, const Uv& before)
   {
@@ -125,7 +130,7 @@ private:
         if(before == uv[i])
           return;
         m_written_freely.push_back({corner, get(m_uv_map, corner)});
-        figures.add(before, uv[i], 1 / count); // each vertex counts once
+        figures.add(change(before, uv[i]), 1 / count); // each vertex counts once
         put(m_uv_map, corner, point(uv[i]));
       });
     }
@@ -138,9 +143,9 @@ private:
       const Uv uv = with_signs_of_zeros(new_uv[std::size_t(s)], before);
       if(is_mixed(s))
         for(auto h = first; h != last; ++h)
-          figures.add(get_uv(m_uv_map, *h), uv, 1. / static_cast<double>(last - first));
+          figures.add(change(get_uv(m_uv_map, *h), uv), 1. / static_cast<double>(last - first));
       else
-        figures.add(before, uv);
+        figures.add(change(before, uv));
       if(must_remember(s))
         remember(first, last);
       m_end = s + 1;

@@ -43,11 +43,13 @@ inline double twice_area(const Uv_triangle& t, const double step)
 }
 
 // The square of the longest edge, in the same units.
-inline double longest_square(const Uv_triangle& t, const double step)
+template <typename Group>
+double longest_square(const Uv_triangle& t, const double step)
 {
   double result = 0;
   for(std::size_t i = 0; i < 3; ++i) {
-    const Uv e{{(t[(i + 1) % 3][0] - t[i][0]) / step, (t[(i + 1) % 3][1] - t[i][1]) / step}};
+    const Uv e = Group::to_cartesian({(t[(i + 1) % 3][0] - t[i][0]) / step,
+                                      (t[(i + 1) % 3][1] - t[i][1]) / step});
     result = (std::max)(result, dot(e, e));
   }
   return result;
@@ -55,9 +57,10 @@ inline double longest_square(const Uv_triangle& t, const double step)
 
 // What twice the area of a face should be: that of the input. Faces that were not positive there
 // have none; they are content with a sliver.
-inline double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
+template <typename Group>
+double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
 {
-  return was_positive ? twice_area(input, step) : longest_square(input, step) / 16;
+  return was_positive ? twice_area(input, step) : longest_square<Group>(input, step) / 16;
 }
 
 // What is asked of a face, as a part of the wanted area: as much as a ring can give, down to
@@ -75,7 +78,7 @@ public:
   { }
 
   // Returns the faces that remain.
-  // \param reach the largest change of a coordinate, from the input
+  // \param reach the largest change of a functional, from the input
   std::vector<Face_index> repair(std::vector<Face_index> faces, const double reach,
                                  Uv_state& state) const
   {
@@ -98,7 +101,7 @@ private:
     Face_index face;
     bool is_target, is_wanted, is_positive;
     double area, wanted;
-    Uv gradient; // of the area, by the displacement
+    Uv form; // of the displacement: the change of the area
   };
 
   struct Plan
@@ -106,7 +109,7 @@ private:
     Vertex_move<Group> move;
     double unit; // of areas and displacements
     std::vector<Ring_face> ring;
-    Uv displacement;
+    Uv displacement; // in the coordinates of the map; half planes are Cartesian
   };
 
   bool repair(const Face_index target, const double reach, Uv_state& state) const
@@ -158,8 +161,8 @@ private:
     result.is_wanted = face.was_positive || !m_points.domain_face(target).was_positive;
     result.is_positive = orientation(now) == CGAL::POSITIVE;
     result.area = twice_area(now, unit);
-    result.wanted = wanted_area(rotated(face.input, corner.position), face.was_positive, unit);
-    result.gradient = transposed_times(element, normal);
+    result.wanted = wanted_area<Group>(rotated(face.input, corner.position), face.was_positive, unit);
+    result.form = transposed_times(element, normal);
     return result;
   }
 
@@ -187,15 +190,18 @@ private:
       for(const Member& member : plan.move.members)
         add_reach(member, reach, plan.unit, state, kernel);
       for(const Ring_face& f : plan.ring) {
-        const double one_step = std::sqrt(dot(f.gradient, f.gradient)); // what rounding can cost
+        const double one_step = std::sqrt(dot(f.form, f.form)); // what rounding can cost
         const double bound = (std::max)(margin * f.wanted, one_step);
         if(f.is_positive)
-          kernel.add(f.gradient, (std::min)(bound, f.area / 2) - f.area);
+          kernel.add(Group::form_to_cartesian(f.form), (std::min)(bound, f.area / 2) - f.area);
         else if(f.is_target || (all && f.is_wanted))
-          kernel.add(f.gradient, bound - f.area);
+          kernel.add(Group::form_to_cartesian(f.form), bound - f.area);
       }
-      if(kernel.find_shortest(plan.displacement))
-        found.emplace_back(dot(plan.displacement, plan.displacement), &plan);
+      Uv shortest;
+      if(kernel.find_shortest(shortest)) {
+        plan.displacement = Group::from_cartesian(shortest);
+        found.emplace_back(dot(shortest, shortest), &plan);
+      }
     }
     std::sort(found.begin(), found.end());
     return std::any_of(found.begin(), found.end(),
@@ -205,29 +211,29 @@ private:
   static Half_planes half_planes(const Vertex_move<Group>& move)
   {
     return move.freedom == Vertex_move<Group>::ANY_DIRECTION
-      ? Half_planes() : Half_planes(Uv{double(move.direction[0]), double(move.direction[1])});
+      ? Half_planes()
+      : Half_planes(Group::to_cartesian({double(move.direction[0]), double(move.direction[1])}));
   }
 
-  // The box around the input, or as far as the point has gone already.
+  // Functionals change by no more than that, or by as much as they have already: a box, or a
+  // hexagon.
   void add_reach(const Member& member, const double reach, const double unit,
                  const Uv_state& state, Half_planes& kernel) const
   {
     const Uv u = m_points.uv(state, member.point);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Uv low{{-infinity, -infinity}}, high{{infinity, infinity}};
-    for(const Face_corner& corner : m_points.stars().star(member.point)) {
-      const Uv& input = m_points.domain_face(corner.face).input[corner.position];
-      for(std::size_t c = 0; c < 2; ++c) {
-        low[c] = (std::max)(low[c], input[c] - reach - u[c]);
-        high[c] = (std::min)(high[c], input[c] + reach - u[c]);
+    for(int f = 0; f < Group::number_of_functionals && std::isfinite(reach); ++f) {
+      double low = -std::numeric_limits<double>::infinity(), high = -low;
+      for(const Face_corner& corner : m_points.stars().star(member.point)) {
+        const double input =
+          Group::value(f, m_points.domain_face(corner.face).input[corner.position]);
+        low = (std::max)(low, input - reach - Group::value(f, u));
+        high = (std::min)(high, input + reach - Group::value(f, u));
       }
-    }
-    for(std::size_t c = 0; c < 2 && std::isfinite(reach); ++c) {
-      Uv axis{{0, 0}};
-      axis[c] = 1;
-      kernel.add(transposed_times(member.element, axis), (std::min)(low[c], 0.) / unit);
-      axis[c] = -1;
-      kernel.add(transposed_times(member.element, axis), (std::min)(-high[c], 0.) / unit);
+      const auto terms = Group::functional(f);
+      Uv form = transposed_times(member.element, {double(terms[0]), double(terms[1])});
+      kernel.add(Group::form_to_cartesian(form), (std::min)(low, 0.) / unit);
+      form = {{-form[0], -form[1]}};
+      kernel.add(Group::form_to_cartesian(form), (std::min)(-high, 0.) / unit);
     }
   }
 
@@ -240,7 +246,8 @@ private:
       return false;
     std::vector<std::pair<double, Uv> > candidates;
     for(const Uv& d : grid_displacements(plan)) {
-      const Uv off{{d[0] - plan.displacement[0], d[1] - plan.displacement[1]}};
+      const Uv off = Group::to_cartesian({d[0] - plan.displacement[0],
+                                          d[1] - plan.displacement[1]});
       candidates.emplace_back(dot(off, off), d);
     }
     std::sort(candidates.begin(), candidates.end());

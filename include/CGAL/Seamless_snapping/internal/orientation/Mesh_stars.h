@@ -107,7 +107,7 @@ public:
   {
     double result = 0;
     const auto add = [&](const Uv& before, const Uv& after) {
-      result = (std::max)({result, std::abs(after[0] - before[0]), std::abs(after[1] - before[1])});
+      result = (std::max)(result, Group::norm({after[0] - before[0], after[1] - before[1]}));
     };
     for(std::size_t s = 0; s < number_of_sectors(); ++s)
       add(m_cuts.complex.coordinates[s], state[s]);

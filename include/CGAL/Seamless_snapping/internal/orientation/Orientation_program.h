@@ -67,7 +67,7 @@ public:
     Eigen::VectorXd missing(n);
     for(Eigen::Index j = 0; j < n; ++j) {
       missing[j] = conditions[std::size_t(j)].missing;
-      const Response response = m_displacements(conditions[std::size_t(j)].gradient);
+      const Response response = m_displacements(conditions[std::size_t(j)].force);
       for(Eigen::Index i = 0; i < n; ++i)
         s(i, j) = change(conditions[std::size_t(i)], response);
     }
@@ -78,7 +78,7 @@ public:
       return false;
     Vectors shift(m_shift);
     for(Eigen::Index i = 0; i < n; ++i)
-      for(const auto& p : conditions[std::size_t(i)].gradient)
+      for(const auto& p : conditions[std::size_t(i)].force)
         add(shift, p.first, {{forces[i] * p.second[0], forces[i] * p.second[1]}});
     Target_shifts<Group> shifts; // of sectors
     for(const auto& p : shift)
@@ -104,11 +104,11 @@ public:
   }
 
 private:
-  // gradient . displacement >= missing, for displacements from the optimum in units. The gradient
-  // has length 1.
+  // form . displacement >= missing, for displacements from the optimum in units. The force is the
+  // gradient of the form, by which targets are shifted; it has length 1.
   struct Condition
   {
-    Vectors gradient; // also the force: the shift of targets in its direction
+    Vectors form, force;
     double missing;
   };
 
@@ -133,28 +133,30 @@ private:
       const Uv& b = now[(i + 2) % 3];
       const Uv g{{(a[1] - b[1]) / m_unit, (b[0] - a[0]) / m_unit}};
       by_rounding += std::sqrt(dot(g, g)) * (m_points.spacing(face.points[i]) / m_unit);
-      add(result.gradient, face.points[i], g);
+      add(result.form, face.points[i], g);
     }
-    const double wanted = wanted_area(face.input, face.was_positive, m_unit);
+    const double wanted = wanted_area<Group>(face.input, face.was_positive, m_unit);
     result.missing = (std::max)(margin * wanted, by_rounding) - twice_area(now, m_unit);
     double square = 0;
-    for(const auto& g : result.gradient) {
+    for(const auto& g : result.form) {
       const Uv &here = m_points.uv(at, g.first), &there = m_points.uv(m_optimum, g.first);
       result.missing += dot(g.second, {{(here[0] - there[0]) / m_unit,
                                         (here[1] - there[1]) / m_unit}});
-      square += dot(g.second, g.second);
+      square += dot(g.second, Group::gradient(g.second));
     }
     const double length = square > 0 ? std::sqrt(square) : 1;
     result.missing /= length;
-    for(auto& g : result.gradient)
+    for(auto& g : result.form) {
       g.second = {{g.second[0] / length, g.second[1] / length}};
+      result.force.emplace_back(g.first, Group::gradient(g.second));
+    }
     return result;
   }
 
   double change(const Condition& condition, const Response& response) const
   {
     double result = 0;
-    for(const auto& g : condition.gradient)
+    for(const auto& g : condition.form)
       result += dot(g.second, m_displacements(response, g.first));
     return result;
   }

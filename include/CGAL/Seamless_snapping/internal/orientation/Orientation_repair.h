@@ -143,7 +143,7 @@ private:
 
   // Solves with the conditions of the faces that remain, and again with those of faces that this
   // costs, linearized at the previous solution.
-  // \param reach the largest change of a coordinate
+  // \param reach the largest change of a functional
   void search(Program& program, const double margin, const double reach, const bool with_flips,
               Attempt& best)
   {
@@ -202,8 +202,8 @@ private:
     bool result = m_stars.largest_move(state) <= reach;
     for(std::size_t p = m_stars.number_of_sectors(); p < state.size(); ++p) {
       const Uv& before = m_stars.free_input(Point_index(p));
-      result = result && std::abs(state[p][0] - before[0]) <= reach &&
-               std::abs(state[p][1] - before[1]) <= reach;
+      result = result &&
+               Group::norm({state[p][0] - before[0], state[p][1] - before[1]}) <= reach;
     }
     return result;
   }

@@ -84,7 +84,7 @@ public:
   // All faces that may not be positive.
   virtual std::vector<Face_index> possible_flips() = 0;
 
-  // The largest change of a coordinate of a sector's corner.
+  // The largest change of a functional, and so of a coordinate, of a corner of a sector.
   virtual double largest_move(const Uv_state& state) const = 0;
 
   // The numbers of some faces in the order of iteration over all faces of the mesh.

@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -86,18 +87,17 @@ public:
     }
   }
 
-  // The larger coordinate of the difference, times `scale`: a power of two that brings lengths near
-  // 1.
+  // The largest functional of the difference, times `scale`: a power of two that brings lengths
+  // near 1.
   template <typename Group>
   double residual(const typename Group::Element g, const double scale) const
   {
     const Uv a = Group::apply(g, rounded(m_side)), b = rounded(m_opposite);
     const Uv a_error = Group::apply(g, error(m_side)), b_error = error(m_opposite);
-    double largest = 0;
+    Uv missing;
     for(std::size_t c = 0; c < 2; ++c)
-      largest = (std::max)(largest, std::abs((a[c] * scale - b[c] * scale) +
-                                             (a_error[c] * scale - b_error[c] * scale)));
-    return largest;
+      missing[c] = (a[c] * scale - b[c] * scale) + (a_error[c] * scale - b_error[c] * scale);
+    return Group::norm(missing);
   }
 
   // The element of least residual, as in [EBCK13]; the first of several.
@@ -116,12 +116,11 @@ public:
     return best;
   }
 
-  // The length of the longer side, in the maximum norm, times `scale`.
+  // The length of the longer side, times `scale`.
+  template <typename Group>
   double length(const double scale) const
   {
-    return scale * (std::max)((std::max)(std::abs(m_side[0].rounded), std::abs(m_side[1].rounded)),
-                              (std::max)(std::abs(m_opposite[0].rounded),
-                                         std::abs(m_opposite[1].rounded)));
+    return scale * (std::max)(Group::norm(rounded(m_side)), Group::norm(rounded(m_opposite)));
   }
 
 private:
@@ -154,6 +153,17 @@ bool satisfies_transition(const Edge_sides& s, const typename Group::Element g)
     return true;
   const Edge_vectors vectors(s);
   return vectors.are_valid() ? vectors.match<Group>(g) : match_exactly<Group>(s, g);
+}
+
+// By how much u + v differs at the ends of an edge: 0 only if it does not, exactly.
+// \pre the coordinates are finite
+inline double change_of_sum(const Uv& a, const Uv& b)
+{
+  const std::array<double, 4> terms{{b[0], -a[0], b[1], -a[1]}};
+  if(exact_sum_is_zero(terms.data(), terms.size()))
+    return 0;
+  return (std::max)(std::abs((b[0] - a[0]) + (b[1] - a[1])),
+                    std::numeric_limits<double>::denorm_min());
 }
 
 // Whether Eq. (4) holds for some element.

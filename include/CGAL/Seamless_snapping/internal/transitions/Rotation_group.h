@@ -19,7 +19,9 @@
 // = 3, 6 in coordinates of the lattice basis u = a + b w, where w is the unit vector at 60 degrees.
 // In Cartesian coordinates no rotation by 60 degrees is exact: sqrt(3) is irrational.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -111,6 +113,39 @@ public:
             Number(m[1][0]) * v[0] + Number(m[1][1]) * v[1]};
   }
 
+  // The value of a functional, rounded where it has two terms.
+  template <typename Vector>
+  static typename Vector::value_type value(const int f, const Vector& v)
+  {
+    if constexpr(is_signed_permutation)
+      return v[std::size_t(f)];
+    else
+      return f < 2 ? v[std::size_t(f)] : v[0] + v[1];
+  }
+
+  // Lengths. That which decides whether vectors are small is the largest absolute value of a
+  // functional; that of least squares is Euclidean, and the sum of the squares of the functionals
+  // is a multiple of its square. So no direction is favoured, and both are the same in all charts.
+  static double norm(const std::array<double, dimension>& v)
+  {
+    double largest = (std::max)(std::abs(v[0]), std::abs(v[1]));
+    if constexpr(!is_signed_permutation)
+      largest = (std::max)(largest, std::abs(v[0] + v[1]));
+    return largest;
+  }
+
+  // The sum of the squares of all functionals, for the shortest vector where one of them is 1.
+  static constexpr double squares_at_level_1 = is_signed_permutation ? 1 : 1.5;
+
+  // That vector.
+  static constexpr std::array<double, dimension> shortest_at_level_1(const int f)
+  {
+    if constexpr(is_signed_permutation)
+      return {double(f == 0), double(f == 1)};
+    else
+      return {f == 0 ? 1 : f == 1 ? -0.5 : 0.5, f == 0 ? -0.5 : f == 1 ? 1 : 0.5};
+  }
+
   // The vector in Cartesian coordinates, rounded: for angles and lengths that decide nothing
   // exactly.
   static std::array<double, dimension> to_cartesian(const std::array<double, dimension>& v)
@@ -118,10 +153,35 @@ public:
     if constexpr(is_signed_permutation)
       return v;
     else
-      return {v[0] + 0.5 * v[1], 0.86602540378443864676 * v[1]}; // sqrt(3) / 2
+      return {v[0] + 0.5 * v[1], height * v[1]};
+  }
+
+  static std::array<double, dimension> from_cartesian(const std::array<double, dimension>& v)
+  {
+    if constexpr(is_signed_permutation)
+      return v;
+    else
+      return {v[0] - 0.5 / height * v[1], v[1] / height};
+  }
+
+  // The same for a linear form, so that its values stay.
+  static std::array<double, dimension> form_to_cartesian(const std::array<double, dimension>& form)
+  {
+    if constexpr(is_signed_permutation)
+      return form;
+    else
+      return {form[0], (form[1] - 0.5 * form[0]) / height};
+  }
+
+  // The vector whose Euclidean inner products are the values of a linear form.
+  static std::array<double, dimension> gradient(const std::array<double, dimension>& form)
+  {
+    return from_cartesian(form_to_cartesian(form));
   }
 
 private:
+  static constexpr double height = 0.86602540378443864676; // of the lattice's triangle: sqrt(3) / 2
+
   static constexpr Matrix generator()
   {
     switch(N) {
