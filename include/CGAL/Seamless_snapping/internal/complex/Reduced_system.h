@@ -63,13 +63,13 @@ public:
       add_branch_rows(b, builder);
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
       add_chain_rows(c, builder);
-    add_sum_rows(builder);
     for(std::size_t i = 0; i < complex.paths.size(); ++i) {
       append_path(complex.paths[i]);
       add_row({Row_origin::PATH, i, false}, builder);
     }
     for(std::size_t i = 0; i < complex.equations.size(); ++i)
       add_equation(i, builder);
+    add_sum_rows(builder); // the last is eliminated first: its sum is a pivot at no cost
     m_rows = builder.take();
   }
 

@@ -79,9 +79,15 @@ public:
   // \pre `column` is the number of columns so far
   void add_column(const Column_index column, const Row_index row)
   {
+    add_column();
+    add(column, row);
+  }
+
+  // In no row.
+  void add_column()
+  {
     m_head.push_back(-1);
     m_count.push_back(0);
-    add(column, row);
   }
 
   void remove_one(const Column_index column) { --m_count[std::size_t(column)]; }
