@@ -15,10 +15,12 @@
 #include <CGAL/boost/graph/IO/OFF.h>
 
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace SS = CGAL::Seamless_snapping;
 
@@ -94,6 +96,16 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
   return report;
 }
 
+// In the words of the command line.
+std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
+{
+  return options.input + ": " + std::to_string(faces.size()) +
+         " faces of the integer-grid map are flipped or degenerate, the first is face " +
+         std::to_string(faces.front()) +
+         "; ask for more quads, " + (options.repair_flips ? "" : "try --repair-flips, ") +
+         "or leave out the quads around these faces by --allow-holes";
+}
+
 std::string text_of_quads(const Mesh& quads, const std::string& filename)
 {
   std::ostringstream os;
@@ -119,6 +131,8 @@ void quads(const Arguments& arguments)
     SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
       model.mesh, model.uv_map, result,
       SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes));
+  if(report.status == SS::Extraction_status::NOT_POSITIVE)
+    throw Failure(NOT_SOLVED, flips_message(options, report.nonpositive_faces));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
                                 in_numbers_of_file(report.message, model));
