@@ -127,11 +127,11 @@ template <typename Group>
 void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
 {
   Random random(seed);
-  std::size_t satisfied = 0, violated = 0;
+  std::size_t satisfied = 0, violated = 0, overflows = 0;
   for(int i = 0; i < 20000; ++i) {
     const int turns = below(random, Group::order);
     const auto g = Group::element(turns);
-    const int scale = i % 4 == 0 ? 1023 - 9 : below(random, 60) - 30; // differences overflow
+    const int scale = i % 4 == 0 ? 1023 - 7 : below(random, 60) - 30; // differences overflow
     const auto coordinate = [&] { return std::ldexp(double(below(random, 512) - 256), scale); };
     const auto part = [&](const double x) { return std::ldexp(x, -2); };
     const Uv a{coordinate(), coordinate()};
@@ -147,9 +147,12 @@ void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
       double& x = (*points[below(random, 4)])[std::size_t(below(random, 2))];
       x = random_neighbor(random, x);
     }
-    if(!std::isfinite(sides.a_opposite[0] + sides.a_opposite[1] + sides.b_opposite[0] +
-                      sides.b_opposite[1]))
+    bool is_finite = true;
+    for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
+      is_finite = is_finite && std::isfinite(u[0]) && std::isfinite(u[1]);
+    if(!is_finite)
       continue;
+    overflows += Edge_vectors(sides).are_valid() ? 0 : 1;
     bool any = false;
     const Exact_point opposite_side = difference(sides.b_opposite, sides.a_opposite);
     for(int k = 0; k < Group::order; ++k) {
@@ -162,6 +165,7 @@ void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
     CHECK_EQUAL(satisfies_some_transition<Group>(sides), any);
   }
   CHECK(satisfied > 1000 && violated > 1000);
+  CHECK(overflows > 100 || !Group::is_signed_permutation);
 }
 
 // --- integers ------------------------------------------------------------------------------------
@@ -309,27 +313,41 @@ int exact_orientation(const Uv_triangle& t)
   return int(CGAL::sign(Rational(a[0] * b[1] - a[1] * b[0])));
 }
 
-// Triangles that are nearly, or quite, degenerate; and what is sure of those that can move.
+// The largest reach, up to a thousandth, for which a triangle surely stays positive.
+double largest_sure_reach(const Uv_triangle& t)
+{
+  double low = 0, high = 1;
+  while(high > 1e-12 && low < 0.999 * high) {
+    const double middle = (low + high) / 2;
+    (is_surely_positive(t, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+// Triangles that are nearly, or quite, degenerate, or right-angled; and what is sure of those that
+// can move.
 void test_orientations()
 {
   Random random(seed);
   std::size_t degenerate = 0, sure = 0;
   for(int i = 0; i < 20000; ++i) {
-    const auto number = [&] { return double(below(random, 64) - 32) / 64; };
+    const bool is_short = i % 2 == 0; // numbers of few bits
+    const auto number = [&] { return is_short ? double(below(random, 64) - 32) / 64
+                                              : double(std::int64_t(random())) * 0x1p-63; };
     const Uv a{number(), number()}, b{number(), number()};
-    const double s = double(below(random, 9)) / 4; // on the line through a and b
+    const double s = double(below(random, 13) - 4) / 4; // on the line through a and b
     Uv c{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])};
     const double height = below(random, 3) == 0 ? 0 : random_double(random, -40, 0);
     c[std::size_t(below(random, 2))] += height;
-    const Uv_triangle t{{a, b, c}};
+    const bool is_right = i % 5 == 0;
+    const Uv_triangle t = is_right ? Uv_triangle{{{b[0], a[1]}, a, b}} : Uv_triangle{{a, b, c}};
     CHECK_EQUAL(int(orientation(t)), exact_orientation(t));
     degenerate += exact_orientation(t) == 0 ? 1 : 0;
-
-    const double reach = below(random, 3) == 0 ? 0 : std::abs(random_double(random, -45, -1));
-    if(!is_surely_positive(t, reach))
+    if(!is_surely_positive(t, 0))
       continue;
     ++sure;
     CHECK_EQUAL(exact_orientation(t), 1);
+    const double reach = largest_sure_reach(t);
     for(int corners = 0; corners < 64; ++corners) { // the worst moves are along both axes
       Uv_triangle moved = t;
       for(std::size_t k = 0; k < 6; ++k)
