@@ -165,17 +165,16 @@ reads the transitions off a uv map.
 Where the two sides of an edge are the same to the bit, there is no cut. Elsewhere the seams are an
 estimate: the topology that explains the coordinates with the smallest residuals.
 -# The noise at an edge is the largest residual of the best rotations within a few edges; where
-   corners differ along most edges of a vertex, their gaps count as well.
+   corners differ along most edges of a vertex, the median of their gaps counts as well.
 -# An edge for which only one rotation is within twice the noise takes this rotation.
 -# Another edge takes the rotation of the branch it lies on, or what fits best; where corners have
    noise of their own, it takes the rotation that leaves no cone at an end where all other edges are
    decided; if no end tells, it is no cut provided that its sides differ by no more than the noise,
    and otherwise takes the rotation that fits best.
 -# Two cones that only such choices have made cancel each other along edges that were not decided by
-   themselves, so that no cone remains that no residual asks for, and none goes that residuals
-   prove.
--# A chain of edges without rotation is no cut if its sides are apart, in the mean, by no more than
-   a small multiple of the largest residual in its connected part of the seams: its corners belong
+   themselves, so that no cone remains that no residual asks for, and none goes that residuals prove.
+-# A chain of edges without rotation is no cut if its sides are apart, in the mean, by no more than a
+   small multiple of the largest residual in its connected part of the seams: its corners belong
    together, they are <em>merged</em>.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
