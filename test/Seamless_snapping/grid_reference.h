@@ -149,6 +149,33 @@ struct Near_solution
   double step;
 };
 
+// Subtracts the rounded combination of independent vectors that is nearest: single ones would need
+// very many steps where they are nearly dependent.
+inline void subtract_nearest(Integers& a, const std::vector<Integers>& vectors)
+{
+  const std::size_t d = vectors.size();
+  std::vector<std::vector<Rational> > rows(d); // normal equations
+  for(std::size_t k = 0; k < d; ++k) {
+    for(const Integers& v : vectors)
+      rows[k].emplace_back(product(vectors[k], v));
+    rows[k].emplace_back(product(vectors[k], a));
+  }
+  for(std::size_t k = 0; k < d; ++k) // pivots are positive, as the matrix is positive definite
+    for(std::size_t i = 0; i < d; ++i) {
+      const Rational factor = rows[i][k] / rows[k][k];
+      for(std::size_t j = k; i != k && j <= d; ++j)
+        rows[i][j] -= factor * rows[k][j];
+    }
+  for(std::size_t k = 0; k < d; ++k) {
+    const Rational c = rows[k][d] / rows[k][k];
+    const Integer factor =
+      (2 * exact_reference::numerator(c) + exact_reference::denominator(c)) /
+      (2 * exact_reference::denominator(c));
+    for(std::size_t j = 0; j < a.size(); ++j)
+      a[j] -= factor * vectors[k][j];
+  }
+}
+
 // Rounds to a near solution in the basis, then tries all neighbours.
 inline double largest_change(const Solutions& solutions, Integers y, const std::vector<Rational>& x,
                              double& largest)
@@ -169,6 +196,7 @@ inline double largest_change(const Solutions& solutions, Integers y, const std::
   for(Integers& step : steps)
     for(Integer& z : step)
       z *= unit;
+  subtract_nearest(rest, steps);
   for(bool again = true; again;) {
     again = false;
     for(const Integers& step : steps)
