@@ -114,7 +114,8 @@ private:
       const std::size_t n = m_graph.target(h);
       if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION)
         return {START, length};
-      if(m_graph.half_arcs_around_node(n).size() != 3)
+      if(m_graph.half_arcs_around_node(n).size() != 3 ||
+         m_graph.arc_is_constrained(Graph::arc(h))) // which may be closed
         return {UNCLEAR, length};
       h = continuation(h);
       if(h == none)

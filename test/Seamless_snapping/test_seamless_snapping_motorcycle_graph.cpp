@@ -115,6 +115,34 @@ void test_surfaces()
   test_surface("parts", parts);
 }
 
+// Features that divide a surface into rings. One of them has a node, or none.
+void test_rings()
+{
+  Square_complex belts = surfaces::cylinder(2, 4);
+  for(int x = 0; x < 2; ++x)
+    for(const int y : {1, 2, 3})
+      belts.set_feature(2 * y + x, 0);
+  test_surface("belts", belts);
+  Square_complex torus = surfaces::torus(2, 3);
+  for(int x = 0; x < 2; ++x)
+    for(const int y : {0, 1})
+      torus.set_feature(2 * y + x, 0);
+  test_surface("torus with belts", torus);
+  for(const auto& complex : {belts, torus})
+    for(const unsigned seed : {1u, 2u, 3u}) {
+      Grid_map map(complex, 4, 8);
+      map.perturb(seed, 0.2, 20);
+      auto is_given = map.mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
+      is_given[Mesh::Vertex_index(unsigned(std::mt19937(seed)() % map.mesh.number_of_vertices()))] =
+        true;
+      const Graph graph = SS::motorcycle_graph(
+        map.mesh, map.uv,
+        parameters::edge_is_constrained_map(map.is_feature).vertex_is_constrained_map(is_given));
+      check_motorcycle_graph(map.mesh, map.uv, map.is_feature, graph, "rings");
+      CHECK(number_of(graph, Layout_node::SEED) > 0);
+    }
+}
+
 // Each square is a patch, where all vertices of squares are nodes.
 void check_counts(const Square_complex& complex, const std::size_t nodes, const std::size_t arcs,
                   const std::size_t patches)
@@ -177,8 +205,7 @@ std::size_t degree_at(const Graph& graph, const Exact_rational& u, const Exact_r
   return 0;
 }
 
-// Whether a curve from (u, v) in this direction runs on at the point where it meets another one:
-// there is an arc from that point which goes on.
+// Whether an arc leads from one node to another.
 bool has_arc_to(const Graph& graph, const std::array<Exact_rational, 2>& from,
                 const std::array<Exact_rational, 2>& to)
 {
@@ -498,6 +525,7 @@ int main()
   std::cout.precision(17);
   test_known_counts();
   test_surfaces();
+  test_rings();
   test_right_of_way();
   test_given_nodes();
   test_integer_lengths();

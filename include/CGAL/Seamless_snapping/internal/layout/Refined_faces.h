@@ -114,6 +114,9 @@ public:
   const Face_point& point(const std::size_t v) const { return m_points[v]; }
   std::size_t face_of_cell(const std::size_t c) const { return std::size_t(m_faces[c]); }
   std::size_t patch_of_cell(const std::size_t c) const { return std::size_t(m_patches[c]); }
+  // Those of arc after arc.
+  const std::vector<Arc_step>& steps() const { return m_steps; }
+
   bool is_on_arc(const std::size_t edge) const { return m_half_arcs[edge] != no_index; }
 
 private:

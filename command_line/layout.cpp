@@ -1,0 +1,102 @@
+// seamless layout IN OUT: divides a parametrized surface into rectangles along isocurves.
+
+#include "Failure.h"
+#include "Options.h"
+#include "Summary.h"
+#include "commands.h"
+#include "files.h"
+#include "layout_picture.h"
+#include "measures.h"
+
+#include <CGAL/Seamless_snapping/IO/layout.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/surface_layout.h>
+
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace SS = CGAL::Seamless_snapping;
+
+namespace {
+
+struct Layout_options
+{
+  Seam_options seams;
+  std::string input, output, picture;
+  bool base_complex = false, repair_flips = false;
+
+  bool parse(const Arguments& arguments)
+  {
+    Options options("layout IN OUT",
+                    "Makes a parametrization exactly seamless, with its border aligned, and divides\n"
+                    "the surface into rectangles: curves start at all cones and corners, and end\n"
+                    "where they meet one that has been there before. IN is a .obj file, a .ply file\n"
+                    "with a list 'texcoord' for each face, or - for the standard input; OUT is a\n"
+                    ".obj file with a group of faces for each rectangle, and an element 'l' for\n"
+                    "each arc.\n");
+    options.add_file("input", input);
+    options.add_file("output", output);
+    seams.add_to(options);
+    options.add("base-complex", base_complex,
+                "let curves run on where they meet others, to a cone, corner, border, or feature");
+    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain");
+    options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
+    if(!options.parse(arguments))
+      return false;
+    seams.check(options);
+    seams.align_border = true;
+    if(suffix_of(output) != "obj" && !is_special_file(output))
+      throw Failure(USAGE, "'" + output + "': layouts are written to .obj files");
+    if(!picture.empty() && suffix_of(picture) != "svg")
+      throw Failure(USAGE, "'" + picture + "': pictures are written to .svg files");
+    check_outputs({input}, {output, picture}, false);
+    return true;
+  }
+};
+
+void snap(const Layout_options& options, Model& model, const Edge_bool_map is_aligned)
+{
+  const SS::Snapping_report report = SS::snap_to_seamless(
+    model.mesh, model.uv_map,
+    SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
+      .repair_flips(options.repair_flips).verbose(options.seams.reading.verbose));
+  if(!report)
+    throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));
+}
+
+} // namespace
+
+void layout(const Arguments& arguments)
+{
+  Layout_options options;
+  if(!options.parse(arguments))
+    return;
+  Model model;
+  read_model(options.input, options.seams.reading, model);
+  const Alignment alignment(model, options.seams);
+  snap(options, model, alignment.is_aligned);
+  const auto np = SS::parameters::edge_is_constrained_map(alignment.is_aligned);
+  const SS::Motorcycle_graph<Mesh> graph =
+    options.base_complex
+      ? SS::motorcycle_graph(model.mesh, model.uv_map, np.stop_policy(SS::Run_to_nodes()))
+      : SS::motorcycle_graph(model.mesh, model.uv_map, np);
+  if(!graph)
+    throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
+                                in_numbers_of_file(graph.message(), model));
+  std::ostringstream os;
+  SS::IO::write_layout(os, graph);
+  write_file(options.output, os.str());
+  if(!options.picture.empty()) {
+    std::ostringstream picture;
+    Layout_picture(graph).write(picture);
+    write_file(options.picture, picture.str());
+  }
+  std::size_t junctions = 0;
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
+    junctions += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 1 : 0;
+  summary_stream({options.output, options.picture})
+    << graph.number_of_patches() << " rectangles, " << graph.number_of_arcs() << " arcs between "
+    << graph.number_of_nodes() - junctions << " cones and corners and " << junctions
+    << " points at which curves meet\n";
+}
