@@ -64,6 +64,13 @@ inline double parameter_on_edge(const Chart_mesh& mesh, const Corner_index h, co
   return CGAL::to_double(Exact_rational((level.exact() - x) / (Exact_rational(b) - x)));
 }
 
+inline Exact_rational twice_area(const Exact_uv& p, const Uv& a, const Uv& b)
+{
+  const Exact_rational u = p[0].exact(), v = p[1].exact();
+  const Exact_rational au(a[0]), av(a[1]), bu(b[0]), bv(b[1]);
+  return Exact_rational((au - u) * (bv - v) - (av - v) * (bu - u));
+}
+
 inline Face_point face_point(const Chart_mesh& mesh, const Layout_place& place)
 {
   const Corner_index h = place.halfedge;
@@ -76,15 +83,11 @@ inline Face_point face_point(const Chart_mesh& mesh, const Layout_place& place)
   }
   Face_point result;
   result.face = mesh.face(h);
-  const Exact_rational u(place.uv[0].exact()), v(place.uv[1].exact());
   std::array<Exact_rational, 3> areas;
   Exact_rational sum(0);
   for(std::size_t k = 0; k < 3; ++k) {
-    const Uv &b = mesh.uv(3 * result.face + Corner_index((k + 1) % 3)),
-             &c = mesh.uv(3 * result.face + Corner_index((k + 2) % 3));
-    const Exact_rational bu(Exact_rational(b[0]) - u), bv(Exact_rational(b[1]) - v);
-    const Exact_rational cu(Exact_rational(c[0]) - u), cv(Exact_rational(c[1]) - v);
-    areas[k] = Exact_rational(bu * cv - bv * cu);
+    areas[k] = twice_area(place.uv, mesh.uv(3 * result.face + Corner_index((k + 1) % 3)),
+                          mesh.uv(3 * result.face + Corner_index((k + 2) % 3)));
     sum += areas[k];
   }
   for(std::size_t k = 0; k < 3; ++k)
