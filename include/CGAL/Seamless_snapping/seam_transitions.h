@@ -56,6 +56,9 @@ template <typename TriangleMesh, int N = 4>
 class Seam_transitions
 {
 public:
+  /// `N`
+  static constexpr int order = N;
+
   /// a halfedge of the mesh
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   /// a vertex of the mesh

@@ -98,10 +98,12 @@ public:
     m_timer.finish("release of memory");
     if(m_report && m_report.run.number_of_cut_edges == 0)
       note_coinciding_border_edges();
-    if(m_report)
-      find_intercepted_connections(
-        CGAL::parameters::get_parameter_reference(m_np, CGAL::internal_np::connection_constraints),
-        m_tmesh, m_uv_map, m_np, m_vertex_indices, m_report);
+    if constexpr(Group::is_signed_permutation) // others are not traced
+      if(m_report)
+        find_intercepted_connections(
+          CGAL::parameters::get_parameter_reference(m_np,
+                                                    CGAL::internal_np::connection_constraints),
+          m_tmesh, m_uv_map, m_np, m_vertex_indices, m_report);
     m_timer.finish("notes");
     return std::move(m_report);
   }

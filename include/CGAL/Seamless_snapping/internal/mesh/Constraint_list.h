@@ -56,7 +56,7 @@ public:
   // \param number_of_components 2, for u and v; or 3, with u + v
   template <typename NamedParameters>
   Constraint_list(const TriangleMesh& tmesh, const NamedParameters& np,
-                  const int number_of_components)
+                  const int number_of_components = 2)
     : m_tmesh(tmesh), m_number_of_components(number_of_components)
   {
     namespace parameters = CGAL::parameters;

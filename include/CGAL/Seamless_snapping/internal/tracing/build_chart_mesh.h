@@ -110,6 +110,9 @@ Chart_mesh build_chart_mesh(const TriangleMesh& tmesh,
                             const Flat_numbering<TriangleMesh>& numbering,
                             const HalfedgeUVMap& uv_map, const SeamTransitions& seams)
 {
+  static_assert(Quarter_turns::order % SeamTransitions::order == 0,
+                "isocurves are traced for rotational symmetries of order 1, 2, and 4");
+  constexpr int quarters = Quarter_turns::order / SeamTransitions::order; // in each turn
   Chart_mesh mesh;
   mesh.extent = seams.extent();
   mesh.violation = seams.violation();
@@ -120,7 +123,8 @@ Chart_mesh build_chart_mesh(const TriangleMesh& tmesh,
     mesh.corners[i].uv = get_uv(uv_map, halfedges[i]);
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(!mesh.is_border_edge(h))
-      add_transition(mesh, h, seams.rotation(halfedges[std::size_t(h)]));
+      add_transition(mesh, h,
+                     Quarter_turns::element(quarters * seams.rotation(halfedges[std::size_t(h)])));
   mark_singular_vertices(mesh);
   return mesh;
 }
