@@ -35,15 +35,17 @@ struct Walk_state
   Level level{};                       // of the constant component, in the same chart
   Corner_index arrival_key = no_index; // at a vertex: the edge that the curve came along, if it did
 
-  // Whether the ray points back to where the curve came from.
+  // Whether the ray points back to where the curve came from. A loop has two ends at the vertex.
   bool arrived_by(const Chart_mesh& mesh, const Vertex_ray& ray) const
   {
     if(arrival_key == no_index)
       return ray.kind == Ray_kind::THROUGH_FACE && ray.corner == halfedge &&
              ray.direction == reversed(direction);
-    return (ray.kind == Ray_kind::ALONG_FIRST_EDGE &&
-            mesh.edge_key(Chart_mesh::next(ray.corner)) == arrival_key) ||
-           (ray.kind == Ray_kind::ALONG_LAST_EDGE && mesh.edge_key(ray.corner) == arrival_key);
+    const bool came_along_halfedge = mesh.edge_key(halfedge) == arrival_key;
+    const Corner_index back =
+      came_along_halfedge ? mesh.opposite(halfedge) : Chart_mesh::next(halfedge);
+    return (ray.kind == Ray_kind::ALONG_FIRST_EDGE && Chart_mesh::next(ray.corner) == back) ||
+           (ray.kind == Ray_kind::ALONG_LAST_EDGE && came_along_halfedge && ray.corner == halfedge);
   }
 };
 

@@ -1,0 +1,179 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_COMPLEX_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_COMPLEX_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The units of a complex: integers near the vectors wanted, such that all triangles are positive
+// and the angles around vertices are what they were.
+
+#include <CGAL/Seamless_snapping/internal/quantization/Strip_moves.h>
+#include <CGAL/Seamless_snapping/internal/quantization/flip.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+inline std::vector<int> angles_around_vertices(const Intrinsic_complex& complex)
+{
+  std::vector<int> result;
+  for(std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+    result.push_back(axes_around_vertex(complex, v, &Intrinsic_corner::vector));
+  return result;
+}
+
+// Half the sum of all determinants.
+inline double number_of_quads(const Intrinsic_complex& complex)
+{
+  double twice_area = 0;
+  for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3)
+    twice_area += approximate_cross(complex.corner(h).units, complex.corner(h + 1).units);
+  return twice_area / 2;
+}
+
+// Invariant: once `start` has succeeded, the units are feasible.
+class Complex_quantizer
+{
+public:
+  // \pre the complex is compact
+  Complex_quantizer(const Integer_mesh& input, Intrinsic_complex& complex,
+                    const std::vector<double>& scales)
+    : m_input(input), m_complex(complex), m_scales(scales),
+      m_angles(angles_around_vertices(complex))
+  { }
+
+  // Feasible units, at a larger scale where there are none at the wanted one. At the scale of the
+  // input's grid, the vectors themselves are such units.
+  void start()
+  {
+    const Unit_rounder rounder(m_complex, m_scales);
+    for(growth = 1;; growth *= std::sqrt(2.)) {
+      if(rounder.round(m_scales, growth, m_complex) && repair())
+        return;
+      if(is_as_fine_as_input()) {
+        take_multiples_of_vectors();
+        return;
+      }
+    }
+  }
+
+  // Brings the units nearer to the wanted ones; from a larger scale in steps, so that no part of
+  // the surface stays behind.
+  void improve()
+  {
+    for(; growth > 1; growth = (std::max)(1., growth * std::sqrt(std::sqrt(0.5))))
+      move_and_flip();
+    move_and_flip();
+  }
+
+  // Changes all scales so that there are about so many quads.
+  void adjust(const double number)
+  {
+    for(int i = 0; i < 4; ++i) {
+      const double ratio = number / number_of_quads(m_complex);
+      if(ratio > 0.95 && ratio < 1.05)
+        return;
+      for(double& s : m_scales)
+        s *= std::sqrt(ratio);
+      move_and_flip();
+    }
+  }
+
+  const std::vector<int>& angles() const { return m_angles; }
+  bool is_feasible() const
+  { return defect(m_complex, m_angles, &Intrinsic_corner::units).empty(); }
+
+  double growth = 1;               // of the scale, until there were feasible units
+  std::size_t number_of_moves = 0; // along strips
+
+private:
+  bool is_as_fine_as_input() const
+  {
+    return std::all_of(m_scales.begin(), m_scales.end(),
+                       [&](const double s) { return s * growth >= 1; });
+  }
+
+  void take_multiples_of_vectors()
+  {
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
+      Intrinsic_corner& corner = m_complex.corners[std::size_t(h)];
+      const double scale = m_scales[std::size_t(m_complex.part[std::size_t(h / 3)])] * growth;
+      for(std::size_t c = 0; c < 2; ++c)
+        corner.units[c] = checked_product(std::llround(scale), corner.vector[c]);
+    }
+  }
+
+  std::vector<double> grown_scales() const
+  {
+    std::vector<double> scales(m_scales);
+    for(double& s : scales)
+      s *= growth;
+    return scales;
+  }
+
+  void move_and_flip()
+  {
+    constexpr std::size_t most_rounds = 20;
+    for(int i = 0; i < 3; ++i) {
+      const std::size_t moves = Strip_moves(m_complex, grown_scales()).improve(most_rounds);
+      number_of_moves += moves;
+      if((moves == 0 && i > 0) || flip_edges() == 0)
+        break;
+    }
+  }
+
+  bool repair()
+  {
+    Strip_moves moves(m_complex, grown_scales());
+    for(int round = 0; round < 3; ++round) {
+      bool is_positive = true;
+      for(Flat_face_index f = 0; f < m_complex.number_of_faces(); ++f)
+        if(orientation(m_complex, f, &Intrinsic_corner::units) <= 0 && !moves.repair(f))
+          is_positive = false;
+      if(is_positive)
+        return is_feasible();
+    }
+    return false;
+  }
+
+  // Edges whose flip makes the triangles rounder in both sizes together.
+  std::size_t flip_edges()
+  {
+    return flip_all(m_input, m_complex, [&](const Corner_index h) {
+      if(!is_flippable(m_complex, h, &Intrinsic_corner::vector) ||
+         !is_flippable(m_complex, h, &Intrinsic_corner::units))
+        return false;
+      const Edge_diamond a(m_complex, h, &Intrinsic_corner::vector);
+      const Edge_diamond b(m_complex, h, &Intrinsic_corner::units);
+      return a.index_after() + b.index_after() <
+             (1 - least_gain_of_flip) * (a.index_before() + b.index_before());
+    });
+  }
+
+  const Integer_mesh& m_input;
+  Intrinsic_complex& m_complex;
+  std::vector<double> m_scales; // wanted units per step of the input's grid, per part
+  std::vector<int> m_angles;    // around vertices, in quarter turns
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_COMPLEX_H
