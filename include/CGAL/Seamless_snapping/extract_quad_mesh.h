@@ -117,8 +117,10 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
     const auto point_map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    write(extractor, Grid_embedding<TriangleMesh, std::decay_t<decltype(point_map)> >(
-                       tmesh, point_map, numbering, extractor));
+    const auto locate = [&](const Lattice_point& p)
+      { return Surface_location{extractor.original_face(face_of(p.corner)),
+                                weights(extractor.mesh(), p)}; };
+    write(extractor, make_embedding(tmesh, point_map, numbering, locate));
   }
   return extractor.report();
 }
@@ -134,6 +136,43 @@ inline bool is_face_graph(Quad_extractor& extractor, const Cell_vertices& vertic
     "twice, which no face graph can hold; scale the map up by grid_scale, or call "
     "extract_quad_soup()";
   return false;
+}
+
+// Adds the quads to a graph, and fills the maps that are given; or refuses.
+template <typename Embedding, typename QuadMesh, typename NamedParameters>
+void write_quad_mesh(Quad_extractor& extractor, const Embedding& embedding, QuadMesh& quads,
+                     const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  namespace np_tags = CGAL::internal_np;
+  auto point_map = CGAL::parameters::choose_parameter(
+    get_parameter(np, np_tags::vertex_point), CGAL::get_property_map(CGAL::vertex_point, quads));
+  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+  const auto location_map = get_parameter(np, np_tags::vertex_location);
+  const auto cone_map = get_parameter(np, np_tags::cone_index);
+  const auto feature_map = get_parameter(np, np_tags::edge_is_constrained);
+  const auto is_given = [](const auto& map) {
+    return !std::is_same_v<std::decay_t<decltype(map)>, np_tags::Param_not_found>;
+  };
+  const Quad_complex& complex = extractor.complex();
+  const Cell_vertices vertices(complex.points, complex.darts, complex.cells);
+  if(!is_face_graph(extractor, vertices))
+    return;
+  extractor.report().number_of_vertices = vertices.size();
+  Quad_writer<QuadMesh>(complex, vertices, quads).run(
+    [&](const auto v, const std::size_t i) {
+      const Lattice_point& p = complex.points[vertices.point(i)];
+      put(point_map, v, embedding.template point<Point>(p));
+      if constexpr(is_given(location_map))
+        put(location_map, v, embedding.location(p));
+      if constexpr(is_given(cone_map))
+        put(cone_map, v, cone_index(extractor.mesh(), complex, vertices.point(i)));
+    },
+    [&](const auto e, const std::size_t d) {
+      if constexpr(is_given(feature_map))
+        put(feature_map, e, complex.darts.are_features[d] || !complex.has_cell(d) ||
+                              !complex.has_cell(complex.twin(d)));
+    });
 }
 
 template <typename Polygon>
@@ -320,42 +359,10 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
                                     const NamedParameters2& np2 =
                                       CGAL::parameters::default_values())
 {
-  using CGAL::parameters::get_parameter;
-  namespace np_tags = CGAL::internal_np;
-  const auto& output = internal::strip(np2);
-  auto point_map = CGAL::parameters::choose_parameter(
-    get_parameter(output, np_tags::vertex_point),
-    CGAL::get_property_map(CGAL::vertex_point, quads));
-  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
-  const auto location_map = get_parameter(output, np_tags::vertex_location);
-  const auto cone_map = get_parameter(output, np_tags::cone_index);
-  const auto feature_map = get_parameter(output, np_tags::edge_is_constrained);
-  const auto is_given = [](const auto& map) {
-    return !std::is_same_v<std::decay_t<decltype(map)>, np_tags::Param_not_found>;
-  };
   return internal::extract_quads<ConcurrencyTag>(
-    tmesh, uv_map, internal::strip(np1), [&](internal::Quad_extractor& extractor,
-                                             const auto& embedding) {
-      const internal::Quad_complex& complex = extractor.complex();
-      const internal::Cell_vertices vertices(complex.points, complex.darts, complex.cells);
-      if(!internal::is_face_graph(extractor, vertices))
-        return;
-      extractor.report().number_of_vertices = vertices.size();
-      internal::Quad_writer<QuadMesh>(complex, vertices, quads).run(
-        [&](const auto v, const std::size_t i) {
-          const internal::Lattice_point& p = complex.points[vertices.point(i)];
-          put(point_map, v, embedding.template point<Point>(p));
-          if constexpr(is_given(location_map))
-            put(location_map, v, embedding.location(p));
-          if constexpr(is_given(cone_map))
-            put(cone_map, v, internal::cone_index(extractor.mesh(), complex, vertices.point(i)));
-        },
-        [&](const auto e, const std::size_t d) {
-          if constexpr(is_given(feature_map))
-            put(feature_map, e, complex.darts.are_features[d] || !complex.has_cell(d) ||
-                                  !complex.has_cell(complex.twin(d)));
-        });
-    });
+    tmesh, uv_map, internal::strip(np1),
+    [&](internal::Quad_extractor& extractor, const auto& embedding)
+    { internal::write_quad_mesh(extractor, embedding, quads, internal::strip(np2)); });
 }
 
 /*!

@@ -31,6 +31,7 @@
 #define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
   F(align_border_t, align_border, align_border)                                                    \
   F(allow_holes_t, allow_holes, allow_holes)                                                       \
+  F(coarsest_t, coarsest, coarsest)                                                                \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
   F(connection_tolerance_t, connection_tolerance, connection_tolerance)                            \
@@ -48,6 +49,7 @@
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
   F(stop_policy_t, stop_policy, stop_policy)                                                       \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
+  F(target_number_of_quads_t, target_number_of_quads, target_number_of_quads)                      \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
   F(value_weights_t, value_weights, value_weights)                                                 \
@@ -170,6 +172,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * Names of this package:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
+ * - `coarsest`: whether a quantization has as few quads as are found (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
  *   parametrization
@@ -188,6 +191,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `stop_policy`: where curves of a layout end that meet others
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
+ * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are
  *   traced in floating point, the distance below which a curve is taken to have missed what it

@@ -30,6 +30,12 @@ namespace internal {
 
 using Weights = std::array<double, 3>; // of the corners 3 f, 3 f + 1, 3 f + 2
 
+struct Surface_location
+{
+  std::size_t face = 0; // of the input
+  Weights weights{};
+};
+
 // Twice the area of a positive triangle, with a small relative error.
 inline double area_near(const Uv& a, const Uv& b, const Uv& c)
 {

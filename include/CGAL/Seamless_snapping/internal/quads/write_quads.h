@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The points of the grid in space, and on the input mesh.
-template <typename TriangleMesh, typename VertexPointMap>
+// The points of the grid in space, and on the input mesh. locate(point) gives a Surface_location.
+template <typename TriangleMesh, typename VertexPointMap, typename Locate>
 class Grid_embedding
 {
 public:
@@ -44,27 +44,29 @@ public:
                              std::array<double, 3> >;
 
   Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                 const Flat_numbering<TriangleMesh>& numbering, const Quad_extractor& extractor)
-    : m_tmesh(tmesh), m_point_map(point_map), m_numbering(numbering), m_extractor(extractor)
+                 const Flat_numbering<TriangleMesh>& numbering, const Locate& locate)
+    : m_tmesh(tmesh), m_point_map(point_map), m_numbering(numbering), m_locate(locate)
   { }
 
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
   Location location(const Lattice_point& p) const
   {
-    const Weights w = weights(m_extractor.mesh(), p);
-    return {face(corner(p, 0), m_tmesh), {w[2], w[0], w[1]}};
+    const Surface_location at = m_locate(p);
+    const Weights& w = at.weights;
+    return {face(corner(at, 0), m_tmesh), {w[2], w[0], w[1]}};
   }
 
   template <typename Point>
   Point point(const Lattice_point& p) const
   {
     using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    const Weights w = weights(m_extractor.mesh(), p);
+    const Surface_location at = m_locate(p);
+    const Weights& w = at.weights;
     std::array<double, 3> sum{};
     for(std::size_t k = 0; k < 3; ++k) {
       if(w[k] == 0)
         continue;
-      const auto& q = get(m_point_map, target(corner(p, k), m_tmesh));
+      const auto& q = get(m_point_map, target(corner(at, k), m_tmesh));
       sum[0] += w[k] * CGAL::to_double(q.x());
       sum[1] += w[k] * CGAL::to_double(q.y());
       sum[2] += w[k] * CGAL::to_double(q.z());
@@ -73,17 +75,21 @@ public:
   }
 
 private:
-  auto corner(const Lattice_point& p, const std::size_t k) const
-  {
-    return m_numbering.halfedges_of_corners()[
-      3 * m_extractor.original_face(face_of(p.corner)) + k];
-  }
+  auto corner(const Surface_location& at, const std::size_t k) const
+  { return m_numbering.halfedges_of_corners()[3 * at.face + k]; }
 
   const TriangleMesh& m_tmesh;
   const VertexPointMap& m_point_map;
   const Flat_numbering<TriangleMesh>& m_numbering;
-  const Quad_extractor& m_extractor;
+  const Locate& m_locate;
 };
+
+template <typename TriangleMesh, typename VertexPointMap, typename Locate>
+auto make_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
+                    const Flat_numbering<TriangleMesh>& numbering, const Locate& locate)
+{
+  return Grid_embedding<TriangleMesh, VertexPointMap, Locate>(tmesh, point_map, numbering, locate);
+}
 
 // The index of the cone at a point, in quarter turns; 0 where there is none.
 inline int cone_index(const Chart_mesh& mesh, const Quad_complex& complex, const std::size_t p)

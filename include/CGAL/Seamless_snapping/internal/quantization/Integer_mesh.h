@@ -65,13 +65,28 @@ void turn_to(const Integer_mesh& mesh, Corner_index& corner, Grid_vector& vector
   }
 }
 
-// The direction of `vector`, counterclockwise of one that is known.
-inline Direction_at_corner find_direction(const Integer_mesh& mesh, Direction_at_corner known,
-                                          const Grid_vector& vector)
+// Whether `b` lies less than 180 degrees counterclockwise of `a`, or in the same direction.
+inline bool is_counterclockwise(const Grid_vector& a, const Grid_vector& b)
 {
-  Grid_vector here = rotated(known.turns, vector);
-  turn_to(mesh, known.corner, here, [&](const Quarter_turns::Element rotation)
-          { known.turns = Quarter_turns::compose(rotation, known.turns); });
+  const int sign = cross_sign(a, b);
+  return sign > 0 || (sign == 0 && !are_opposite(a, b));
+}
+
+// The direction of `vector`, counterclockwise of that of `from`, which is known, by less than a
+// whole turn.
+inline Direction_at_corner find_direction(const Integer_mesh& mesh, Direction_at_corner known,
+                                          Grid_vector from, const Grid_vector& vector)
+{
+  const auto turn = [&](const Grid_vector& direction) {
+    Grid_vector here = rotated(known.turns, direction);
+    turn_to(mesh, known.corner, here, [&](const Quarter_turns::Element rotation)
+            { known.turns = Quarter_turns::compose(rotation, known.turns); });
+  };
+  while(!is_counterclockwise(from, vector)) {
+    from = rotated(Quarter_turns::element(1), from);
+    turn(from);
+  }
+  turn(vector);
   return known;
 }
 

@@ -167,13 +167,14 @@ private:
     diagonal.corner.vector = sum(a.vector, b.vector);
     diagonal.corner.units = sum(a.units, b.units);
     diagonal.corner.opposite = h + 2;
-    diagonal.corner.departure = find_direction(m_input, a.departure, diagonal.corner.vector);
+    diagonal.corner.departure = find_direction(m_input, a.departure, a.vector,
+                                               diagonal.corner.vector);
     Intrinsic_corner back;
     back.vertex = m_sides[before].corner.vertex;
     back.vector = negated(diagonal.corner.vector);
     back.units = negated(diagonal.corner.units);
-    back.departure =
-      find_direction(m_input, m_sides[next(j)].corner.departure, back.vector);
+    const Intrinsic_corner& c = m_sides[next(j)].corner;
+    back.departure = find_direction(m_input, c.departure, c.vector, back.vector);
     place(m_sides[i], h);
     place(m_sides[j], h + 1);
     m_complex.corners[std::size_t(h + 2)] = back;

@@ -63,7 +63,7 @@ public:
   void start()
   {
     const Unit_rounder rounder(m_complex, m_scales);
-    for(growth = 1;; growth *= std::sqrt(2.)) {
+    for(growth = least_growth();; growth *= std::sqrt(2.)) {
       if(rounder.round(m_scales, growth, m_complex) && repair())
         return;
       if(is_as_fine_as_input()) {
@@ -99,10 +99,34 @@ public:
   bool is_feasible() const
   { return defect(m_complex, m_angles, &Intrinsic_corner::units).empty(); }
 
+  // Edges of more than twice the length wanted, plus one unit.
+  std::size_t number_of_long_edges() const
+  {
+    std::size_t number = 0;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
+      const auto wanted = wanted_units(m_complex, h, m_scales);
+      number += m_complex.represents_edge(h) &&
+                length(m_complex.corner(h).units) > 2 * std::hypot(wanted[0], wanted[1]) + 1;
+    }
+    return number;
+  }
+
   double growth = 1;               // of the scale, until there were feasible units
   std::size_t number_of_moves = 0; // along strips
 
 private:
+  // Each triangle has at least half a quad.
+  double least_growth() const
+  {
+    double wanted = 0;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); h += 3) {
+      const double scale = m_scales[std::size_t(m_complex.part[std::size_t(h / 3)])];
+      wanted += scale * scale *
+                approximate_cross(m_complex.corner(h).vector, m_complex.corner(h + 1).vector);
+    }
+    return (std::max)(1., std::sqrt(static_cast<double>(m_complex.number_of_faces()) / wanted));
+  }
+
   bool is_as_fine_as_input() const
   {
     return std::all_of(m_scales.begin(), m_scales.end(),
@@ -141,15 +165,14 @@ private:
   bool repair()
   {
     Strip_moves moves(m_complex, grown_scales());
-    for(int round = 0; round < 3; ++round) {
-      bool is_positive = true;
+    std::size_t before = m_complex.corners.size(), number = before - 1; // of triangles left
+    while(number > 0 && number < before) {
+      before = number;
+      number = 0;
       for(Flat_face_index f = 0; f < m_complex.number_of_faces(); ++f)
-        if(orientation(m_complex, f, &Intrinsic_corner::units) <= 0 && !moves.repair(f))
-          is_positive = false;
-      if(is_positive)
-        return is_feasible();
+        number += orientation(m_complex, f, &Intrinsic_corner::units) <= 0 && !moves.repair(f);
     }
-    return false;
+    return number == 0 && is_feasible();
   }
 
   // Edges whose flip makes the triangles rounder in both sizes together.

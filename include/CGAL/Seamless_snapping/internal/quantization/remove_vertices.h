@@ -151,10 +151,12 @@ private:
   std::vector<Flat_face_index> m_faces;
 };
 
-// Vertices with few faces first: their stars are cheap, and neighbors lose faces in turn.
-inline void remove_vertices(const Integer_mesh& input, Intrinsic_complex& complex)
+// Vertices with few faces first: their stars are cheap, and neighbors lose faces in turn. Returns
+// the number of vertices that were removed.
+inline std::size_t remove_vertices(const Integer_mesh& input, Intrinsic_complex& complex)
 {
   Vertex_remover remover(input, complex);
+  std::size_t sum = 0;
   for(const std::size_t largest_degree : {6, 8, 12, 1000000}) {
     std::size_t number = 1, removed = 1;
     while(50 * removed > number || (largest_degree > 12 && removed > 0)) {
@@ -164,13 +166,14 @@ inline void remove_vertices(const Integer_mesh& input, Intrinsic_complex& comple
           ++number;
           removed += remover.remove(v, largest_degree) ? 1 : 0;
         }
+      sum += removed;
     }
   }
+  return sum;
 }
 
-// The faces and vertices that are still there, numbered anew; `vertices` are their old numbers.
-inline Intrinsic_complex compacted(const Intrinsic_complex& complex,
-                                   std::vector<Flat_vertex_index>& vertices)
+// The faces and vertices that are still there, numbered anew.
+inline Intrinsic_complex compacted(const Intrinsic_complex& complex)
 {
   Intrinsic_complex result;
   std::vector<Flat_vertex_index> new_vertex(complex.number_of_vertices(), no_index);
@@ -182,11 +185,9 @@ inline Intrinsic_complex compacted(const Intrinsic_complex& complex,
     }
   const auto new_corner = [&](const Corner_index h)
     { return h == no_index ? no_index : 3 * new_face[std::size_t(h / 3)] + h % 3; };
-  vertices.clear();
   for(std::size_t v = 0; v < complex.number_of_vertices(); ++v)
     if(complex.corner_at_vertex[v] != no_index) {
-      new_vertex[v] = Flat_vertex_index(vertices.size());
-      vertices.push_back(Flat_vertex_index(v));
+      new_vertex[v] = Flat_vertex_index(result.corner_at_vertex.size());
       result.corner_at_vertex.push_back(new_corner(complex.corner_at_vertex[v]));
       result.is_border.push_back(complex.is_border[v]);
       result.is_regular.push_back(complex.is_regular[v]);

@@ -1,0 +1,188 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_SURFACE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_SURFACE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From a chart mesh to its quantization, step by step, with all checks. Nothing here depends on the
+// mesh data structure.
+
+#include <CGAL/Seamless_snapping/Quantization.h>
+#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
+#include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
+#include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Quantization_options
+{
+  double number_of_quads = 0;
+  bool is_coarsest = false; // as few as are found
+};
+
+class Surface_quantizer
+{
+public:
+  Surface_quantizer(const Chart_mesh& mesh, const std::vector<char>& is_feature,
+                    const Quantization_options& options,
+                    const std::function<std::string(std::size_t)>& vertex_name)
+    : m_mesh(mesh), m_is_feature(is_feature), m_options(options), m_vertex_name(vertex_name)
+  { }
+
+  Quantization run()
+  {
+    try {
+      if(check_options() && check_faces() && check_border() && read_integers()) {
+        make_coarse();
+        find_units();
+      }
+    } catch(const Integer_overflow&) {
+      fail(Quantization_status::TOO_LARGE,
+           "the coordinates and the edges of a coarse triangulation differ too much in size for "
+           "integers of 64 bits; pass the map through snap_to_seamless()");
+    }
+    return std::move(m_result);
+  }
+
+private:
+  bool fail(const Quantization_status status, const std::string& message)
+  {
+    m_result.status = status;
+    m_result.message = message;
+    return false;
+  }
+
+  bool check_options()
+  {
+    if(m_options.is_coarsest)
+      m_options.number_of_quads = 1;
+    return (m_options.number_of_quads >= 1 && m_options.number_of_quads <= std::ldexp(1., 28)) ||
+           fail(Quantization_status::INVALID_ARGUMENT,
+                "the target is " + std::to_string(m_options.number_of_quads) +
+                  " quads; it must be at least 1 and at most 2^28");
+  }
+
+  bool check_faces()
+  {
+    m_result.nonpositive_faces = nonpositive_faces(m_mesh);
+    const std::vector<std::size_t>& faces = m_result.nonpositive_faces;
+    return faces.empty() ||
+           fail(Quantization_status::NOT_POSITIVE,
+                std::to_string(faces.size()) + (faces.size() == 1 ? " face is" : " faces are") +
+                  " flipped or degenerate in the domain, the first is face " +
+                  std::to_string(faces.front()) +
+                  "; repair them by snap_to_seamless() with repair_flips(true)");
+  }
+
+  bool check_border()
+  {
+    Corner_index first = no_index;
+    for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
+      const Uv &a = m_mesh.uv(Chart_mesh::prev(h)), &b = m_mesh.uv(h);
+      if(m_mesh.opposite(h) != no_index || a[0] == b[0] || a[1] == b[1])
+        continue;
+      first = first == no_index ? h : first;
+      ++m_result.number_of_unaligned_border_edges;
+    }
+    return first == no_index ||
+           fail(Quantization_status::NOT_ALIGNED,
+                std::to_string(m_result.number_of_unaligned_border_edges) +
+                  " border edges don't lie on isocurves, the first leads from vertex " +
+                  m_vertex_name(m_mesh.source(first)) + " to vertex " +
+                  m_vertex_name(m_mesh.vertex(first)) +
+                  "; parametrize and snap with align_border(true)");
+  }
+
+  bool read_integers()
+  {
+    Integer_reader reader(m_mesh, m_is_feature);
+    if(!reader.read(m_surface.input))
+      return fail(Quantization_status::TOO_LARGE,
+                  "the coordinates around vertex " + m_vertex_name(reader.unrepresentable_vertex) +
+                    " have more bits than integers of 64 bits can hold beside the largest "
+                    "coordinate; snap the map by snap_to_seamless()");
+    m_result.number_of_unaligned_features = reader.number_of_unaligned_features;
+    const Intrinsic_complex complex = make_complex(m_surface.input);
+    const std::string problem =
+      defect(complex, angles_around_vertices(complex), &Intrinsic_corner::vector);
+    return problem.empty() ||
+           fail(Quantization_status::NOT_POSITIVE,
+                "the map has " + problem + ", once its coordinates are rounded to 59 bits");
+  }
+
+  void make_coarse()
+  {
+    Intrinsic_complex complex = make_complex(m_surface.input);
+    internal::coarsen(m_surface.input, complex);
+    m_surface.complex = compacted(complex);
+    m_result.number_of_coarse_vertices = m_surface.complex.number_of_vertices();
+    m_result.number_of_coarse_faces = std::size_t(m_surface.complex.number_of_faces());
+  }
+
+  // Units per step of each part's grid.
+  std::vector<double> scales() const
+  {
+    double area = 0;
+    const Intrinsic_complex& complex = m_surface.complex;
+    for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
+      const double step = m_surface.input.steps[std::size_t(complex.part[std::size_t(h / 3)])];
+      area += step * step *
+              approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
+    }
+    std::vector<double> result(m_surface.input.steps);
+    for(double& s : result)
+      s *= std::sqrt(m_options.number_of_quads / area);
+    return result;
+  }
+
+  bool find_units()
+  {
+    Complex_quantizer quantizer(m_surface.input, m_surface.complex, scales());
+    quantizer.start();
+    m_result.first_scale = quantizer.growth;
+    quantizer.improve();
+    if(!m_options.is_coarsest)
+      quantizer.adjust(m_options.number_of_quads);
+    m_result.number_of_moves = quantizer.number_of_moves;
+    m_result.number_of_long_edges = quantizer.number_of_long_edges();
+    m_result.number_of_quads =
+      std::size_t(std::llround(internal::number_of_quads(m_surface.complex)));
+    if(!quantizer.is_feasible())
+      return fail(Quantization_status::INTERNAL_ERROR, "the integers are not feasible");
+    m_result.set_surface(std::move(m_surface));
+    return true;
+  }
+
+  const Chart_mesh& m_mesh;
+  const std::vector<char>& m_is_feature;
+  Quantization_options m_options;
+  std::function<std::string(std::size_t)> m_vertex_name;
+  Quantization m_result;
+  Quantized_surface m_surface;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUANTIZATION_QUANTIZE_SURFACE_H

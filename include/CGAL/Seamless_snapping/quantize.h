@@ -1,0 +1,263 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_QUANTIZE_H
+#define CGAL_SEAMLESS_SNAPPING_QUANTIZE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From an exactly seamless map of any scale to quads: integers for the edges of a coarse
+// triangulation, and the quads that they describe.
+
+#include <CGAL/Seamless_snapping/Quantization.h>
+#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/internal/quantization/locate_points.h>
+#include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+inline Quantization_status quantization_status(const Snapping_status status)
+{
+  switch(status) {
+  case Snapping_status::NOT_TRIANGULAR: return Quantization_status::NOT_TRIANGULAR;
+  case Snapping_status::NOT_FINITE:     return Quantization_status::NOT_FINITE;
+  case Snapping_status::NOT_SEAMLESS:   return Quantization_status::NOT_SEAMLESS;
+  default:                              return Quantization_status::INVALID_ARGUMENT;
+  }
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+double area_in_space(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  double area = 0;
+  for(const auto f : faces(tmesh)) {
+    const auto h = halfedge(f, tmesh);
+    std::array<std::array<double, 3>, 3> p;
+    auto g = h;
+    for(std::array<double, 3>& q : p) {
+      const auto& point = get(point_map, target(g, tmesh));
+      q = {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+      g = next(g, tmesh);
+    }
+    std::array<double, 3> normal;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      normal[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) -
+                  (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
+    }
+    area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+  }
+  return area;
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Quantization_options quantization_options(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  Quantization_options options;
+  options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value) {
+    const double length =
+      static_cast<double>(get_parameter(np, internal_np::target_edge_length));
+    options.number_of_quads = length > 0 ? area_in_space(tmesh, np) / (length * length)
+                                         : std::numeric_limits<double>::quiet_NaN();
+  } else {
+    options.number_of_quads = static_cast<double>(choose_parameter(
+      get_parameter(np, internal_np::target_number_of_quads), std::size_t(10000)));
+  }
+  return options;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+quantizes an exactly seamless map: finds an all-quad mesh of the surface whose edges follow the map,
+at any scale. Neither a solver for integer programs nor a tolerance is involved.
+
+The vertices that are no cones, corners, or ends of features are removed from the triangulation,
+exactly; what remains is a coarse triangulation, whose edges are the vectors between cones. These
+become vectors of integers, such that all triangles close, match across edges, and stay positive.
+`extract_quad_mesh()` takes the quads from that, and finds where their vertices lie on the input.
+
+It succeeds for each exactly seamless map of positive faces whose border lies on isocurves, unless
+numbers exceed 64 bits. Where the scale wanted is too coarse for integers to be found there, the
+search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
+one wanted, by far where cones lie close together.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
+        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and those of `seam_transitions()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_number_of_quads}
+    \cgalParamDescription{about how many quads there are to be, from 1 to \f$ 2^{28} \f$}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{10000}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{instead of their number, the length of the quads' edges in space}
+    \cgalParamType{`double`}
+    \cgalParamDefault{not used}
+  \cgalParamNEnd
+  \cgalParamNBegin{coarsest}
+    \cgalParamDescription{whether there are to be as few quads as are found. Then the other targets
+                          are not used.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`, for `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the quantization, or why there is none
+
+\sa `snap_to_seamless()`
+\sa `quad_remesh()`
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const auto& parameters = internal::strip(np);
+  const internal::Protect_exact_arithmetic protect;
+  Quantization refusal;
+  if(!internal::is_arithmetic_exact()) {
+    refusal.status = Quantization_status::INEXACT_ARITHMETIC;
+    refusal.message = internal::inexact_arithmetic_message();
+    return refusal;
+  }
+  const auto seams = seam_transitions(tmesh, uv_map, parameters);
+  if(!seams || !seams.is_exact()) {
+    refusal.status = seams ? Quantization_status::NOT_SEAMLESS
+                           : internal::quantization_status(*seams.failure());
+    refusal.message = seams ? "the map is not exactly seamless: sides of edges differ by up to " +
+                                internal::short_number(seams.violation()) +
+                                "; call snap_to_seamless() first"
+                            : seams.message();
+    return refusal;
+  }
+  const internal::Flat_numbering<TriangleMesh> numbering(tmesh);
+  const internal::Chart_mesh mesh = internal::build_chart_mesh(tmesh, numbering, uv_map, seams);
+  const std::vector<char> is_feature = internal::feature_corners(tmesh, numbering, parameters);
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, parameters);
+  const auto vertex_name = [&](const std::size_t v)
+    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
+  return internal::Surface_quantizer(mesh, is_feature,
+                                     internal::quantization_options(tmesh, parameters),
+                                     vertex_name).run();
+}
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+extracts the quads of a quantization. They are all quads, and form a mesh that is homeomorphic to
+the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
+
+\param quantization a quantization, of which `quantize()` says that it succeeded
+\param tmesh the mesh that has been quantized, not changed since
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+       for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" for the output, as
+       for the extraction from a map
+
+\return the outcome: why nothing was written, or how much was
+
+\sa `quantize()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_mesh(const Quantization& quantization, const TriangleMesh& tmesh,
+                                    QuadMesh& quads,
+                                    const NamedParameters1& np1 =
+                                      CGAL::parameters::default_values(),
+                                    const NamedParameters2& np2 =
+                                      CGAL::parameters::default_values())
+{
+  Extraction_report refusal;
+  if(!quantization) {
+    refusal.status = Extraction_status::INVALID_ARGUMENT;
+    refusal.message = "there is no quantization: " + quantization.message;
+    return refusal;
+  }
+  const internal::Protect_exact_arithmetic protect;
+  const auto& input = internal::strip(np1);
+  const internal::Quantized_surface& surface = quantization.surface();
+  const internal::Flat_numbering<TriangleMesh> numbering(tmesh);
+  if(numbering.halfedges_of_corners().size() != surface.input.corners.size()) {
+    refusal.status = Extraction_status::INVALID_ARGUMENT;
+    refusal.message = "the mesh is not the one that has been quantized";
+    return refusal;
+  }
+  std::vector<char> is_feature;
+  for(const internal::Intrinsic_corner& corner : surface.complex.corners)
+    is_feature.push_back(corner.is_wall);
+  internal::Quad_extractor extractor(
+    internal::make_chart_mesh(surface.complex), std::move(is_feature),
+    internal::extraction_options(input),
+    [](const std::size_t v) { return std::to_string(v) + " of the coarse triangulation"; });
+  if(!extractor.template run<ConcurrencyTag>())
+    return extractor.report();
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const internal::Point_locator locator(surface.input, surface.complex, extractor.mesh());
+  const auto locate = [&](const internal::Lattice_point& p) { return locator.locate(p); };
+  internal::write_quad_mesh(extractor,
+                            internal::make_embedding(tmesh, point_map, numbering, locate), quads,
+                            internal::strip(np2));
+  return extractor.report();
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_QUANTIZE_H

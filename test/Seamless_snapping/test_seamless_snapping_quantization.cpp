@@ -1,0 +1,540 @@
+// Tests of quantization: complexes keep their invariants in every step, surfaces of squares come out
+// as the quads that they are made of, small complexes reach what an exhaustive search finds, and
+// real maps give meshes of quads at all sizes.
+
+#include "Parametrized_model.h"
+#include "quad_reference.h"
+#include "test_data.h"
+#include "test_surfaces.h"
+
+#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace quad_reference;
+namespace surfaces = test_meshes;
+namespace parameters = SS::parameters;
+namespace internal = SS::internal;
+using internal::Corner_index;
+using internal::Grid_vector;
+using internal::Intrinsic_complex;
+using internal::Intrinsic_corner;
+using Status = SS::Quantization_status;
+
+constexpr internal::Edge_vector vectors = &Intrinsic_corner::vector;
+constexpr internal::Edge_vector units = &Intrinsic_corner::units;
+
+template <typename Mesh_, typename UV, typename Is_feature>
+internal::Integer_mesh read_integers(const Mesh_& mesh, const UV& uv, const Is_feature& is_feature)
+{
+  const internal::Flat_numbering<Mesh_> numbering(mesh);
+  const auto charts =
+    internal::build_chart_mesh(mesh, numbering, uv, SS::seam_transitions(mesh, uv));
+  std::vector<char> features;
+  for(const auto h : numbering.halfedges_of_corners())
+    features.push_back(is_feature[mesh.edge(h)]);
+  internal::Integer_mesh result;
+  CHECK(internal::Integer_reader(charts, features).read(result));
+  return result;
+}
+
+// --- complexes -----------------------------------------------------------------------------------
+
+// What the checks must find: else they would say nothing.
+void test_defects(const internal::Integer_mesh& input)
+{
+  const Intrinsic_complex complex = internal::make_complex(input);
+  const std::vector<int> angles = internal::angles_around_vertices(complex);
+  const auto problem = [&](const Intrinsic_complex& c) { return defect(c, angles, vectors); };
+  CHECK_EQUAL(problem(complex), std::string());
+  Intrinsic_complex bad = complex;
+  bad.corners[4].vector[0] += 1;
+  CHECK_EQUAL(problem(bad), std::string("an open triangle"));
+  bad = complex;
+  for(Corner_index h = 0; h < bad.number_of_halfedges(); ++h)
+    bad.corners[std::size_t(h)].vector[1] *= -1;
+  CHECK_EQUAL(problem(bad), std::string("a triangle that is not positive"));
+  bad = complex;
+  std::size_t inside = 0;
+  while(complex.corners[inside].opposite == internal::no_index)
+    ++inside;
+  bad.corners[inside].rotation = (bad.corners[inside].rotation + 1) % 4;
+  CHECK_EQUAL(problem(bad), std::string("an edge of two sides that don't match"));
+  bad = complex;
+  bad.corners[1].vertex = bad.corners[1].vertex == 0 ? 1 : 0;
+  CHECK(problem(bad).find("two sides") != std::string::npos);
+  bad = complex;
+  bad.corners[0].is_wall = !bad.corners[0].is_wall;
+  CHECK(!problem(bad).empty());
+  std::vector<int> other_angles = angles;
+  other_angles[2] += 4;
+  CHECK_EQUAL(defect(complex, other_angles, vectors), std::string("a vertex with another angle"));
+}
+
+// Each edge, followed on the input from its source on, leads to its target, and there alone.
+void test_ways(const internal::Integer_mesh& input, const Intrinsic_complex& complex,
+               const std::string& name)
+{
+  bool is_right = true;
+  for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
+    const auto& departure = complex.corner(h).departure;
+    Grid_vector way = complex.corner(h).vector;
+    for(int k = departure.turns; k > 0; --k)
+      way = {-way[1], way[0]};
+    const auto end = [&](const std::int64_t part) {
+      return internal::Straight_walk(input, {{{way, {}}}, {{part, 0}}, 1000}).run(departure.corner);
+    };
+    const auto vertex = [&](const Corner_index g)
+      { return input.vertex(complex.corner(g).departure.corner); };
+    const auto is_at = [&](const internal::Surface_location& l, const std::size_t v) {
+      for(Corner_index k = 0; k < 3; ++k)
+        if(std::abs(l.weights[std::size_t(k)] - 1) < 1e-9)
+          return input.vertex(3 * Corner_index(l.face) + k) == v;
+      return false;
+    };
+    is_right = is_right && is_at(end(0), vertex(h)) &&
+               is_at(end(1000), vertex(Intrinsic_complex::next(h)));
+    const Corner_index g = complex.opposite(h); // the middle is that of the other side
+    if(g != internal::no_index) {
+      const auto middle = end(400);
+      Grid_vector back = complex.corner(g).vector;
+      for(int k = complex.corner(g).departure.turns; k > 0; --k)
+        back = {-back[1], back[0]};
+      const auto same = internal::Straight_walk(input, {{{back, {}}}, {{600, 0}}, 1000})
+                          .run(complex.corner(g).departure.corner);
+      if(middle.face == same.face)
+        for(std::size_t k = 0; k < 3; ++k)
+          is_right = is_right && std::abs(middle.weights[k] - same.weights[k]) < 1e-6;
+    }
+  }
+  CHECK_IN(name, is_right);
+}
+
+// Random flips, then the removal of all vertices that can be removed, and flips in between. The
+// invariants are checked so often that this takes `work` steps, on small meshes each time.
+void test_steps(const internal::Integer_mesh& input, const unsigned seed, const double work,
+                const std::string& name)
+{
+  Intrinsic_complex complex = internal::make_complex(input);
+  const std::vector<int> angles = internal::angles_around_vertices(complex);
+  std::mt19937 random(seed);
+  internal::Polygon_filler filler(input, complex);
+  internal::Vertex_remover remover(input, complex);
+  const std::size_t period = 1 + std::size_t(3e2 * double(complex.corners.size()) / work);
+  std::size_t number_of_steps = 0;
+  const auto check = [&] {
+    if(++number_of_steps % period == 0)
+      CHECK_IN(name + ", seed " + std::to_string(seed),
+               defect(complex, angles, vectors) == std::string());
+  };
+  const auto flip_at_random = [&](const int attempts) {
+    for(int i = 0; i < attempts; ++i) {
+      const Corner_index h = Corner_index(random() % complex.corners.size());
+      if(complex.has_face(h / 3) && is_flippable(complex, h, vectors)) {
+        internal::flip(h, complex, filler);
+        check();
+      }
+    }
+  };
+  flip_at_random(200);
+  for(std::size_t round = 0; round < 3; ++round) {
+    for(std::size_t v = 0; v < complex.number_of_vertices(); ++v)
+      if(complex.corner_at_vertex[v] != internal::no_index && remover.remove(v, 1000))
+        check();
+    flip_at_random(100);
+  }
+  CHECK_EQUAL(defect(complex, angles, vectors), std::string());
+  complex = compacted(complex);
+  test_ways(input, complex, name);
+  make_delaunay(input, complex);
+  test_ways(input, complex, name);
+  CHECK_EQUAL(defect(complex, internal::angles_around_vertices(complex), vectors), std::string());
+  CHECK(number_of_steps > 0);
+}
+
+// A vertex that is no cone stays only where an edge leads from it to itself.
+void test_remaining_vertices(const internal::Integer_mesh& input, const std::size_t expected)
+{
+  Intrinsic_complex complex = internal::make_complex(input);
+  coarsen(input, complex);
+  CHECK_EQUAL(compacted(complex).number_of_vertices(), expected);
+}
+
+void test_complexes()
+{
+  Square_complex creased = surfaces::box(2, 1, 3);
+  surfaces::mark_creases(creased);
+  Square_complex planar = surfaces::disc(5, 5);
+  surfaces::mark_all_kinds_of_features(planar);
+  Square_complex scattered = surfaces::double_torus();
+  surfaces::scatter_charts(scattered);
+  for(const Square_complex& complex :
+      {surfaces::box(1, 1, 1), creased, planar, scattered, surfaces::genus_2(),
+       surfaces::tetrahedron(), surfaces::torus(1, 2), surfaces::cylinder(2, 3),
+       surfaces::cone_ring(5), surfaces::cone_ring(8), surfaces::pair_of_pants(),
+       surfaces::box_with_holes(), surfaces::two_islands()})
+    for(const unsigned seed : {1u, 2u, 3u}) {
+      Grid_map map(complex, 4, 4);
+      map.perturb(seed, 0.4, seed == 1 ? 3 : 30);
+      const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
+      test_steps(input, seed, 1e7, "a surface of squares");
+      if(seed == 1)
+        test_defects(input);
+    }
+  const auto remaining = [](const Square_complex& complex, const std::size_t number) {
+    const Grid_map map(complex, 4, 4);
+    test_remaining_vertices(read_integers(map.mesh, map.uv, map.is_feature), number);
+  };
+  remaining(surfaces::box(2, 1, 3), 8);
+  remaining(surfaces::genus_2(), 1);
+  remaining(surfaces::tetrahedron(), 4);
+  remaining(surfaces::notched_cube(), 14);
+  remaining(surfaces::disc(3, 2), 4);
+}
+
+// --- surfaces of squares -------------------------------------------------------------------------
+
+// At the scale of the squares, or a multiple of it, nothing deviates: the quads are known, and lie
+// where they lie on the squares.
+void test_known_quads(const Square_complex& complex, const int side, const bool is_in_space)
+{
+  for(const unsigned seed : {0u, 1u, 2u})
+    for(const int factor : {1, 2, 3}) {
+      Grid_map map(complex, side, 4);
+      if(seed > 0)
+        map.perturb(seed, 0.1 * side, seed == 1 ? 3 : 30);
+      const std::size_t number =
+        complex.number_of_squares() * std::size_t(side * side * factor * factor);
+      const SS::Quantization quantization =
+        SS::quantize(map.mesh, map.uv,
+                     parameters::target_number_of_quads(number)
+                       .edge_is_constrained_map(map.is_feature));
+      CHECK_EQUAL(SS::to_string(quantization.status), std::string("quantized"));
+      CHECK_EQUAL(quantization.message, std::string());
+      CHECK_EQUAL(quantization.number_of_quads, number);
+      Mesh quads;
+      const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads);
+      CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+      CHECK_EQUAL(report.message, std::string());
+      CHECK(CGAL::is_valid_polygon_mesh(quads));
+      const Mesh expected = expected_quads(complex, side * factor);
+      CHECK(are_isomorphic(quads, expected));
+      if(is_in_space && seed == 0 && factor == 1)
+        CHECK(rounded_quads(quads) == rounded_quads(expected));
+    }
+}
+
+void test_surfaces()
+{
+  for(const int side : {2, 3}) {
+    test_known_quads(surfaces::box(1, 1, 1), side, true);
+    test_known_quads(surfaces::box(2, 1, 3), side, true);
+    test_known_quads(surfaces::notched_cube(), side, true);
+    test_known_quads(surfaces::double_torus(), side, true);
+    test_known_quads(surfaces::box_with_holes(), side, true);
+    test_known_quads(surfaces::disc(3, 2), side, true);
+  }
+  test_known_quads(surfaces::genus_2(), 4, false);
+  test_known_quads(surfaces::tetrahedron(), 4, false);
+  test_known_quads(surfaces::torus(1, 2), 4, false);
+  test_known_quads(surfaces::cylinder(2, 3), 4, false);
+  test_known_quads(surfaces::pair_of_pants(), 4, false);
+  for(const int quarter_turns : {1, 2, 3, 5, 8})
+    test_known_quads(surfaces::cone_ring(quarter_turns), 4, false);
+  Square_complex parts = surfaces::box(1, 1, 1);
+  parts.append(surfaces::disc(2, 2));
+  test_known_quads(parts, 4, true);
+}
+
+// --- exhaustive search ---------------------------------------------------------------------------
+
+// The least sum of weighted squares over all feasible units, by branch and bound: edges are
+// assigned one by one, and closed triangles determine their last edge.
+class Exhaustive_search
+{
+public:
+  Exhaustive_search(const Intrinsic_complex& complex, const std::vector<double>& scales)
+    : m_complex(complex), m_is_known(complex.corners.size(), false)
+  {
+    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
+      m_wanted.push_back(internal::wanted_units(complex, h, scales));
+  }
+
+  double energy(const Intrinsic_complex& complex) const
+  {
+    double sum = 0;
+    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
+      if(complex.represents_edge(h))
+        sum += cost(h, complex.corner(h).units);
+    return sum;
+  }
+
+  // The least one up to `bound`, or a little more than that.
+  double run(const double bound)
+  {
+    m_best = bound * (1 + 1e-9) + 1e-9;
+    search(0);
+    return m_best;
+  }
+
+private:
+  double cost(const Corner_index h, const Grid_vector& v) const
+  {
+    const auto& w = m_wanted[std::size_t(h)];
+    const double x = double(v[0]) - w[0], y = double(v[1]) - w[1];
+    return (x * x + y * y) / (1 + std::hypot(w[0], w[1]));
+  }
+
+  void search(const double sum)
+  {
+    if(sum >= m_best)
+      return;
+    Corner_index free = internal::no_index, implied = internal::no_index;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges() && implied == -1; ++h)
+      if(!m_is_known[std::size_t(h)]) {
+        const bool others = m_is_known[std::size_t(Intrinsic_complex::next(h))] &&
+                            m_is_known[std::size_t(Intrinsic_complex::prev(h))];
+        implied = others ? h : implied;
+        free = free == -1 ? h : free;
+      }
+    if(implied != -1) {
+      const Grid_vector& a = m_complex.corner(Intrinsic_complex::next(implied)).units;
+      const Grid_vector& b = m_complex.corner(Intrinsic_complex::prev(implied)).units;
+      assign(implied, {-a[0] - b[0], -a[1] - b[1]}, sum);
+    } else if(free != -1) {
+      const auto& w = m_wanted[std::size_t(free)];
+      const double reach = std::sqrt((m_best - sum) * (1 + std::hypot(w[0], w[1])));
+      for(long x = std::lround(w[0] - reach - 1); double(x) <= w[0] + reach + 1; ++x)
+        for(long y = std::lround(w[1] - reach - 1); double(y) <= w[1] + reach + 1; ++y)
+          assign(free, {x, y}, sum);
+    } else if(defect(m_complex, internal::angles_around_vertices(m_complex), units).empty()) {
+      m_best = sum;
+    }
+  }
+
+  void assign(const Corner_index h, const Grid_vector& v, double sum)
+  {
+    const Corner_index g = m_complex.opposite(h);
+    sum += cost(h, v);
+    if(sum >= m_best)
+      return;
+    m_complex.corners[std::size_t(h)].units = v;
+    m_is_known[std::size_t(h)] = true;
+    bool is_possible = is_positive(h / 3);
+    if(g != internal::no_index) {
+      Grid_vector turned = v;
+      for(int k = m_complex.corner(h).rotation; k > 0; --k)
+        turned = {-turned[1], turned[0]};
+      m_complex.corners[std::size_t(g)].units = {-turned[0], -turned[1]};
+      m_is_known[std::size_t(g)] = true;
+      is_possible = is_possible && is_positive(g / 3);
+    }
+    if(is_possible)
+      search(sum);
+    m_is_known[std::size_t(h)] = false;
+    if(g != internal::no_index)
+      m_is_known[std::size_t(g)] = false;
+  }
+
+  // Unless its edges are not all known.
+  bool is_positive(const int f) const
+  {
+    for(Corner_index h = 3 * f; h < 3 * f + 3; ++h)
+      if(!m_is_known[std::size_t(h)])
+        return true;
+    const Grid_vector &a = m_complex.corner(3 * f).units, &b = m_complex.corner(3 * f + 1).units,
+                      &c = m_complex.corner(3 * f + 2).units;
+    return a[0] + b[0] + c[0] == 0 && a[1] + b[1] + c[1] == 0 && a[0] * b[1] - a[1] * b[0] > 0;
+  }
+
+  Intrinsic_complex m_complex;
+  std::vector<char> m_is_known; // per halfedge
+  std::vector<std::array<double, 2> > m_wanted;
+  double m_best = 0;
+};
+
+void test_optimum()
+{
+  std::size_t number = 0, number_of_optima = 0;
+  double worst = 1;
+  for(const Square_complex& complex :
+      {surfaces::tetrahedron(), surfaces::genus_2(), surfaces::torus(1, 2), surfaces::disc(2, 3),
+       surfaces::cylinder(2, 3), surfaces::cone_ring(1), surfaces::cone_ring(3)}) {
+    const Grid_map map(complex, 16, 4);
+    const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
+    for(const double scale : {0.03, 0.05, 0.07, 0.1, 0.13, 0.17, 0.21, 0.26}) {
+      Intrinsic_complex coarse = internal::make_complex(input);
+      coarsen(input, coarse);
+      coarse = compacted(coarse);
+      if(!CHECK(coarse.number_of_faces() <= 8))
+        continue;
+      const std::vector<double> scales{scale * input.steps[0]};
+      internal::Complex_quantizer quantizer(input, coarse, scales);
+      quantizer.start();
+      quantizer.improve();
+      CHECK(quantizer.is_feasible());
+      Exhaustive_search search(coarse, scales);
+      const double ours = search.energy(coarse), least = search.run(ours);
+      CHECK(least <= ours * (1 + 1e-8) + 1e-8);
+      ++number;
+      number_of_optima += ours <= least * (1 + 1e-8) + 1e-8 ? 1 : 0;
+      worst = (std::max)(worst, (ours + 1e-9) / (least + 1e-9));
+    }
+  }
+  std::cout << number_of_optima << " of " << number << " small complexes reach the optimum; the "
+            << "worst has " << worst << " times its sum of squares" << std::endl;
+  CHECK(10 * number_of_optima >= 9 * number);
+}
+
+// --- real maps -----------------------------------------------------------------------------------
+
+struct Sizes
+{
+  std::size_t maps = 0, runs = 0, meshes = 0;
+};
+
+// Whether all faces are quads and the mesh is what the surface is; vertices lie where they say.
+void check_mesh(const Parametrized_model& model, const SS::Quantization& quantization,
+                const std::string& name, Sizes& sizes)
+{
+  using Location = std::pair<Parametrized_model::Mesh::Face_index, std::array<double, 3> >;
+  Mesh quads;
+  const auto location = quads.add_property_map<Vertex, Location>("v:location").first;
+  const auto report = SS::extract_quad_mesh(quantization, model.mesh, quads,
+                                            parameters::default_values(),
+                                            parameters::vertex_location_map(location));
+  if(report.status == SS::Extraction_status::NO_FACE_GRAPH)
+    return; // all its checks held before
+  CHECK_IN(name + ": " + report.message, bool(report));
+  CHECK_IN(name, report.number_of_faces == quantization.number_of_quads);
+  CHECK_IN(name, report.number_of_other_polygons == 0 && CGAL::is_valid_polygon_mesh(quads));
+  bool are_quads = true;
+  for(const auto f : quads.faces())
+    are_quads = are_quads && quads.degree(f) == 4;
+  CHECK_IN(name, are_quads);
+  int chi = int(model.mesh.number_of_faces()) - int(model.mesh.number_of_edges());
+  for(const auto v : model.mesh.vertices())
+    chi += model.mesh.is_isolated(v) ? 0 : 1;
+  CHECK_IN(name, euler_characteristic(quads) == chi);
+  bool are_located = true;
+  for(const auto v : quads.vertices()) {
+    const auto& [f, w] = location[v];
+    const auto h = model.mesh.halfedge(f);
+    const auto vector = [&](const auto u) { return model.mesh.point(u) - CGAL::ORIGIN; };
+    const auto p = w[0] * vector(model.mesh.source(h)) + w[1] * vector(model.mesh.target(h)) +
+                   w[2] * vector(model.mesh.target(model.mesh.next(h)));
+    are_located = are_located && w[0] >= 0 && w[1] >= 0 && w[2] >= 0 &&
+                  (quads.point(v) - (CGAL::ORIGIN + p)).squared_length() <= 1e-18 * p.squared_length();
+  }
+  CHECK_IN(name, are_located);
+  ++sizes.meshes;
+}
+
+void test_map(const std::filesystem::path& file, Sizes& sizes)
+{
+  Parametrized_model model(file.string());
+  const std::string name = file.filename().string();
+  const auto features = parameters::edge_is_constrained_map(model.is_aligned);
+  if(!SS::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
+    return;
+  const SS::Quantization first = SS::quantize(model.mesh, model.uv, features);
+  if(first.status == Status::NOT_POSITIVE)
+    return;
+  ++sizes.maps;
+  for(const std::size_t number : {30000, 5000, 1000, 200, 0}) {
+    const SS::Quantization quantization =
+      SS::quantize(model.mesh, model.uv,
+                   features.target_number_of_quads(number).coarsest(number == 0));
+    const std::string run = name + " with " + std::to_string(number) + " quads";
+    CHECK_IN(run + ": " + quantization.message, bool(quantization));
+    if(!quantization)
+      continue;
+    const internal::Quantized_surface& surface = quantization.surface();
+    const std::vector<int> angles = internal::angles_around_vertices(surface.complex);
+    CHECK_IN(run, defect(surface.complex, angles, vectors).empty());
+    CHECK_IN(run, defect(surface.complex, angles, units).empty());
+    CHECK_IN(run, number < 1000 || std::abs(double(quantization.number_of_quads) -
+                                            double(number)) < 0.5 * double(number));
+    ++sizes.runs;
+    check_mesh(model, quantization, run, sizes);
+  }
+  test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 1e6, name);
+}
+
+void test_maps()
+{
+  Sizes sizes;
+  for(const auto& file : test_data::package_files())
+    test_map(file, sizes);
+  for(const auto& file : test_data::further_files("uv", ".obj"))
+    test_map(file, sizes);
+  std::cout << sizes.maps << " maps, " << sizes.runs << " quantizations, " << sizes.meshes
+            << " of them face graphs" << std::endl;
+  CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
+}
+
+// --- refusals ------------------------------------------------------------------------------------
+
+void check_refusal(const Grid_map& map, const Status status, const std::string& word,
+                   const std::size_t number = 100)
+{
+  const auto quantization =
+    SS::quantize(map.mesh, map.uv, parameters::target_number_of_quads(number));
+  CHECK_EQUAL(SS::to_string(quantization.status), std::string(SS::to_string(status)));
+  CHECK_IN(quantization.message, quantization.message.find(word) != std::string::npos);
+  Mesh quads;
+  CHECK(SS::extract_quad_mesh(quantization, map.mesh, quads).status ==
+        SS::Extraction_status::INVALID_ARGUMENT);
+  CHECK(quads.is_empty());
+}
+
+void test_refusals()
+{
+  Grid_map map(surfaces::box(1, 1, 1), 4, 4);
+  check_refusal(map, Status::INVALID_ARGUMENT, "2^28", 0);
+  check_refusal(map, Status::INVALID_ARGUMENT, "2^28", std::size_t(1) << 29);
+  for(const double length : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+    CHECK(SS::quantize(map.mesh, map.uv, parameters::target_edge_length(length)).status ==
+          Status::INVALID_ARGUMENT);
+  const SS::Quantization by_length =
+    SS::quantize(map.mesh, map.uv, parameters::target_edge_length(0.5));
+  CHECK_EQUAL(by_length.number_of_quads, std::size_t(6 * 2 * 2));
+  Mesh quads;
+  CHECK(SS::extract_quad_mesh(by_length, Grid_map(surfaces::box(1, 1, 1), 4, 2).mesh, quads).status ==
+        SS::Extraction_status::INVALID_ARGUMENT);
+  const Halfedge h = *map.mesh.halfedges().begin();
+  const Point_2 good = map.uv[h];
+  map.at(h) = Point_2(good.x(), std::nextafter(good.y(), 9));
+  check_refusal(map, Status::NOT_SEAMLESS, "snap_to_seamless");
+  map.at(h) = Point_2(good.x(), std::numeric_limits<double>::infinity());
+  check_refusal(map, Status::NOT_FINITE, "face");
+
+  Grid_map flipped(surfaces::disc(2, 2), 4, 4);
+  const Point_2 center = Point_2(4, 4);
+  for(const auto g : flipped.mesh.halfedges())
+    if(!flipped.mesh.is_border(g) && flipped.uv[g] == center)
+      flipped.uv[g] = Point_2(6.5, 4);
+  check_refusal(flipped, Status::NOT_POSITIVE, "repair_flips");
+
+  Grid_map slanted(surfaces::disc(2, 2), 4, 4);
+  for(const auto g : slanted.mesh.halfedges())
+    if(!slanted.mesh.is_border(g))
+      slanted.uv[g] = Point_2(slanted.uv[g].x() + slanted.uv[g].y(), slanted.uv[g].y());
+  check_refusal(slanted, Status::NOT_ALIGNED, "align_border");
+}
+
+int main()
+{
+  std::cout.precision(6);
+  test_complexes();
+  test_surfaces();
+  test_optimum();
+  test_maps();
+  test_refusals();
+  return report_checks();
+}
