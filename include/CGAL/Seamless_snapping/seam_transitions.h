@@ -175,9 +175,10 @@ estimate: the topology that explains the coordinates with the smallest residuals
    decided; if no end tells, it is no cut provided that its sides differ by no more than the noise,
    and otherwise takes the rotation that fits best.
 -# Two cones that only such choices have made cancel each other along edges that were not decided by
-   themselves, so that no cone remains that no residual asks for, and none goes that residuals prove.
--# A chain of edges without rotation is no cut if its sides are apart, in the mean, by no more than a
-   small multiple of the largest residual in its connected part of the seams: its corners belong
+   themselves, so that no cone remains that no residual asks for, and none goes that residuals
+   prove.
+-# A chain of edges without rotation is no cut if its sides are apart, in the mean, by no more than
+   a small multiple of the largest residual in its connected part of the seams: its corners belong
    together, they are <em>merged</em>.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`

@@ -71,6 +71,38 @@ Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh>& tra
                                  .maximum_length(1.001 * std::abs(displacement[running])));
 }
 
+// Whether the isocurve of a connection does not arrive, and where it ends instead.
+// \param point the distance of ends that may have become one point, with nothing between
+template <typename TriangleMesh, typename VertexIndexMap>
+bool is_intercepted(const Isocurve_tracer<TriangleMesh>& tracer,
+                    const Connection_constraint<TriangleMesh>& connection, const double point,
+                    const VertexIndexMap& vertex_indices, std::string& obstacle)
+{
+  const Uv d = displacement(tracer, connection);
+  if(std::abs(d[std::size_t(1 - connection.component)]) <= point)
+    return false;
+  const auto curve = trace_connection(tracer, connection, d);
+  if(curve.status == Isocurve_status::TARGET)
+    return false;
+  obstacle = curve.status != Isocurve_status::SINGULAR_VERTEX
+               ? std::string(" does not arrive at its end")
+               : " ends at vertex " +
+                   std::to_string(get(vertex_indices, target(curve.points.back().halfedge(),
+                                                             tracer.mesh()))) +
+                   " before its end";
+  return true;
+}
+
+// The first one in words, after what the message says already.
+inline void tell_of_interception(const std::size_t place, const std::string& obstacle,
+                                 Snapping_report& report)
+{
+  if(report.intercepted_connections.empty())
+    report.message += std::string(report.message.empty() ? "" : "; ") + "the isocurve of connection "
+      "constraint " + std::to_string(place) + obstacle;
+  report.intercepted_connections.push_back(place);
+}
+
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters,
           typename VertexIndexMap>
 void find_intercepted_connections(const CGAL::internal_np::Param_not_found&, const TriangleMesh&,
@@ -88,33 +120,13 @@ void find_intercepted_connections(const Connections& connections, const Triangle
   const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map, np);
   if(!tracer.is_exact())
     return;
-  std::string obstacle; // of the first
-  std::size_t i = 0;
+  std::size_t place = 0;
   for(const Connection_constraint<TriangleMesh>& connection : connections) {
-    const Uv d = displacement(tracer, connection);
-    const std::size_t place = i++;
-    // the ends may have become one point, with nothing between
-    if(std::abs(d[std::size_t(1 - connection.component)]) <= 1e-12 * report.extent)
-      continue;
-    const auto curve = trace_connection(tracer, connection, d);
-    if(curve.status == Isocurve_status::TARGET)
-      continue;
-    if(report.intercepted_connections.empty())
-      obstacle = curve.status != Isocurve_status::SINGULAR_VERTEX
-                   ? " does not arrive at its end"
-                   : " ends at vertex " +
-                       std::to_string(get(vertex_indices,
-                                          target(curve.points.back().halfedge(), tmesh))) +
-                       " before its end";
-    report.intercepted_connections.push_back(place);
+    std::string obstacle;
+    if(is_intercepted(tracer, connection, 1e-12 * report.extent, vertex_indices, obstacle))
+      tell_of_interception(place, obstacle, report);
+    ++place;
   }
-  const std::size_t number = report.intercepted_connections.size();
-  if(number == 0)
-    return;
-  report.message += std::string(report.message.empty() ? "" : "; ") + "the isocurve of connection "
-    "constraint " + std::to_string(report.intercepted_connections.front()) + obstacle +
-    (number > 1 ? ", and " + std::to_string(number - 1) + " others are interrupted"
-                : std::string());
 }
 
 } // namespace internal
