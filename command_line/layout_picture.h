@@ -10,6 +10,7 @@
 #include <CGAL/Seamless_snapping/copy_to_face_graph.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <array>
@@ -48,16 +49,19 @@ public:
     const double ratio = height / (std::max)((std::max)(width, height), 1e-300);
     os.precision(6);
     os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' '
-       << (std::max)(size * ratio, 1.) << "\">\n<g stroke-width=\"0.5\">\n";
+       << (std::max)(size * ratio, 1.)
+       << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-width=\"0.5\">\n";
     Depth_buffer buffer(0, 0, std::size_t(size));
     std::vector<std::pair<double, Face> > order;
+    const bool is_closed = CGAL::is_closed(m_mesh);
     for(const Face f : m_mesh.faces()) {
-      double depth = 0, n = 0;
-      for(const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) {
-        depth += pixel(m_mesh.point(v)).depth;
-        ++n;
-      }
-      order.emplace_back(depth / n, f);
+      if(is_closed && depth(normal(f)) <= 0)
+        continue; // others hide it
+      const std::vector<Point> points = corners(f);
+      double sum = 0;
+      for(const Point& p : points)
+        sum += depth(p);
+      order.emplace_back(sum / double(points.size()), f);
     }
     std::sort(order.begin(), order.end());
     for(const auto& [unused, f] : order)
@@ -77,12 +81,33 @@ private:
   static double across(const Point& p) { return 0.894 * p.x() + 0.447 * p.y(); }
   static double up(const Point& p) { return 0.913 * p.z() - 0.183 * p.x() + 0.365 * p.y(); }
 
+  template <typename Point_or_vector>
+  static double depth(const Point_or_vector& p)
+  { return 0.408 * p.x() - 0.816 * p.y() + 0.408 * p.z(); }
+
+  std::vector<Point> corners(const Face f) const
+  {
+    std::vector<Point> result;
+    for(const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+      result.push_back(m_mesh.point(v));
+    return result;
+  }
+
+  Kernel::Vector_3 normal(const Face f) const
+  {
+    const std::vector<Point> points = corners(f);
+    Kernel::Vector_3 result(0, 0, 0);
+    for(std::size_t i = 2; i < points.size(); ++i)
+      result = result + CGAL::cross_product(points[i - 1] - points[0], points[i] - points[0]);
+    return result;
+  }
+
   Depth_buffer::Point pixel(const Point& p) const
   {
     const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
     const double scale = (size - 4) / (std::max)(extent, 1e-300);
     return {2 + scale * (across(p) - m_box.xmin()), 2 + scale * (m_box.ymax() - up(p)),
-            scale * (0.408 * p.x() - 0.816 * p.y() + 0.408 * p.z())};
+            scale * depth(p)};
   }
 
   // The first one that no neighbor has, as long as there is one.
@@ -111,17 +136,12 @@ private:
     static constexpr std::array<std::array<int, 3>, 6> colors = {{
       {{158, 202, 225}}, {{253, 208, 162}}, {{161, 217, 155}}, {{252, 187, 161}},
       {{202, 189, 220}}, {{225, 222, 150}}}};
-    std::vector<Point> points;
-    for(const Vertex v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
-      points.push_back(m_mesh.point(v));
-    Kernel::Vector_3 normal(0, 0, 0);
-    for(std::size_t i = 2; i < points.size(); ++i) {
-      normal = normal + CGAL::cross_product(points[i - 1] - points[0], points[i] - points[0]);
+    const std::vector<Point> points = corners(f);
+    for(std::size_t i = 2; i < points.size(); ++i)
       buffer.add({pixel(points[0]), pixel(points[i - 1]), pixel(points[i])});
-    }
-    const double length = (std::max)(std::sqrt(normal.squared_length()), 1e-300);
-    const double light =
-      (0.2 * normal.x() - 0.4 * normal.y() + 0.9 * normal.z()) / length;
+    const Kernel::Vector_3 n = normal(f);
+    const double length = (std::max)(std::sqrt(n.squared_length()), 1e-300);
+    const double light = (0.2 * n.x() - 0.4 * n.y() + 0.9 * n.z()) / length;
     const double brightness = 0.78 + 0.22 * light;
     os << "<path d=\"";
     char command = 'M';
