@@ -1,7 +1,10 @@
-// From a mesh to an exactly seamless parametrization: computes orbifold Tutte embeddings of a
-// sphere with three and with four cones, which are seamless up to rounding, and snaps them.
+// From a mesh to exactly seamless parametrizations: computes the four types of orbifold Tutte
+// embeddings of a sphere, which are seamless up to rounding, and snaps them. Each type has a
+// rotational symmetry of its own.
 
+#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -90,21 +93,31 @@ bool parameterize(Mesh& mesh, const std::vector<Vertex>& cones, SMP::Orbifold_ty
   return error == SMP::OK;
 }
 
+// \tparam N the order of the symmetry: charts are turned by multiples of 360 / N degrees
+template <int N>
 bool snap(const Mesh& mesh, UV_map uv_map)
 {
-  const auto before = Snapping::measure_seamlessness(mesh, uv_map);
+  // Rotations by 120 and by 60 degrees are exact in coordinates of a triangular lattice only.
+  if(N == 3 || N == 6)
+    Snapping::convert_to_lattice_coordinates(mesh, uv_map);
+  const auto np = Snapping::parameters::rotational_symmetry(Snapping::Rotational_symmetry<N>());
+  const auto before = Snapping::measure_seamlessness(mesh, uv_map, np);
   std::cout << "  before: violation " << before.violation << ", "
             << before.number_of_inexact_edges << " inexact edges, "
             << before.number_of_flipped_faces << " flipped faces\n";
 
-  const Snapping::Snapping_report report = Snapping::snap_to_seamless(mesh, uv_map);
+  const Snapping::Snapping_report report = Snapping::snap_to_seamless(mesh, uv_map, np);
   std::cout << "  " << report << ", largest change " << report.largest_change << "\n";
 
-  const auto after = Snapping::measure_seamlessness(mesh, uv_map);
+  const auto after = Snapping::measure_seamlessness(mesh, uv_map, np);
   std::cout << "  after:  violation " << after.violation << ", "
             << after.number_of_inexact_edges << " inexact edges, "
-            << after.number_of_flipped_faces << " flipped faces" << std::endl;
-  return report && Snapping::is_seamless(mesh, uv_map);
+            << after.number_of_flipped_faces << " flipped faces\n";
+
+  const auto seams = Snapping::seam_transitions(mesh, uv_map, np);
+  for(const auto& [cone, index] : seams.singular_vertices())
+    std::cout << "  cone at " << cone << ", angle " << 360 * (N - index) / N << " degrees\n";
+  return report && Snapping::is_seamless(mesh, uv_map, np);
 }
 
 int main()
@@ -118,14 +131,15 @@ int main()
                                                     std::next(vertices(mesh).begin(), 12));
   const auto& v = vertices_of_icosahedron;
 
+  const std::vector<Vertex> three{v[0], v[3], v[11]}, four{v[0], v[3], v[7], v[11]};
+
   std::cout << "Square, with three cones" << std::endl;
-  const bool square = parameterize(mesh, {v[0], v[3], v[11]}, SMP::Square, uv_map) &&
-                      snap(mesh, uv_map);
-
+  bool all = parameterize(mesh, three, SMP::Square, uv_map) && snap<4>(mesh, uv_map);
+  std::cout << "Diamond, with three cones" << std::endl;
+  all = parameterize(mesh, three, SMP::Diamond, uv_map) && snap<3>(mesh, uv_map) && all;
+  std::cout << "Triangle, with three cones" << std::endl;
+  all = parameterize(mesh, three, SMP::Triangle, uv_map) && snap<6>(mesh, uv_map) && all;
   std::cout << "Parallelogram, with four cones" << std::endl;
-  const bool parallelogram =
-    parameterize(mesh, {v[0], v[3], v[7], v[11]}, SMP::Parallelogram, uv_map) &&
-    snap(mesh, uv_map);
-
-  return (square && parallelogram) ? EXIT_SUCCESS : EXIT_FAILURE;
+  all = parameterize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) && all;
+  return all ? EXIT_SUCCESS : EXIT_FAILURE;
 }
