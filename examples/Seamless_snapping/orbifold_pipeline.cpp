@@ -1,7 +1,8 @@
 // From a mesh to exactly seamless parametrizations: computes the four types of orbifold Tutte
 // embeddings of a sphere, which are seamless up to rounding, and snaps them. Each type has a
-// rotational symmetry of its own.
+// rotational symmetry of its own. Writes them as OBJ files to a folder, if one is given.
 
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/Rotational_symmetry.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <list>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -120,7 +122,7 @@ bool snap(const Mesh& mesh, UV_map uv_map)
   return report && Snapping::is_seamless(mesh, uv_map, np);
 }
 
-int main()
+int main(int argc, char* argv[])
 {
   Mesh mesh = make_sphere();
   UV_map uv_map = mesh.add_property_map<Halfedge, Point_2>("h:uv").first;
@@ -133,13 +135,22 @@ int main()
 
   const std::vector<Vertex> three{v[0], v[3], v[11]}, four{v[0], v[3], v[7], v[11]};
 
+  const auto write = [&](const std::string& name) {
+    return argc < 2 || Snapping::IO::write_OBJ(std::string(argv[1]) + "/" + name + ".obj", mesh,
+                                               uv_map);
+  };
+
   std::cout << "Square, with three cones" << std::endl;
-  bool all = parameterize(mesh, three, SMP::Square, uv_map) && snap<4>(mesh, uv_map);
+  bool all = parameterize(mesh, three, SMP::Square, uv_map) && snap<4>(mesh, uv_map) &&
+             write("square");
   std::cout << "Diamond, with three cones" << std::endl;
-  all = parameterize(mesh, three, SMP::Diamond, uv_map) && snap<3>(mesh, uv_map) && all;
+  all = parameterize(mesh, three, SMP::Diamond, uv_map) && snap<3>(mesh, uv_map) &&
+        write("diamond") && all;
   std::cout << "Triangle, with three cones" << std::endl;
-  all = parameterize(mesh, three, SMP::Triangle, uv_map) && snap<6>(mesh, uv_map) && all;
+  all = parameterize(mesh, three, SMP::Triangle, uv_map) && snap<6>(mesh, uv_map) &&
+        write("triangle") && all;
   std::cout << "Parallelogram, with four cones" << std::endl;
-  all = parameterize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) && all;
+  all = parameterize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) &&
+        write("parallelogram") && all;
   return all ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,6 +6,7 @@
 #include "checking.h"
 #include "exact_reference.h"
 #include "hexagonal_maps.h"
+#include "net_of_cuts.h"
 #include "random_complexes.h"
 #include "test_data.h"
 #include "test_meshes.h"
@@ -549,6 +550,28 @@ void test_closeness()
   CHECK(worst < 1.0001);
 }
 
+// Systems with hundreds of cones of 120 degrees, or 60: each leaves a coefficient of 3, or none.
+template <int N>
+void test_large_system(const unsigned int times)
+{
+  const std::string context = "large system, N = " + std::to_string(N);
+  auto complex = random_complexes::net_of_cuts<N>(subdivided(icosahedron(), times), 1);
+  internal::Complex_solver<internal::Rotation_group<N> > solver(
+    complex, internal::Number_format::of<double>());
+  internal::Snapped_coordinates<internal::Rotation_group<N> > snapped;
+  CHECK_IN(context, !solver.solve(snapped));
+  CHECK_IN(context, random_complexes::is_solution<N>(complex, snapped.coordinates));
+  CHECK_IN(context, !random_complexes::is_solution<N>(complex, complex.coordinates));
+  const auto& figures = solver.linear_solver().figures();
+  CHECK_EQUAL(figures.number_of_eliminations, 1u);
+  double largest = 0;
+  for(const Vector& u : snapped.coordinates)
+    largest = (std::max)({largest, std::abs(u[0]), std::abs(u[1])});
+  CHECK_IN(context, largest > 1e-3 && largest < 1);
+  std::cout << context << ": " << figures.number_of_constraints << " rows in "
+            << figures.number_of_unknowns << " unknowns" << std::endl;
+}
+
 // --- coordinates, and wrong symmetries -----------------------------------------------------------
 
 void test_conversion()
@@ -674,6 +697,9 @@ int main()
   test_further_constraints<3>(subdivided(octahedron(), 2), "sphere with six cones");
   test_cycles();
   test_turned_maps();
+  test_large_system<3>(3);
+  test_large_system<3>(4);
+  test_large_system<6>(4);
   test_closeness<3>();
   test_closeness<4>();
   test_closeness<6>();
