@@ -254,10 +254,12 @@ void carry(const Mesh& mesh, const UV_map uv, const std::vector<int>& rotations,
   for(const Halfedge h : path) {
     const Halfedge o = mesh.opposite(h);
     const Kernel::Point_2 here = uv[mesh.prev(h)], there = uv[o];
-    const Exact_vector d{{Rational(u[0] - Rational(here.x())), Rational(u[1] - Rational(here.y()))}};
+    const Exact_vector d{{Rational(u[0] - Rational(here.x())),
+                          Rational(u[1] - Rational(here.y()))}};
     const int k = rotations[std::size_t(h)];
     const Exact_vector turned_d = turned<N>(k, d);
-    u = {{Rational(turned_d[0] + Rational(there.x())), Rational(turned_d[1] + Rational(there.y()))}};
+    u = {{Rational(turned_d[0] + Rational(there.x())),
+          Rational(turned_d[1] + Rational(there.y()))}};
     functional = random_complexes::functional_behind<N>(k, functional);
   }
 }
@@ -545,31 +547,46 @@ void test_closeness()
                             (N == 3 || N == 6 ? 2 : 1);
     CHECK_IN(context, std::abs(std::sqrt(reported / least) - 1) < 1e-5);
   }
-  std::cout << "closeness, N = " << N << ": at most " << worst << " times the optimum, seeds 1 to 60"
-            << std::endl;
+  std::cout << "closeness, N = " << N << ": at most " << worst
+            << " times the optimum, seeds 1 to 60" << std::endl;
   CHECK(worst < 1.0001);
 }
 
 // Systems with hundreds of cones of 120 degrees, or 60: each leaves a coefficient of 3, or none.
+// Thousands of the former leave rows with large coefficients, which amplify the rounding to the
+// grid, so that the solution is exact, but not as close.
 template <int N>
-void test_large_system(const unsigned int times)
+void test_large_system(const unsigned int times, const double closeness = 1.01)
 {
   const std::string context = "large system, N = " + std::to_string(N);
   auto complex = random_complexes::net_of_cuts<N>(subdivided(icosahedron(), times), 1);
-  internal::Complex_solver<internal::Rotation_group<N> > solver(
-    complex, internal::Number_format::of<double>());
+  using Solver = internal::Complex_solver<internal::Rotation_group<N> >;
+  const auto format = internal::Number_format::of<double>();
   internal::Snapped_coordinates<internal::Rotation_group<N> > snapped;
+  CHECK_IN(context, !Solver(complex, format).solve(snapped));
+  CHECK_IN(context, random_complexes::is_solution<N>(complex, snapped.coordinates));
+  complex.coordinates = snapped.coordinates;
+  std::mt19937 random(1);
+  for(Vector& u : complex.coordinates)
+    for(double& x : u)
+      x += std::ldexp(int(random() % 2001) - 1000, -30);
+  CHECK_IN(context, !random_complexes::is_solution<N>(complex, complex.coordinates));
+  Solver solver(complex, format);
   CHECK_IN(context, !solver.solve(snapped));
   CHECK_IN(context, random_complexes::is_solution<N>(complex, snapped.coordinates));
-  CHECK_IN(context, !random_complexes::is_solution<N>(complex, complex.coordinates));
+  double squares = 0;
+  for(std::size_t s = 0; s < complex.coordinates.size(); ++s) {
+    const double a = snapped.coordinates[s][0] - complex.coordinates[s][0];
+    const double b = snapped.coordinates[s][1] - complex.coordinates[s][1];
+    squares += a * a + a * b + b * b;
+  }
+  const double ratio = std::sqrt(squares / snapped.optimal_squares) / snapped.unit;
+  CHECK_IN(context, ratio > 0.99999 && ratio < closeness);
   const auto& figures = solver.linear_solver().figures();
   CHECK_EQUAL(figures.number_of_eliminations, 1u);
-  double largest = 0;
-  for(const Vector& u : snapped.coordinates)
-    largest = (std::max)({largest, std::abs(u[0]), std::abs(u[1])});
-  CHECK_IN(context, largest > 1e-3 && largest < 1);
   std::cout << context << ": " << figures.number_of_constraints << " rows in "
-            << figures.number_of_unknowns << " unknowns" << std::endl;
+            << figures.number_of_unknowns << " unknowns, " << ratio << " times the optimum"
+            << std::endl;
 }
 
 // --- coordinates, and wrong symmetries -----------------------------------------------------------
@@ -698,7 +715,7 @@ int main()
   test_cycles();
   test_turned_maps();
   test_large_system<3>(3);
-  test_large_system<3>(4);
+  test_large_system<3>(4, 2);
   test_large_system<6>(4);
   test_closeness<3>();
   test_closeness<4>();

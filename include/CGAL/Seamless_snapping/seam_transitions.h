@@ -43,11 +43,12 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-The transitions of a parametrization: for each interior halfedge `h` the number of turns by
-\f$ 360 / N \f$ degrees, quarter turns by default, by which the chart of `face(h)` is rotated into
-that of `face(opposite(h))`, the cut edges, and the singular vertices. Objects are made by `seam_transitions()` and stay valid as long as the mesh is
-neither modified nor destroyed. They must not outlive it: they hold a dynamic property of its edges,
-which is removed from the mesh together with the last copy.
+The transitions of a parametrization: for each interior halfedge `h` the number of turns by \f$ 360
+/ N \f$ degrees, quarter turns by default, by which the chart of `face(h)` is rotated into that of
+`face(opposite(h))`, the cut edges, and the singular vertices. Objects are made by
+`seam_transitions()` and stay valid as long as the mesh is neither modified nor destroyed. They must
+not outlive it: they hold a dynamic property of its edges, which is removed from the mesh together
+with the last copy.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam N the order of the rotational symmetry: 1, 2, 3, 4, or 6

@@ -40,9 +40,10 @@ to a small violation only. This function removes it: for each interior edge with
 \f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
 then holds in exact arithmetic, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates
 in the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits
-the input; or of another angle, which `rotational_symmetry` tells. Along edges with the identity as transition, both sides have the same coordinates to the
-bit. If asked to, the function also makes one coordinate constant along feature or border edges. All
-coordinates remain ordinary floating point numbers.
+the input; or of another angle, which `rotational_symmetry` tells. Along edges with the identity as
+transition, both sides have the same coordinates to the bit. If asked to, the function also makes
+one coordinate constant along feature or border edges. All coordinates remain ordinary floating
+point numbers.
 
 The result approximates the least-squares optimum, that is the exactly seamless parametrization that
 minimizes the sum of squared changes of the sectors at cut vertices. Corners that no constraint

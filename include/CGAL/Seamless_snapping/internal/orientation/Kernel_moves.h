@@ -161,7 +161,8 @@ private:
     result.is_wanted = face.was_positive || !m_points.domain_face(target).was_positive;
     result.is_positive = orientation(now) == CGAL::POSITIVE;
     result.area = twice_area(now, unit);
-    result.wanted = wanted_area<Group>(rotated(face.input, corner.position), face.was_positive, unit);
+    result.wanted =
+      wanted_area<Group>(rotated(face.input, corner.position), face.was_positive, unit);
     result.form = transposed_times(element, normal);
     return result;
   }
