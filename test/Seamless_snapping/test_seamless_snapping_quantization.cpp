@@ -1,6 +1,6 @@
-// Tests of quantization: complexes keep their invariants in every step, surfaces of squares come out
-// as the quads that they are made of, small complexes reach what an exhaustive search finds, and
-// real maps give meshes of quads at all sizes.
+// Tests of quantization: complexes keep their invariants in every step, surfaces of squares come
+// out as the quads that they are made of, small complexes reach what an exhaustive search finds,
+// and real maps give meshes of quads at all sizes.
 
 #include "Parametrized_model.h"
 #include "quad_reference.h"
@@ -429,7 +429,8 @@ void check_mesh(const Parametrized_model& model, const SS::Quantization& quantiz
     const auto p = w[0] * vector(model.mesh.source(h)) + w[1] * vector(model.mesh.target(h)) +
                    w[2] * vector(model.mesh.target(model.mesh.next(h)));
     are_located = are_located && w[0] >= 0 && w[1] >= 0 && w[2] >= 0 &&
-                  (quads.point(v) - (CGAL::ORIGIN + p)).squared_length() <= 1e-18 * p.squared_length();
+                  (quads.point(v) - (CGAL::ORIGIN + p)).squared_length() <=
+                    1e-18 * p.squared_length();
   }
   CHECK_IN(name, are_located);
   ++sizes.meshes;
@@ -505,7 +506,8 @@ void test_refusals()
     SS::quantize(map.mesh, map.uv, parameters::target_edge_length(0.5));
   CHECK_EQUAL(by_length.number_of_quads, std::size_t(6 * 2 * 2));
   Mesh quads;
-  CHECK(SS::extract_quad_mesh(by_length, Grid_map(surfaces::box(1, 1, 1), 4, 2).mesh, quads).status ==
+  const Grid_map other(surfaces::box(1, 1, 1), 4, 2);
+  CHECK(SS::extract_quad_mesh(by_length, other.mesh, quads).status ==
         SS::Extraction_status::INVALID_ARGUMENT);
   const Halfedge h = *map.mesh.halfedges().begin();
   const Point_2 good = map.uv[h];

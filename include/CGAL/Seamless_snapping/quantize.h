@@ -91,6 +91,39 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   return options;
 }
 
+// Reads the map, and quantizes it.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                          const NamedParameters& np, const Quantization_options& options)
+{
+  const Protect_exact_arithmetic protect;
+  Quantization refusal;
+  if(!is_arithmetic_exact()) {
+    refusal.status = Quantization_status::INEXACT_ARITHMETIC;
+    refusal.message = inexact_arithmetic_message();
+    return refusal;
+  }
+  const auto seams = seam_transitions(tmesh, uv_map, np);
+  if(!seams) {
+    refusal.status = quantization_status(*seams.failure());
+    refusal.message = seams.message();
+    return refusal;
+  }
+  if(!seams.is_exact()) {
+    refusal.status = Quantization_status::NOT_SEAMLESS;
+    refusal.message = "the map is not exactly seamless: sides of edges differ by up to " +
+                      short_number(seams.violation()) + "; call snap_to_seamless() first";
+    return refusal;
+  }
+  const Flat_numbering<TriangleMesh> numbering(tmesh);
+  const Chart_mesh mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto vertex_name = [&](const std::size_t v)
+    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
+  return Surface_quantizer(mesh, is_feature, options, vertex_name).run();
+}
+
 } // namespace internal
 
 /*!
@@ -166,32 +199,8 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto& parameters = internal::strip(np);
-  const internal::Protect_exact_arithmetic protect;
-  Quantization refusal;
-  if(!internal::is_arithmetic_exact()) {
-    refusal.status = Quantization_status::INEXACT_ARITHMETIC;
-    refusal.message = internal::inexact_arithmetic_message();
-    return refusal;
-  }
-  const auto seams = seam_transitions(tmesh, uv_map, parameters);
-  if(!seams || !seams.is_exact()) {
-    refusal.status = seams ? Quantization_status::NOT_SEAMLESS
-                           : internal::quantization_status(*seams.failure());
-    refusal.message = seams ? "the map is not exactly seamless: sides of edges differ by up to " +
-                                internal::short_number(seams.violation()) +
-                                "; call snap_to_seamless() first"
-                            : seams.message();
-    return refusal;
-  }
-  const internal::Flat_numbering<TriangleMesh> numbering(tmesh);
-  const internal::Chart_mesh mesh = internal::build_chart_mesh(tmesh, numbering, uv_map, seams);
-  const std::vector<char> is_feature = internal::feature_corners(tmesh, numbering, parameters);
-  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, parameters);
-  const auto vertex_name = [&](const std::size_t v)
-    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
-  return internal::Surface_quantizer(mesh, is_feature,
-                                     internal::quantization_options(tmesh, parameters),
-                                     vertex_name).run();
+  return internal::quantize_map(tmesh, uv_map, parameters,
+                                internal::quantization_options(tmesh, parameters));
 }
 
 /*!
@@ -240,9 +249,10 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
   std::vector<char> is_feature;
   for(const internal::Intrinsic_corner& corner : surface.complex.corners)
     is_feature.push_back(corner.is_wall);
+  internal::Extraction_options options = internal::extraction_options(input);
+  options.scale = 1;
   internal::Quad_extractor extractor(
-    internal::make_chart_mesh(surface.complex), std::move(is_feature),
-    internal::extraction_options(input),
+    internal::make_chart_mesh(surface.complex), std::move(is_feature), options,
     [](const std::size_t v) { return std::to_string(v) + " of the coarse triangulation"; });
   if(!extractor.template run<ConcurrencyTag>())
     return extractor.report();

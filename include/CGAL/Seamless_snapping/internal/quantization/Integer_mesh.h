@@ -32,7 +32,7 @@ struct Integer_corner : Flat_corner
 {
   Grid_vector vector{};  // from the source of the halfedge to its target
   Quarter_turns::Element rotation = Quarter_turns::identity(); // to the chart of the opposite face
-  bool is_wall = false;  // on the border, or a feature: it lies on an isocurve, and has to stay there
+  bool is_wall = false; // on the border, or a feature: it lies on an isocurve, and stays there
 };
 
 // Invariant: the vectors of each face add up to 0 and turn left, those of an edge's two sides are
@@ -54,7 +54,8 @@ struct Direction_at_corner
 // less than 180 degrees behind the first edge of `at.corner`. `turned` carries whatever belongs to
 // the chart along.
 template <typename Turn>
-void turn_to(const Integer_mesh& mesh, Corner_index& corner, Grid_vector& vector, const Turn& turned)
+void turn_to(const Integer_mesh& mesh, Corner_index& corner, Grid_vector& vector,
+             const Turn& turned)
 {
   while(cross_sign(negated(mesh.corner(corner).vector), vector) >= 0 &&
         mesh.opposite(corner) != no_index) {

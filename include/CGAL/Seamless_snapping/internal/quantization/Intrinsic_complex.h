@@ -47,7 +47,7 @@ struct Intrinsic_complex : Flat_mesh<Intrinsic_corner>
 
 using Edge_vector = Grid_vector Intrinsic_corner::*; // `vector` or `units`
 
-// The angle at a corner, in axes passed; these add up to the angle around a vertex in quarter turns.
+// The angle at a corner, in axes passed: these add up to the quarter turns around a vertex.
 template <typename Corner, typename Vector>
 int axes_at_corner(const Flat_mesh<Corner>& mesh, const Corner_index h, const Vector vector)
 {

@@ -115,8 +115,8 @@ private:
 
   static Exact_integer exact_cross(const Grid_vector& a, const Grid_vector& b)
   {
-    return difference(product(from_64_bits<Exact_integer>(a[0]), from_64_bits<Exact_integer>(b[1])),
-                      product(from_64_bits<Exact_integer>(a[1]), from_64_bits<Exact_integer>(b[0])));
+    const auto exact = [](const std::int64_t x) { return from_64_bits<Exact_integer>(x); };
+    return difference(product(exact(a[0]), exact(b[1])), product(exact(a[1]), exact(b[0])));
   }
 
   int side_of_way(const Grid_vector& a) const // 1 if a lies at the right of the way

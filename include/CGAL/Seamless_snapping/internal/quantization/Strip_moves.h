@@ -82,6 +82,7 @@ private:
   using State = std::int32_t;
   static constexpr State no_state = -1;
   static constexpr double least_gain = 1e-9;
+  static constexpr double dearest_repair = 20; // as a sum of weighted squares
 
   static State state(const Corner_index h, const int direction) { return 4 * h + direction; }
   static Corner_index halfedge(const State s) { return s / 4; }
@@ -209,12 +210,14 @@ private:
   void enter(const State from, const Corner_index entry, const int direction, const double distance,
              const double bound, const State start)
   {
-    for(const Corner_index exit : {Intrinsic_complex::next(entry), Intrinsic_complex::prev(entry)}) {
+    for(const Corner_index exit :
+        {Intrinsic_complex::next(entry), Intrinsic_complex::prev(entry)}) {
       const State s = state(exit, direction);
       if(!is_allowed(s) || !may_pass(from, entry, s, start))
         continue;
       const double d = s == start ? distance : distance + positive(cost(s));
-      if(d >= bound || (m_round[std::size_t(s)] == m_current_round && m_distance[std::size_t(s)] <= d))
+      if(d >= bound ||
+         (m_round[std::size_t(s)] == m_current_round && m_distance[std::size_t(s)] <= d))
         continue;
       m_round[std::size_t(s)] = m_current_round;
       m_distance[std::size_t(s)] = d;
@@ -261,7 +264,8 @@ private:
           add_to(before, c.halfedge, negated(c.vector));
           add_to(shift, c.halfedge, c.vector);
         }
-      const std::int64_t a = determinant(before), d = determinant(after), square = determinant(shift);
+      const std::int64_t a = determinant(before), d = determinant(after);
+      const std::int64_t square = determinant(shift);
       const std::int64_t slope = d - a - square; // of a + slope t + square t^2 at t = 0
       if(!is_no_worse(f, a, d) ||
          (a > 0 && square > 0 && slope < 0 && -slope < 2 * square &&
@@ -282,7 +286,7 @@ private:
   {
     m_face_to_raise = face;
     State best = no_state;
-    double least = std::numeric_limits<double>::infinity();
+    double least = dearest_repair;
     for(Corner_index h = 3 * face; h < 3 * face + 3; ++h)
       for(int k = 0; k < 4; ++k) {
         const State s = state(h, k);
@@ -291,15 +295,14 @@ private:
         best = s;
         least = m_distance[std::size_t(s)] + positive(cost(s));
       }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const bool is_found =
-      best != no_state && find_strip(best, infinity) && apply(best, infinity);
+    const bool is_found = best != no_state && find_strip(best, dearest_repair) &&
+                          apply(best, std::numeric_limits<double>::infinity());
     m_face_to_raise = no_index;
     return is_found;
   }
 
-  using Queue = std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State> >,
-                                    std::greater<std::pair<double, State> > >;
+  using Queued = std::pair<double, State>;
+  using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued> >;
 
   Intrinsic_complex& m_complex;
   std::vector<std::array<double, 2> > m_wanted; // per halfedge

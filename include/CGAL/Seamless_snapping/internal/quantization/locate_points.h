@@ -15,7 +15,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Where the points of the grid on a coarse complex lie on the input: at the point of the coarse
-// triangle with the same barycentric coordinates, which the input's own size of that triangle tells.
+// triangle with the same barycentric coordinates; its vectors in the input's size lead there.
 
 #include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
@@ -33,7 +33,8 @@ namespace internal {
 class Point_locator
 {
 public:
-  Point_locator(const Integer_mesh& input, const Intrinsic_complex& complex, const Chart_mesh& charts)
+  Point_locator(const Integer_mesh& input, const Intrinsic_complex& complex,
+                const Chart_mesh& charts)
     : m_input(input), m_complex(complex), m_charts(charts)
   { }
 

@@ -162,14 +162,16 @@ private:
     }
   }
 
+  // Of few triangles that can't be repaired, some can be when others are; many are hopeless.
   bool repair()
   {
+    constexpr std::size_t most_failures = 4;
     Strip_moves moves(m_complex, grown_scales());
     std::size_t before = m_complex.corners.size(), number = before - 1; // of triangles left
     while(number > 0 && number < before) {
       before = number;
       number = 0;
-      for(Flat_face_index f = 0; f < m_complex.number_of_faces(); ++f)
+      for(Flat_face_index f = 0; f < m_complex.number_of_faces() && number < most_failures; ++f)
         number += orientation(m_complex, f, &Intrinsic_corner::units) <= 0 && !moves.repair(f);
     }
     return number == 0 && is_feasible();

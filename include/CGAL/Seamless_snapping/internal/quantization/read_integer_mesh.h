@@ -67,7 +67,8 @@ public:
     for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
       Integer_corner& corner = result.corners[std::size_t(h)];
       static_cast<Flat_corner&>(corner) = m_mesh.corner(h);
-      corner.vector = difference(m_points[std::size_t(h)], m_points[std::size_t(Chart_mesh::prev(h))]);
+      corner.vector =
+        difference(m_points[std::size_t(h)], m_points[std::size_t(Chart_mesh::prev(h))]);
       corner.rotation = m_mesh.rotation(h);
       corner.is_wall = is_wall(h, corner.vector);
     }

@@ -15,7 +15,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Integer vectors for the edges of a complex, near real-valued ones: they close all triangles, match
-// across edges, and keep walls on their isocurves. Whether triangles are positive is another matter.
+// across edges, and keep walls on their isocurves. Not all triangles need be positive.
 
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
@@ -55,7 +55,8 @@ public:
   { }
 
   // Sets the units near `factor` times the vectors wanted. Returns false if the solver finds none.
-  bool round(const std::vector<double>& scales, const double factor, Intrinsic_complex& complex) const
+  bool round(const std::vector<double>& scales, const double factor,
+             Intrinsic_complex& complex) const
   {
     const Grid units(Number_format::of<double>(), 0);
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), units),

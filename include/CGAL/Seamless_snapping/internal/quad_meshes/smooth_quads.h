@@ -1,0 +1,227 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUAD_MESHES_SMOOTH_QUADS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUAD_MESHES_SMOOTH_QUADS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
+// their neighbors; and measures the result. All of this is floating point.
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/version_macros.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Space_vector = std::array<double, 3>;
+
+inline Space_vector vector_to(const Space_vector& a, const Space_vector& b)
+{
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+inline double inner_product(const Space_vector& a, const Space_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Space_vector outer_product(const Space_vector& a, const Space_vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double norm(const Space_vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+// The area vector of a quad, times two.
+inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
+{
+  return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
+}
+
+// The least sine of an angle, as seen along `normal`: 1 for rectangles, negative if a corner is
+// inverted; the scaled Jacobian.
+inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_vector& normal)
+{
+  double least = 1;
+  const double size = norm(normal);
+  for(std::size_t i = 0; i < 4; ++i) {
+    const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
+    const double scale = norm(a) * norm(b) * size;
+    least = (std::min)(least,
+                       scale > 0 ? inner_product(outer_product(a, b), normal) / scale : -1.);
+  }
+  return least;
+}
+
+// Invariant: vertices that are held stay where they are, all others on the surface.
+template <typename QuadMesh, typename VertexPointMap, typename TriangleMesh, typename TrianglePointMap>
+class Quad_smoother
+{
+  using Graph_traits = boost::graph_traits<QuadMesh>;
+  using Vertex = typename Graph_traits::vertex_descriptor;
+  using Face = typename Graph_traits::face_descriptor;
+  using Surface_point = typename boost::property_traits<TrianglePointMap>::value_type;
+  using Surface_kernel = typename CGAL::Kernel_traits<Surface_point>::Kernel;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<TriangleMesh, TrianglePointMap>;
+#if CGAL_VERSION_NR >= 1060000000
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Surface_kernel, Primitive> >;
+#else
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Surface_kernel, Primitive> >;
+#endif
+  using Quad = std::array<Space_vector, 4>;
+
+public:
+  Quad_smoother(const QuadMesh& quads, const VertexPointMap& point_map, const TriangleMesh& tmesh,
+                const TrianglePointMap& surface_point_map)
+    : m_quads(quads), m_point_map(point_map),
+      m_tree(faces(tmesh).begin(), faces(tmesh).end(), tmesh, surface_point_map)
+  {
+    m_tree.accelerate_distance_queries();
+  }
+
+  // Makes no quad worse than it is, unless it stays well shaped. is_held(vertex) tells which
+  // vertices stay.
+  template <typename Is_held>
+  void smooth(const std::size_t number_of_rounds, const Is_held& is_held)
+  {
+    for(std::size_t round = 0; round < number_of_rounds; ++round)
+      for(const Vertex v : vertices(m_quads))
+        if(!is_held(v))
+          move(v);
+  }
+
+  // The least and the mean scaled Jacobian of all faces.
+  std::array<double, 2> measure_shape() const
+  {
+    double least = 1, sum = 0;
+    for(const Face f : faces(m_quads)) {
+      const Quad q = quad(f);
+      const double value = scaled_jacobian(q, quad_normal(q));
+      least = (std::min)(least, value);
+      sum += value;
+    }
+    return {least, sum / static_cast<double>(num_faces(m_quads))};
+  }
+
+  // The largest distance of the middles of faces and edges from the surface.
+  double measure_distance() const
+  {
+    double largest = 0;
+    const auto measure = [&](const Space_vector& p)
+      { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
+    for(const Face f : faces(m_quads)) {
+      const Quad q = quad(f);
+      Space_vector middle{};
+      for(std::size_t i = 0; i < 4; ++i)
+        for(std::size_t c = 0; c < 3; ++c)
+          middle[c] += q[i][c] / 4;
+      measure(middle);
+    }
+    for(const auto e : edges(m_quads)) {
+      const Space_vector a = point(source(e, m_quads)), b = point(target(e, m_quads));
+      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    }
+    return largest;
+  }
+
+private:
+  static constexpr double well_shaped = 0.3; // as a scaled Jacobian
+
+  Space_vector point(const Vertex v) const
+  {
+    const auto& p = get(m_point_map, v);
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  void set_point(const Vertex v, const Space_vector& p)
+  {
+    using Point = typename boost::property_traits<VertexPointMap>::value_type;
+    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+    put(m_point_map, v, Point(FT(p[0]), FT(p[1]), FT(p[2])));
+  }
+
+  Quad quad(const Face f) const
+  {
+    Quad result;
+    std::size_t i = 0;
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      result[i++] = point(v);
+    return result;
+  }
+
+  Space_vector nearest(const Space_vector& p) const
+  {
+    using FT = typename Surface_kernel::FT;
+    const Surface_point q = m_tree.closest_point(Surface_point(FT(p[0]), FT(p[1]), FT(p[2])));
+    return {CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z())};
+  }
+
+  void move(const Vertex v)
+  {
+    Space_vector middle{};
+    std::size_t n = 0;
+    m_faces.clear();
+    m_normals.clear();
+    double before = well_shaped;
+    for(const auto h : CGAL::halfedges_around_target(v, m_quads)) {
+      const Space_vector p = point(source(h, m_quads));
+      for(std::size_t c = 0; c < 3; ++c)
+        middle[c] += p[c];
+      ++n;
+      m_faces.push_back(face(h, m_quads));
+      const Quad q = quad(m_faces.back());
+      m_normals.push_back(quad_normal(q));
+      before = (std::min)(before, scaled_jacobian(q, m_normals.back()));
+    }
+    const Space_vector old = point(v);
+    for(std::size_t c = 0; c < 3; ++c)
+      middle[c] = (old[c] + middle[c] / static_cast<double>(n)) / 2;
+    set_point(v, nearest(middle));
+    for(std::size_t i = 0; i < m_faces.size(); ++i) {
+      const Quad q = quad(m_faces[i]);
+      const Space_vector normal = quad_normal(q);
+      if(scaled_jacobian(q, normal) < before || inner_product(normal, m_normals[i]) <= 0) {
+        set_point(v, old);
+        return;
+      }
+    }
+  }
+
+  const QuadMesh& m_quads;
+  VertexPointMap m_point_map;
+  Tree m_tree;
+  std::vector<Face> m_faces;           // scratch
+  std::vector<Space_vector> m_normals; // scratch: of these faces
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUAD_MESHES_SMOOTH_QUADS_H

@@ -1,0 +1,439 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_QUAD_REMESH_H
+#define CGAL_SEAMLESS_SNAPPING_QUAD_REMESH_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From any triangle mesh to a quad mesh of about the number of quads wanted.
+
+#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/quad_meshes/smooth_quads.h>
+#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+The outcome of `quad_remesh()`. After any other than `REMESHED` the output is untouched.
+*/
+enum class Remeshing_status
+{
+  REMESHED,         ///< the quads were written
+  NOT_PARAMETRIZED, ///< the input has no parametrization: it is no triangle mesh, for instance
+  NOT_SNAPPED,      ///< the parametrization could not be made exact
+  NOT_POSITIVE,     ///< faces of the parametrization stayed flipped
+  NOT_QUANTIZED,    ///< the parametrization could not be quantized
+  NOT_EXTRACTED     ///< the quads form no face graph, or are too many
+};
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+returns the status in words.
+*/
+inline const char* to_string(const Remeshing_status status)
+{
+  switch(status) {
+  case Remeshing_status::REMESHED:         return "remeshed";
+  case Remeshing_status::NOT_PARAMETRIZED: return "not parametrized";
+  case Remeshing_status::NOT_SNAPPED:      return "not snapped";
+  case Remeshing_status::NOT_POSITIVE:     return "not positive";
+  case Remeshing_status::NOT_QUANTIZED:    return "not quantized";
+  case Remeshing_status::NOT_EXTRACTED:    break;
+  }
+  return "not extracted";
+}
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quads were written.
+*/
+struct Remeshing_report
+{
+  Remeshing_status status = Remeshing_status::REMESHED; ///< the outcome
+  std::string message; ///< on failure: the reason and, as far as known, the place and the remedy
+
+  /// \name Result
+  /// @{
+  std::size_t number_of_quads = 0;    ///< faces that were written
+  std::size_t number_of_vertices = 0; ///< vertices that were written
+  std::size_t number_of_cones = 0;    ///< irregular vertices inside
+  double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
+  double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
+  /// the largest distance from the input that was found, at the middles of faces and edges. The
+  /// vertices lie on the input, up to rounding.
+  double largest_distance = 0;
+  /// @}
+
+  /// \name Steps
+  /// @{
+  /// faces that were flipped in the approximate parametrization
+  std::size_t number_of_flipped_faces = 0;
+  /// the faces that stayed flipped, in the order of iteration over all faces, from 0
+  std::vector<std::size_t> remaining_flips;
+  /// the steps in the order in which they were made, with their wall-clock times in seconds
+  std::vector<std::pair<std::string, double> > step_times;
+  /// @}
+
+  /// returns `true` if and only if the quads were written.
+  explicit operator bool() const { return status == Remeshing_status::REMESHED; }
+};
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+writes the status and, if there is one, the message.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Remeshing_report& report)
+{
+  os << to_string(report.status);
+  if(!report.message.empty())
+    os << ": " << report.message;
+  return os;
+}
+
+namespace internal {
+
+// Invariant: `m_report` tells why the last step failed, if it did.
+template <typename TriangleMesh, typename NamedParameters>
+class Quad_remesher
+{
+  using Uv_point = CGAL::Simple_cartesian<double>::Point_2;
+  using Uv_map = typename boost::property_map<
+    TriangleMesh, CGAL::dynamic_halfedge_property_t<Uv_point> >::const_type;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using No_features = CGAL::Static_boolean_property_map<Edge, false>;
+  using Feature_map = std::decay_t<decltype(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                    internal_np::edge_is_constrained), No_features()))>;
+
+public:
+  Quad_remesher(const TriangleMesh& tmesh, const NamedParameters& np)
+    : m_tmesh(tmesh), m_np(np), m_uv_map(get(CGAL::dynamic_halfedge_property_t<Uv_point>(), tmesh)),
+      m_feature_map(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, internal_np::edge_is_constrained), No_features())),
+      m_options(quantization_options(tmesh, np)),
+      m_timer(m_report, CGAL::parameters::choose_parameter(
+                          CGAL::parameters::get_parameter(np, internal_np::verbose), false))
+  { }
+
+  // Adds the quads to the mesh, if all steps succeed.
+  template <typename QuadMesh, typename VertexPointMap>
+  Remeshing_report run(QuadMesh& quads, const VertexPointMap& point_map)
+  {
+    QuadMesh result;
+    const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), result);
+    if(parametrize() && extract(result, is_feature)) {
+      smooth(result, is_feature);
+      CGAL::copy_face_graph(result, quads, CGAL::parameters::default_values(),
+                            CGAL::parameters::vertex_point_map(point_map));
+    }
+    return m_report;
+  }
+
+private:
+  bool fail(const Remeshing_status status, const std::string& message)
+  {
+    m_report.status = status;
+    m_report.message = message;
+    return false;
+  }
+
+  auto surface_points() const
+  {
+    return CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, m_tmesh));
+  }
+
+  auto alignment() const
+  {
+    return parameters::edge_is_constrained_map(m_feature_map).align_border(true)
+                      .vertex_point_map(surface_points());
+  }
+
+  // An exactly seamless map without flips. Where one comes out with flips, stiffer ones are tried.
+  bool parametrize()
+  {
+    for(const unsigned int number_of_rounds : {5u, 20u, 60u})
+      if(make_map(number_of_rounds))
+        return true;
+      else if(m_report.status != Remeshing_status::NOT_POSITIVE)
+        return false;
+    return false;
+  }
+
+  bool make_map(const unsigned int number_of_rounds)
+  {
+    const double curvature = static_cast<double>(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::curvature_alignment), 0.));
+    auto made = approximate_seamless_parameterization(
+      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature)
+                                    .number_of_iterations(number_of_rounds));
+    if(made && curvature == 0)
+      split_sharp_cones(number_of_rounds, made);
+    m_timer.finish("parametrization");
+    if(!made)
+      return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
+    m_report.number_of_flipped_faces = made.number_of_flipped_faces;
+    const auto snapped =
+      snap_to_seamless(m_tmesh, m_uv_map, alignment().repair_flips(true));
+    m_timer.finish("snapping");
+    if(!snapped)
+      return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
+    m_report.remaining_flips = snapped.remaining_flips;
+    m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
+                                    snapped.lost_faces.end());
+    if(!m_report.remaining_flips.empty())
+      return fail(Remeshing_status::NOT_POSITIVE,
+                  std::to_string(m_report.remaining_flips.size()) +
+                    " faces are flipped in the parametrization, the first is face " +
+                    std::to_string(m_report.remaining_flips.front()) +
+                    "; mark fewer features, or remesh the input there");
+    m_report.status = Remeshing_status::REMESHED;
+    m_report.message.clear();
+    return true;
+  }
+
+  // No face graph has a vertex of one edge, as cones of index 3 are. On surfaces without borders and
+  // features, where cones can be given, a neighbor takes one quarter turn.
+  template <typename Report>
+  void split_sharp_cones(const unsigned int number_of_rounds, Report& made)
+  {
+    const auto is_sharp = [](const auto& cone) { return cone.second == 3; };
+    if(std::none_of(made.cones.begin(), made.cones.end(), is_sharp) || !CGAL::is_closed(m_tmesh) ||
+       made.number_of_aligned_edges > 0)
+      return;
+    const auto index = get(CGAL::dynamic_vertex_property_t<int>(), m_tmesh);
+    for(const auto v : vertices(m_tmesh))
+      put(index, v, 0);
+    for(const auto& cone : made.cones)
+      put(index, cone.first, cone.second);
+    for(const auto& cone : made.cones) {
+      if(!is_sharp(cone))
+        continue;
+      for(const auto h : CGAL::halfedges_around_target(cone.first, m_tmesh)) {
+        const auto v = source(h, m_tmesh);
+        if(get(index, v) < -1 || get(index, v) > 1)
+          continue;
+        put(index, v, get(index, v) + 1);
+        put(index, cone.first, 2);
+        break;
+      }
+    }
+    made = approximate_seamless_parameterization(
+      m_tmesh, m_uv_map, parameters::cone_index_map(index).vertex_point_map(surface_points())
+                                     .number_of_iterations(number_of_rounds));
+  }
+
+  // Where quads meet themselves, or each other twice, finer ones are tried.
+  template <typename QuadMesh, typename FeatureMap>
+  bool extract(QuadMesh& quads, const FeatureMap& is_feature)
+  {
+    constexpr int most_attempts = 4;
+    for(int attempt = 0; attempt < most_attempts; ++attempt) {
+      const Quantization quantization =
+        quantize_map(m_tmesh, m_uv_map, strip(parameters::edge_is_constrained_map(m_feature_map)),
+                     m_options);
+      m_timer.finish("quantization");
+      if(!quantization)
+        return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
+      const Extraction_report extracted = extract_quad_mesh(
+        quantization, m_tmesh, quads, parameters::vertex_point_map(surface_points()),
+        parameters::edge_is_constrained_map(is_feature));
+      m_timer.finish("extraction");
+      if(extracted) {
+        m_report.number_of_quads = extracted.number_of_faces;
+        m_report.number_of_vertices = extracted.number_of_vertices;
+        m_report.number_of_cones = extracted.number_of_cones;
+        m_report.status = Remeshing_status::REMESHED;
+        m_report.message.clear();
+        return true;
+      }
+      fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
+      if(extracted.status != Extraction_status::NO_FACE_GRAPH)
+        return false;
+      m_options.is_coarsest = false;
+      m_options.number_of_quads = 2 * static_cast<double>(quantization.number_of_quads);
+    }
+    return false;
+  }
+
+  // Vertices on features and borders are held.
+  template <typename QuadMesh, typename FeatureMap>
+  void smooth(QuadMesh& quads, const FeatureMap& is_feature)
+  {
+    using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
+    const auto point_map = CGAL::get_property_map(CGAL::vertex_point, quads);
+    const auto is_held = [&](const Vertex v) {
+      for(const auto h : CGAL::halfedges_around_target(v, quads))
+        if(get(is_feature, edge(h, quads)))
+          return true;
+      return false;
+    };
+    const auto surface_map = surface_points();
+    Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)>, TriangleMesh,
+                  std::decay_t<decltype(surface_map)> >
+      smoother(quads, point_map, m_tmesh, surface_map);
+    smoother.smooth(static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+                      CGAL::parameters::get_parameter(m_np, internal_np::number_of_iterations), 5)),
+                    is_held);
+    m_timer.finish("smoothing");
+    const std::array<double, 2> shape = smoother.measure_shape();
+    m_report.least_scaled_jacobian = shape[0];
+    m_report.mean_scaled_jacobian = shape[1];
+    m_report.largest_distance = smoother.measure_distance();
+    m_timer.finish("measurement");
+  }
+
+  const TriangleMesh& m_tmesh;
+  const NamedParameters& m_np;
+  Uv_map m_uv_map;
+  Feature_map m_feature_map;
+  Quantization_options m_options;
+  Remeshing_report m_report;
+  Step_timer m_timer;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+remeshes a triangle mesh with quads only, about as many as wanted.
+
+The steps are `approximate_seamless_parameterization()`, `snap_to_seamless()`, `quantize()`,
+`extract_quad_mesh()`, and a smoothing of the vertices along the surface. Borders are aligned, and
+so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
+smoothed.
+
+From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
+result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
+input: where features can't be followed without flips, the function says so. If as few quads as
+wanted would meet themselves, or each other twice, there are more.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam QuadMesh a model of `MutableFaceGraph` that is default constructible and has an internal
+        property map for `CGAL::vertex_point_t`
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a triangle mesh
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_number_of_quads}
+    \cgalParamDescription{about how many quads there are to be, from 1 to \f$ 2^{28} \f$}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{10000}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{instead of their number, the length of the quads' edges}
+    \cgalParamType{`double`}
+    \cgalParamDefault{not used}
+  \cgalParamNEnd
+  \cgalParamNBegin{coarsest}
+    \cgalParamDescription{whether there are to be as few quads as are found}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is a feature}
+  \cgalParamNEnd
+  \cgalParamNBegin{curvature_alignment}
+    \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
+                          `approximate_seamless_parameterization()`}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of rounds of smoothing; 0 for none}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{`5`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether the times of the steps are written to `std::cerr`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{receives the points of the new vertices}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the outcome, and figures of the result
+
+\sa `quantize()`
+*/
+template <typename TriangleMesh, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
+                             const NamedParameters1& np1 = CGAL::parameters::default_values(),
+                             const NamedParameters2& np2 = CGAL::parameters::default_values())
+{
+  const auto& input = internal::strip(np1);
+  return internal::Quad_remesher<TriangleMesh, std::decay_t<decltype(input)> >(tmesh, input).run(
+    quads, CGAL::parameters::choose_parameter(
+             CGAL::parameters::get_parameter(internal::strip(np2), CGAL::internal_np::vertex_point),
+             CGAL::get_property_map(CGAL::vertex_point, quads)));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_QUAD_REMESH_H
