@@ -177,8 +177,7 @@ inline void subtract_nearest(Integers& a, const std::vector<Integers>& vectors)
 }
 
 // Rounds to a near solution in the basis, then tries all neighbours.
-inline double largest_change(const Solutions& solutions, Integers y, const std::vector<Rational>& x,
-                             double& largest)
+inline double largest_change(const Solutions& solutions, Integers y, const std::vector<Rational>& x)
 {
   const std::vector<Integers>& basis = solutions.basis();
   const auto difference = [&](const Integers& z, const std::size_t j) {
@@ -211,15 +210,14 @@ inline double largest_change(const Solutions& solutions, Integers y, const std::
     for(std::size_t k = 0; k < d; ++k)
       for(std::size_t j = 0; j < n; ++j)
         z[j] += step[k] * basis[k][j];
-    double change = 0, size = 0;
+    double change = 0;
+    bool fits = true; // 2^53 + 1 is 2^53 as a double
     for(std::size_t j = 0; j < n; ++j) {
       change = (std::max)(change, std::abs(difference(z, j)));
-      size = (std::max)(size, std::abs(CGAL::to_double(z[j])));
+      fits = fits && CGAL::abs(z[j]) <= Integer(0x1p53);
     }
-    if(size <= 0x1p53 && (best < 0 || change < best)) {
+    if(fits && (best < 0 || change < best))
       best = change;
-      largest = size;
-    }
     std::size_t k = 0;
     while(k < d && step[k] == 1)
       step[k++] = -1;
@@ -248,8 +246,7 @@ inline std::optional<Near_solution> nearest_on_one_grid(const Small_system& syst
     std::vector<Rational> target;
     for(const double value : x)
       target.push_back(Rational(value) / step);
-    double size = 0;
-    const double change = largest_change(solutions, *y, target, size);
+    const double change = largest_change(solutions, *y, target);
     if(change >= 0)
       return Near_solution{change * std::ldexp(1., e), std::ldexp(1., e)};
   }

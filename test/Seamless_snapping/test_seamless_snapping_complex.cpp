@@ -119,13 +119,19 @@ void test_complexes(const std::string& name, const double noise, const unsigned 
     CHECK_IN(context, random_complexes::is_solution<N>(complex, snapped.coordinates));
     CHECK_IN(context, internal::is_exact(complex, snapped.coordinates));
     CHECK_EQUAL(solver.linear_solver().figures().number_of_eliminations, 1u);
+    double squares = 0; // of the changes, in steps
     for(std::size_t s = 0; s < complex.coordinates.size(); ++s)
       for(std::size_t c = 0; c < 2; ++c) {
         const double x = snapped.coordinates[s][c];
+        const double steps = (x - complex.coordinates[s][c]) / snapped.unit;
+        squares += steps * steps;
         CHECK_IN(context, x == static_cast<double>(static_cast<Number>(x)));
         totals.largest_growth = (std::max)(totals.largest_growth,
                                            std::abs(x - complex.coordinates[s][c]) / noise);
       }
+    if(Group::is_signed_permutation) // else the optimum is not that of the coordinates' squares
+      CHECK_IN(context, squares <= 1.01 * snapped.optimal_squares +
+                                     4 * static_cast<double>(complex.coordinates.size()));
     test_single_changes<N>(complex, snapped.coordinates, random, context, totals);
   }
   totals.print(name);

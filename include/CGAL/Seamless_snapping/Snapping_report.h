@@ -215,9 +215,9 @@ struct Snapping_report
   /// @}
 
   /*!
-  After success, of the surface function, for symmetries of order 1, 2, and 4: the connection constraints, by their
-  places in the range, that hold, but whose isocurve does not arrive at its end, since a singular
-  vertex or the border is in its way. `message` names the first.
+  After success, of the surface function, for rotational symmetries of order 1, 2, and 4: the
+  connection constraints, by their places in the range, that hold, but whose isocurve does not
+  arrive at its end, since a singular vertex or the border is in its way. `message` names the first.
   */
   std::vector<std::size_t> intercepted_connections;
 
