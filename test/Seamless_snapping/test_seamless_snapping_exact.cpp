@@ -1,12 +1,17 @@
 // What all exact decisions are made of, against rational numbers: differences with their errors,
-// transitions, sums, integers with overflow, grids, and orientations. Numbers are chosen so that
-// rounding matters: neighbors, powers of two, and bounds of number types.
+// transitions, sums, integers with overflow, grids, rows, levels, points of the integer grid, and
+// orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds of
+// number types.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/exact/checked_integer.h>
 #include <CGAL/Seamless_snapping/internal/exact/exact_sum.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
+#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
+#include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
+#include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
@@ -23,6 +28,7 @@
 #include <iostream>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -305,6 +311,123 @@ void test_grids()
   }
 }
 
+// --- rows ----------------------------------------------------------------------------------------
+
+// Rows with rational numbers, values that satisfy them, and neighbors of these that do not.
+void test_rows()
+{
+  Random random(seed);
+  std::size_t satisfied = 0, violated = 0;
+  for(int i = 0; i < 20000; ++i) {
+    const int spread = i % 3 == 0 ? 200 : 8;
+    std::vector<double> x;
+    Entries<Rational> row;
+    Rational sum(0);
+    for(int j = 0; j < 3; ++j) {
+      x.push_back(random_double(random, -spread, spread));
+      const Rational a(Rational(below(random, 2001) - 1000) / Rational(1 + below(random, 3)));
+      if(a != 0)
+        row.push_back({Column_index(j), a});
+      sum += a * Rational(x.back());
+    }
+    System_builder builder(x.size());
+    builder.add_row(row, below(random, 8) == 0 ? Rational(sum + power(-300)) : sum);
+    const Rational b = below(random, 8) == 0 ? Rational(0) : sum;
+    builder.add_row(row, b);
+    const Scaled_system scaled = builder.take();
+    double& changed = x[std::size_t(below(random, 3))];
+    changed = random_neighbor(random, changed);
+    Rational now(0);
+    for(const auto& e : row)
+      now += e.coefficient * Rational(x[std::size_t(e.column)]);
+    CHECK_EQUAL(holds(scaled.system, 1, x), now == b);
+    CHECK(!holds(scaled.system, 0, x) || now == sum);
+    ++(now == b ? satisfied : violated);
+  }
+  CHECK(satisfied > 1000 && violated > 1000);
+}
+
+// --- levels --------------------------------------------------------------------------------------
+
+// Against rational numbers. Coordinates of very different magnitude make levels outgrow two
+// doubles.
+void test_levels()
+{
+  Random random(seed);
+  const auto any_number = [&](const int spread) {
+    return std::ldexp(double(std::int64_t(random())) * 0x1p-63, below(random, spread));
+  };
+  bool all_agree = true;
+  for(int spread : {1, 60, 300})
+    for(int run = 0; run < 200; ++run) {
+      Rational expected(any_number(spread));
+      if(run % 4 == 0)
+        expected /= 3;
+      Exact_level level(expected);
+      for(int step = 0; step < 10; ++step) {
+        const double a = any_number(spread), b = any_number(spread);
+        const int sign = random() % 2 == 0 ? 1 : -1;
+        level.transform(sign, Exact_difference(a, b));
+        expected = Rational(sign) * expected + Rational(a) - Rational(b);
+        const double rounded = CGAL::to_double(expected);
+        for(const double u :
+            {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
+          all_agree = all_agree &&
+                      level.side_of(u) == int(CGAL::compare(Rational(u), expected));
+        all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
+      }
+    }
+  CHECK(all_agree);
+}
+
+// --- points of the grid in edges and triangles ---------------------------------------------------
+
+// Coordinates are multiples of 1/8, so that integers of 64 bits tell the truth.
+void test_lattice_points()
+{
+  Random random(seed);
+  std::size_t wrong = 0, number = 0;
+  for(int run = 0; run < 4000; ++run) {
+    std::array<std::array<long, 2>, 3> t;
+    Uv_triangle uv;
+    const long offset = run % 3 == 0 ? (1l << 40) : 0, unit = run % 2 == 0 ? 8 : 1;
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 2; ++c) {
+        t[k][c] = 8 * offset + unit * (long(random() % 60) - 30);
+        uv[k][c] = double(t[k][c]) / 8;
+      }
+    const auto side = [&](const std::size_t i, const std::size_t j, const long x, const long y) {
+      return (t[j][0] - t[i][0]) * (8 * y - t[i][1]) - (t[j][1] - t[i][1]) * (8 * x - t[i][0]);
+    };
+    std::set<std::array<double, 2> > inside, on_edge;
+    const bool is_positive = side(0, 1, 0, 0) + side(1, 2, 0, 0) + side(2, 0, 0, 0) > 0;
+    for(long x = offset - 40; x <= offset + 40; ++x)
+      for(long y = offset - 40; y <= offset + 40; ++y) {
+        if(is_positive && side(0, 1, x, y) > 0 && side(1, 2, x, y) > 0 && side(2, 0, x, y) > 0)
+          inside.insert({double(x), double(y)});
+        const auto along = [&](const std::size_t k) {
+          return (t[1][0] - t[0][0]) * (8 * x - t[k][0]) + (t[1][1] - t[0][1]) * (8 * y - t[k][1]);
+        };
+        if(side(0, 1, x, y) == 0 && along(0) > 0 && along(1) < 0)
+          on_edge.insert({double(x), double(y)});
+      }
+    std::multiset<std::array<double, 2> > found_inside, found_on_edge;
+    if(is_positive)
+      for_lattice_points_inside(uv, [&](const Uv& p)
+                                              { found_inside.insert(p); });
+    if(t[0] != t[1])
+      for_lattice_points_on_edge(uv[0], uv[1], [&](const Uv& p)
+                                               { found_on_edge.insert(p); });
+    wrong += std::equal(inside.begin(), inside.end(), found_inside.begin(), found_inside.end())
+               ? 0 : 1;
+    wrong += std::equal(on_edge.begin(), on_edge.end(), found_on_edge.begin(), found_on_edge.end())
+               ? 0 : 1;
+    number += inside.size() + on_edge.size();
+  }
+  CHECK_EQUAL(wrong, std::size_t(0));
+  CHECK(number > 10000);
+}
+
 // --- orientations --------------------------------------------------------------------------------
 
 int exact_orientation(const Uv_triangle& t)
@@ -313,7 +436,7 @@ int exact_orientation(const Uv_triangle& t)
   return int(CGAL::sign(Rational(a[0] * b[1] - a[1] * b[0])));
 }
 
-// The largest reach, up to a thousandth, for which a triangle surely stays positive.
+// The largest reach for which a triangle surely stays positive, to a thousandth of it.
 double largest_sure_reach(const Uv_triangle& t)
 {
   double low = 0, high = 1;
@@ -371,6 +494,9 @@ int main()
   test_integers();
   test_grids<double>();
   test_grids<float>();
+  test_rows();
+  test_levels();
+  test_lattice_points();
   test_orientations();
   return report_checks();
 }

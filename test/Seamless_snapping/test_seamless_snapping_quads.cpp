@@ -27,54 +27,6 @@ namespace parameters = SS::parameters;
 using Status = SS::Extraction_status;
 using CGAL::Exact_rational;
 
-// --- points of the grid in edges and triangles ---------------------------------------------------
-
-// Coordinates are multiples of 1/8, so that integers of 64 bits tell the truth.
-void test_lattice_points()
-{
-  std::mt19937_64 random(1);
-  std::size_t wrong = 0, number = 0;
-  for(int run = 0; run < 4000; ++run) {
-    std::array<std::array<long, 2>, 3> t;
-    SS::internal::Uv_triangle uv;
-    const long offset = run % 3 == 0 ? (1l << 40) : 0, unit = run % 2 == 0 ? 8 : 1;
-    for(std::size_t k = 0; k < 3; ++k)
-      for(std::size_t c = 0; c < 2; ++c) {
-        t[k][c] = 8 * offset + unit * (long(random() % 60) - 30);
-        uv[k][c] = double(t[k][c]) / 8;
-      }
-    const auto side = [&](const std::size_t i, const std::size_t j, const long x, const long y) {
-      return (t[j][0] - t[i][0]) * (8 * y - t[i][1]) - (t[j][1] - t[i][1]) * (8 * x - t[i][0]);
-    };
-    std::set<std::array<double, 2> > inside, on_edge;
-    const bool is_positive = side(0, 1, 0, 0) + side(1, 2, 0, 0) + side(2, 0, 0, 0) > 0;
-    for(long x = offset - 40; x <= offset + 40; ++x)
-      for(long y = offset - 40; y <= offset + 40; ++y) {
-        if(is_positive && side(0, 1, x, y) > 0 && side(1, 2, x, y) > 0 && side(2, 0, x, y) > 0)
-          inside.insert({double(x), double(y)});
-        const auto along = [&](const std::size_t k) {
-          return (t[1][0] - t[0][0]) * (8 * x - t[k][0]) + (t[1][1] - t[0][1]) * (8 * y - t[k][1]);
-        };
-        if(side(0, 1, x, y) == 0 && along(0) > 0 && along(1) < 0)
-          on_edge.insert({double(x), double(y)});
-      }
-    std::multiset<std::array<double, 2> > found_inside, found_on_edge;
-    if(is_positive)
-      SS::internal::for_lattice_points_inside(uv, [&](const SS::internal::Uv& p)
-                                              { found_inside.insert(p); });
-    if(t[0] != t[1])
-      SS::internal::for_lattice_points_on_edge(uv[0], uv[1], [&](const SS::internal::Uv& p)
-                                               { found_on_edge.insert(p); });
-    wrong += std::equal(inside.begin(), inside.end(), found_inside.begin(), found_inside.end())
-               ? 0 : 1;
-    wrong += std::equal(on_edge.begin(), on_edge.end(), found_on_edge.begin(), found_on_edge.end())
-               ? 0 : 1;
-    number += inside.size() + on_edge.size();
-  }
-  CHECK_EQUAL(wrong, std::size_t(0));
-  CHECK(number > 10000);
-}
-
 // --- surfaces whose quads are known --------------------------------------------------------------
 
 // The same in other words: is it the expected mesh, up to the numbering?
@@ -732,7 +684,6 @@ void test_integer_grids()
 int main()
 {
   std::cout.precision(17);
-  test_lattice_points();
   test_surfaces();
   test_half_integer_cones();
   test_loops();

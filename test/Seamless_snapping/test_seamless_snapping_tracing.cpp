@@ -21,40 +21,6 @@
 
 using namespace tracing_checks;
 
-// --- levels --------------------------------------------------------------------------------------
-
-// Against rational numbers. Coordinates of very different magnitude make levels outgrow two
-// doubles.
-void test_levels()
-{
-  using SS::internal::Exact_level;
-  std::mt19937_64 random(7);
-  const auto any_number = [&](const int spread) {
-    return std::ldexp(uv_noise::symmetric_random(random), int(random() % unsigned(spread)));
-  };
-  bool all_agree = true;
-  for(int spread : {1, 60, 300})
-    for(int run = 0; run < 200; ++run) {
-      Exact_rational expected(any_number(spread));
-      if(run % 4 == 0)
-        expected /= 3;
-      Exact_level level(expected);
-      for(int step = 0; step < 10; ++step) {
-        const double a = any_number(spread), b = any_number(spread);
-        const int sign = random() % 2 == 0 ? 1 : -1;
-        level.transform(sign, SS::internal::Exact_difference(a, b));
-        expected = Exact_rational(sign) * expected + Exact_rational(a) - Exact_rational(b);
-        const double rounded = CGAL::to_double(expected);
-        for(const double u :
-            {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
-          all_agree = all_agree &&
-                      level.side_of(u) == int(CGAL::compare(Exact_rational(u), expected));
-        all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
-      }
-    }
-  CHECK(all_agree);
-}
-
 // --- threads -------------------------------------------------------------------------------------
 
 bool are_identical(const Curve& a, const Curve& b)
@@ -405,7 +371,6 @@ int main()
 #else
   std::cout << "without TBB" << std::endl;
 #endif
-  test_levels();
   test_synthetic_meshes();
   test_floats();
   for(const auto& named : test_meshes::all_meshes<Kernel>())
