@@ -1,4 +1,5 @@
-// What a layout must be, checked in rationals on what the public class tells, the mesh, and the map.
+// What a layout must be, checked in rationals on what the public class tells, the mesh, and the
+// map.
 
 #ifndef SEAMLESS_SNAPPING_TEST_LAYOUT_CHECKS_H
 #define SEAMLESS_SNAPPING_TEST_LAYOUT_CHECKS_H
@@ -255,8 +256,9 @@ private:
     return result;
   }
 
-  // The path leads from node to node, each time along a straight line in one face, and is as long as
-  // the arc; but for the rounding of its points. `result` is the length in faces that hold both.
+  // The path leads from node to node, each time along a straight line in one face, and is as long
+  // as the arc; but for the rounding of its points. `result` is the length in a face that holds
+  // both.
   bool step_length(const typename Graph::Location& a, const typename Graph::Location& b,
                    double& result) const
   {
@@ -387,9 +389,10 @@ private:
         is_near_vertex = true;
         continue;
       }
+      const auto& p = points.front();
       for(std::size_t i = 2; i < points.size(); ++i)
-        areas[patches[f]] += ((points[i - 1][0] - points[0][0]) * (points[i][1] - points[0][1]) -
-                              (points[i - 1][1] - points[0][1]) * (points[i][0] - points[0][0])) / 2;
+        areas[patches[f]] += ((points[i - 1][0] - p[0]) * (points[i][1] - p[1]) -
+                              (points[i - 1][1] - p[1]) * (points[i][0] - p[0])) / 2;
     }
     CHECK_IN(m_context, part_of_patch.size() == number);
     for(std::size_t p = 0; p < areas.size() && !is_near_vertex; ++p) {

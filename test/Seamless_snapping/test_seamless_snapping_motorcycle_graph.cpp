@@ -194,6 +194,9 @@ struct Square_with_nodes
   {
     return SS::motorcycle_graph(map.mesh, map.uv, parameters::vertex_is_constrained_map(is_given));
   }
+
+  void check(const Graph& graph, const std::string& context) const
+  { check_motorcycle_graph(map.mesh, map.uv, map.is_feature, graph, context); }
 };
 
 // Degrees of the nodes at these coordinates; 0 where there is none.
@@ -222,7 +225,7 @@ void test_right_of_way()
   // to (3, 5) from below and from the right.
   const Square_with_nodes ties({{3, 3}, {5, 5}});
   const Graph graph = ties.graph();
-  check_motorcycle_graph(ties.map.mesh, ties.map.uv, ties.map.is_feature, graph, "ties");
+  ties.check(graph, "ties");
   CHECK_EQUAL(degree_at(graph, 5, 3), std::size_t(3));
   CHECK_EQUAL(degree_at(graph, 3, 5), std::size_t(3));
   CHECK(has_arc_to(graph, {5, 3}, {8, 3})); // who comes from above sees the other at the right
@@ -234,31 +237,31 @@ void test_right_of_way()
   // The nearer one is there before, whatever the side.
   const Square_with_nodes earlier({{4, 3}, {5, 5}});
   const Graph second = earlier.graph();
-  check_motorcycle_graph(earlier.map.mesh, earlier.map.uv, earlier.map.is_feature, second, "sooner");
+  earlier.check(second, "sooner");
   CHECK(has_arc_to(second, {5, 3}, {8, 3}) && !has_arc_to(second, {5, 3}, {5, 0}));
   CHECK(has_arc_to(second, {4, 5}, {0, 5}) && !has_arc_to(second, {4, 5}, {4, 8}));
 
   // Four at once, two by two head on: all of them end, or two arcs cross, which is the same.
   const Square_with_nodes four({{4, 2}, {6, 4}, {4, 6}, {2, 4}});
   const Graph third = four.graph();
-  check_motorcycle_graph(four.map.mesh, four.map.uv, four.map.is_feature, third, "four at once");
+  four.check(third, "four at once");
   CHECK_EQUAL(degree_at(third, 4, 4), std::size_t(4));
 
   // Three at once.
   const Square_with_nodes three({{4, 2}, {6, 4}, {4, 6}});
   const Graph fourth = three.graph();
-  check_motorcycle_graph(three.map.mesh, three.map.uv, three.map.is_feature, fourth, "three");
+  three.check(fourth, "three");
   CHECK_EQUAL(degree_at(fourth, 4, 4), std::size_t(3));
   CHECK(!has_arc_to(fourth, {4, 4}, {0, 4}));
 
   // Head on, off the middle: no node between both; and a third one that comes where they met.
   const Square_with_nodes head_on({{1, 4}, {6, 4}});
   const Graph fifth = head_on.graph();
-  check_motorcycle_graph(head_on.map.mesh, head_on.map.uv, head_on.map.is_feature, fifth, "head on");
+  head_on.check(fifth, "head on");
   CHECK(has_arc_to(fifth, {1, 4}, {6, 4}));
   const Square_with_nodes later({{2, 4}, {6, 4}, {4, 1}});
   const Graph sixth = later.graph();
-  check_motorcycle_graph(later.map.mesh, later.map.uv, later.map.is_feature, sixth, "later");
+  later.check(sixth, "later");
   CHECK_EQUAL(degree_at(sixth, 4, 4), std::size_t(3));
   CHECK(!has_arc_to(sixth, {4, 4}, {4, 8}));
 }

@@ -164,8 +164,8 @@ public:
   Location node_location(const std::size_t n) const
   { return location(internal::face_point(chart_mesh(), point(n).place)); }
 
-  /// returns the half-arcs that leave a node, counterclockwise. At the border, the first one is that
-  /// which has the surface only at its left.
+  /// returns the half-arcs that leave a node, counterclockwise. At the border, the first one is
+  /// that which has the surface only at its left.
   std::vector<std::size_t> half_arcs_around_node(const std::size_t n) const
   {
     std::vector<std::size_t> result;

@@ -75,8 +75,8 @@ Cell_complex cells_of_patches(const Motorcycle_graph<TriangleMesh>& graph)
   return result;
 }
 
-// Puts the points, and the maps that are given; `location(v)` is where vertex v lies, `is_arc(e)` and
-// `patch(c)` are what edges and faces are.
+// Puts the points, and the maps that are given; `location(v)` is where vertex v lies, `is_arc(e)`
+// and `patch(c)` are what edges and faces are.
 template <typename TriangleMesh, typename PolygonMesh, typename NamedParameters1,
           typename NamedParameters2, typename LocationOf, typename IsArc, typename PatchOf>
 void write_layout(const TriangleMesh& tmesh, const Cell_complex& cells, PolygonMesh& output,
@@ -177,9 +177,9 @@ faces are added in the order of nodes, arcs, and patches.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `false` if there is no layout, or if it has loops, several arcs between the same two nodes, or
-        a patch on both sides of an arc, which no valid polygon mesh has. Then nothing is added. More
-        nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
+\return `false` if there is no layout, or if it has loops, several arcs between the same two nodes,
+        or a patch on both sides of an arc, which no valid polygon mesh has. Then nothing is added.
+        More nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
 */
 template <typename TriangleMesh, typename PolygonMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,

@@ -42,9 +42,9 @@ struct Integer_arc_lengths
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
-returns the lengths of all arcs in multiples of a unit: the largest power of two of which all of them
-are integer multiples. There always is one, since coordinates are dyadic numbers. These lengths solve
-what a quantization of the layout has to solve, at a scale that is far too fine; see
+returns the lengths of all arcs in multiples of a unit: the largest power of two of which all of
+them are integer multiples. There always is one, since coordinates are dyadic numbers. These lengths
+solve what a quantization of the layout has to solve, at a scale that is far too fine; see
 `are_lengths_consistent()`.
 
 \pre `bool(graph)`
@@ -78,9 +78,10 @@ Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& gr
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
-returns whether other lengths of the arcs also make rectangles of all patches: whether opposite sides
-have the same length. With positive integers, each patch can then be filled by a grid of quads that
-fits those of its neighbors, whose number is the sum of the products of width and height.
+returns whether other lengths of the arcs also make rectangles of all patches: whether opposite
+sides have the same length. With positive integers, each patch can then be filled by a grid of quads
+that fits those of its neighbors. The number of all quads is the sum of the products of width and
+height.
 
 \tparam Length a number type with exact sums
 \param graph the layout

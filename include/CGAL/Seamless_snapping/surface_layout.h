@@ -214,10 +214,11 @@ Another `stop_policy` makes curves run on where they meet.
 
 If the parametrization is exactly seamless, all faces are positive in the domain, and borders and
 features lie on isocurves, then all of this ends, and what comes out divides the surface into
-rectangles: discs with four corners whose opposite sides are of exactly the same length. The areas of
-all rectangles make up that of the domain. At a cone of index \f$ i \f$ there are \f$ 4 - i \f$ arcs.
-All conditions are checked before; that all patches are discs with four corners and equal sides is
-checked afterwards, exactly. All decisions in between are exact; there are no tolerances.
+rectangles: discs with four corners whose opposite sides are of exactly the same length. The areas
+of all rectangles make up that of the domain. At a cone of index \f$ i \f$ there are
+\f$ 4 - i \f$ arcs. All conditions are checked before; that all patches are discs with four corners
+and equal sides is checked afterwards, exactly. All decisions in between are exact; there are no
+tolerances.
 
 The graph depends on the mesh and its parametrization only, not on the order of faces and vertices,
 which only decides how nodes, arcs, and patches are numbered; and where two vertices of a part

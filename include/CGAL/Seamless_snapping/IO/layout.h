@@ -84,9 +84,9 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
-writes a layout in the format OBJ: the mesh refined along the arcs, as `refine_along_arcs()` makes it,
-with a group of faces for each patch, named `patch_1` and so on; and an element `l` for each arc, with
-all its points, in the group `arcs`.
+writes a layout in the format OBJ: the mesh refined along the arcs, as `refine_along_arcs()` makes
+it, with a group of faces for each patch, named `patch_1` and so on; and an element `l` for each
+arc, with all its points, in the group `arcs`.
 
 \param os the stream
 \param graph the layout

@@ -118,9 +118,9 @@ private:
                   " not lie on isocurves, the first is that from vertex " +
                   m_vertex_name(mesh.source(first)) + " to vertex " +
                   m_vertex_name(mesh.vertex(first)) +
-                  (is_border_edge ? ", on the border; call snap_to_seamless() with align_border(true)"
-                                  : "; call snap_to_seamless() with the same "
-                                    "edge_is_constrained_map") +
+                  (is_border_edge
+                     ? ", on the border; call snap_to_seamless() with align_border(true)"
+                     : "; call snap_to_seamless() with the same edge_is_constrained_map") +
                   ", on a map that is nearly aligned there");
   }
 

@@ -331,7 +331,8 @@ private:
     add_cells(f);
   }
 
-  // Where a step begins or ends among the points of its face: those on its edges, then those inside.
+  // Where a step begins or ends among the points of its face: those on its edges, then those
+  // inside.
   std::int32_t local_point(const std::int32_t point, const Segment_end& end,
                            const std::array<std::int32_t, 3>& first)
   {

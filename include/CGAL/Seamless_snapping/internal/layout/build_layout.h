@@ -187,7 +187,8 @@ private:
   bool add_arc(const Curve_point& a, const Curve_point& b)
   {
     const Layout_curve& curve = m_curves[a.curve];
-    const bool is_end = curve.is_wall && !curve.is_closed && *curve.twice_length == b.length.doubled();
+    const bool is_end =
+      curve.is_wall && !curve.is_closed && *curve.twice_length == b.length.doubled();
     return add_arc(a, b, is_end ? b.slot : behind(b), b.length.minus(a.length),
                    {a.curve, a.begin, b.end, false}, {a.curve, 0, 0, false});
   }
