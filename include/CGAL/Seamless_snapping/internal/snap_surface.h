@@ -67,8 +67,8 @@ class Surface_snapper
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
 
-  // Without the parameter, rounding to an integer-grid map is not even compiled. Lattice coordinates
-  // are not rounded one by one.
+  // Without the parameter, rounding to an integer-grid map is not even compiled. Lattice
+  // coordinates are not rounded one by one.
   static constexpr bool may_round = Group::is_signed_permutation &&
     !CGAL::parameters::is_default_parameter<NamedParameters,
                                             CGAL::internal_np::integer_grid_t>::value;
