@@ -16,6 +16,7 @@ void layout(const Arguments& arguments);
 void make_body(const Arguments& arguments);
 void parametrize(const Arguments& arguments);
 void quads(const Arguments& arguments);
+void remesh(const Arguments& arguments);
 void snap(const Arguments& arguments);
 void trace(const Arguments& arguments);
 

@@ -6,21 +6,16 @@
 #include "commands.h"
 #include "files.h"
 #include "picture.h"
+#include "plain_meshes.h"
 
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <string>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SS = CGAL::Seamless_snapping;
 
 namespace {
@@ -59,30 +54,6 @@ struct Parametrize_options
   }
 };
 
-void read_mesh(const std::string& filename, Mesh& mesh)
-{
-  read_file(filename); // tells why, if it cannot be read
-  if(!PMP::IO::read_polygon_mesh(filename, mesh) || is_empty(mesh))
-    throw Failure(UNREADABLE, "'" + filename + "' is not a mesh in a format that its suffix names");
-  PMP::triangulate_faces(mesh);
-}
-
-// A face can be aligned along two of its edges at most.
-void mark_features(const double angle, Model& model)
-{
-  const Mesh& mesh = model.mesh;
-  PMP::detect_sharp_edges(mesh, angle, model.is_feature);
-  for(const Edge e : mesh.edges())
-    if(mesh.is_border(e))
-      model.is_feature[e] = false;
-  for(const auto f : mesh.faces()) {
-    const auto around = mesh.halfedges_around_face(mesh.halfedge(f));
-    if(std::all_of(around.begin(), around.end(),
-                   [&](Halfedge h) { return model.is_feature[mesh.edge(h)]; }))
-      model.is_feature[mesh.edge(mesh.halfedge(f))] = false;
-  }
-}
-
 } // namespace
 
 void parametrize(const Arguments& arguments)
@@ -94,7 +65,7 @@ void parametrize(const Arguments& arguments)
   Model model;
   read_mesh(options.input, model.mesh);
   if(options.feature_angle > 0)
-    mark_features(options.feature_angle, model);
+    mark_features(options.feature_angle, model.mesh, model.is_feature);
 
   const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
                                         .align_border(options.align_border);

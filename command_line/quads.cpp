@@ -6,19 +6,16 @@
 #include "commands.h"
 #include "files.h"
 #include "measures.h"
+#include "plain_meshes.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <CGAL/boost/graph/IO/OBJ.h>
-#include <CGAL/boost/graph/IO/OFF.h>
-
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -104,16 +101,6 @@ std::string flips_message(const Quad_options& options, const std::vector<std::si
          std::to_string(faces.front()) +
          "; ask for more quads, " + (options.repair_flips ? "" : "try --repair-flips, ") +
          "or leave out the quads around these faces by --allow-holes";
-}
-
-std::string text_of_quads(const Mesh& quads, const std::string& filename)
-{
-  std::ostringstream os;
-  const auto precision = CGAL::parameters::stream_precision(17);
-  if(!(suffix_of(filename) == "off" ? CGAL::IO::write_OFF(os, quads, precision)
-                                    : CGAL::IO::write_OBJ(os, quads, precision)))
-    throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
-  return os.str();
 }
 
 } // namespace

@@ -19,11 +19,12 @@ struct Command
   void (*run)(const Arguments&);
 };
 
-const std::array<Command, 7> commands = {{
+const std::array<Command, 8> commands = {{
   {"snap", "make the parametrization in a file exactly seamless", snap},
   {"check", "tell whether the parametrization in a file is exactly seamless", check},
   {"parametrize", "compute an exactly seamless parametrization of a mesh", parametrize},
   {"quads", "extract the quad mesh that a parametrization describes", quads},
+  {"remesh", "remesh a triangle mesh with quads", remesh},
   {"layout", "divide a parametrized surface into rectangles along isocurves", layout},
   {"trace", "trace isocurves from singular vertices, before and after snapping", trace},
   {"body", "make a surface of a given genus to try these on", make_body}

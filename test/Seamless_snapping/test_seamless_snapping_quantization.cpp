@@ -7,12 +7,14 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -464,7 +466,7 @@ void test_map(const std::filesystem::path& file, Sizes& sizes)
     ++sizes.runs;
     check_mesh(model, quantization, run, sizes);
   }
-  test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 1e6, name);
+  test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 2e5, name);
 }
 
 void test_maps()
@@ -477,6 +479,60 @@ void test_maps()
   std::cout << sizes.maps << " maps, " << sizes.runs << " quantizations, " << sizes.meshes
             << " of them face graphs" << std::endl;
   CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
+}
+
+// --- remeshing -----------------------------------------------------------------------------------
+
+void check_remeshing(const Parametrized_model& model, const std::size_t number,
+                     const std::string& name)
+{
+  Mesh quads;
+  const SS::Remeshing_report report = SS::quad_remesh(
+    model.mesh, quads,
+    parameters::target_number_of_quads(number).edge_is_constrained_map(model.is_aligned));
+  CHECK_IN(name + ": " + report.message, bool(report));
+  CHECK_IN(name, CGAL::is_valid_polygon_mesh(quads) && report.number_of_quads > number / 2);
+  CHECK_EQUAL(report.number_of_quads, std::size_t(quads.number_of_faces()));
+  CHECK_EQUAL(report.number_of_vertices, std::size_t(quads.number_of_vertices()));
+  CHECK_EQUAL(euler_characteristic(quads), euler_characteristic(model.mesh));
+  std::size_t number_of_irregular = 0;
+  for(const auto v : quads.vertices())
+    number_of_irregular += CGAL::is_border(v, quads) || quads.degree(v) == 4 ? 0 : 1;
+  CHECK_EQUAL(number_of_irregular, report.number_of_cones);
+  for(const auto f : quads.faces())
+    CHECK_EQUAL(quads.degree(f), 4u);
+  CHECK_IN(name, report.mean_scaled_jacobian > 0.7 && report.mean_scaled_jacobian <= 1);
+  // The ends and corners of features are vertices of quads, exactly.
+  std::set<Point_3> points;
+  for(const auto v : quads.vertices())
+    points.insert(quads.point(v));
+  for(const auto v : model.mesh.vertices()) {
+    int n = 0;
+    for(const auto h : CGAL::halfedges_around_target(v, model.mesh))
+      n += model.is_aligned[model.mesh.edge(h)] ? 1 : 0;
+    if(n == 1 || n > 2)
+      CHECK_IN(name, points.count(model.mesh.point(v)) == 1);
+  }
+}
+
+void test_remeshing()
+{
+  for(const auto& file : test_data::package_files())
+    check_remeshing(Parametrized_model(file.string()), 2000, file.filename().string());
+  Mesh one_quad, square, quads;
+  std::vector<Vertex> corners;
+  for(Mesh* mesh : {&one_quad, &square})
+    corners = {mesh->add_vertex(Point_3(0, 0, 0)), mesh->add_vertex(Point_3(1, 0, 0)),
+               mesh->add_vertex(Point_3(1, 1, 0)), mesh->add_vertex(Point_3(0, 1, 0))};
+  one_quad.add_face(corners);
+  CHECK(SS::quad_remesh(one_quad, quads).status == SS::Remeshing_status::NOT_PARAMETRIZED);
+  square.add_face(corners[0], corners[1], corners[2]);
+  square.add_face(corners[2], corners[3], corners[0]);
+  CHECK(SS::quad_remesh(square, quads, parameters::target_number_of_quads(0)).status ==
+        SS::Remeshing_status::NOT_QUANTIZED);
+  CHECK(quads.is_empty());
+  CHECK(bool(SS::quad_remesh(square, quads, parameters::target_number_of_quads(100))));
+  CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
 // --- refusals ------------------------------------------------------------------------------------
@@ -537,6 +593,7 @@ int main()
   test_surfaces();
   test_optimum();
   test_maps();
+  test_remeshing();
   test_refusals();
   return report_checks();
 }

@@ -281,12 +281,27 @@ private:
     units = sum(units, change);
   }
 
-  // The cheapest move that raises the determinant of a triangle.
+  // The cheapest move that raises the determinant of a triangle. Most are cheap, and found soon.
   bool raise(const Flat_face_index face)
   {
     m_face_to_raise = face;
     State best = no_state;
-    double least = dearest_repair;
+    double least = 0;
+    for(const double bound : {2., dearest_repair})
+      if(best == no_state) {
+        least = bound;
+        best = cheapest_raise(face, least);
+      }
+    const bool is_found = best != no_state && find_strip(best, dearest_repair) &&
+                          apply(best, std::numeric_limits<double>::infinity());
+    m_face_to_raise = no_index;
+    return is_found;
+  }
+
+  // Lowers `least` to its cost.
+  State cheapest_raise(const Flat_face_index face, double& least)
+  {
+    State best = no_state;
     for(Corner_index h = 3 * face; h < 3 * face + 3; ++h)
       for(int k = 0; k < 4; ++k) {
         const State s = state(h, k);
@@ -295,10 +310,7 @@ private:
         best = s;
         least = m_distance[std::size_t(s)] + positive(cost(s));
       }
-    const bool is_found = best != no_state && find_strip(best, dearest_repair) &&
-                          apply(best, std::numeric_limits<double>::infinity());
-    m_face_to_raise = no_index;
-    return is_found;
+    return best;
   }
 
   using Queued = std::pair<double, State>;

@@ -1,0 +1,39 @@
+// Remeshes a triangle mesh with about as many quads as asked for.
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/quad_remesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace SS = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+int main(int argc, char* argv[])
+{
+  const std::string input = (argc > 1) ? argv[1] : "data/genus3_features.obj";
+  const std::size_t number_of_quads = (argc > 2) ? std::size_t(std::atol(argv[2])) : 2000;
+  const std::string output = (argc > 3) ? argv[3] : "quads.off";
+  Mesh mesh;
+  auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  if(!SS::IO::read_OBJ(input, mesh, uv_map, SS::parameters::edge_is_constrained_map(is_feature)))
+    return EXIT_FAILURE;
+
+  Mesh quads;
+  const auto report = SS::quad_remesh(mesh, quads,
+                                      SS::parameters::target_number_of_quads(number_of_quads)
+                                        .edge_is_constrained_map(is_feature));
+  std::cout << report << "\n"
+            << report.number_of_quads << " quads around " << report.number_of_cones
+            << " cones; scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
+            << report.mean_scaled_jacobian << std::endl;
+  return report && CGAL::IO::write_OFF(output, quads) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
