@@ -1,7 +1,7 @@
 // What all exact decisions are made of, against rational numbers: differences with their errors,
 // transitions, sums, integers with overflow, grids, rows, levels, points of the integer grid, and
-// orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds of
-// number types.
+// orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds
+// of number types.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>

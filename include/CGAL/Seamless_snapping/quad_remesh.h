@@ -225,8 +225,8 @@ private:
     return true;
   }
 
-  // No face graph has a vertex of one edge, as cones of index 3 are. On surfaces without borders and
-  // features, where cones can be given, a neighbor takes one quarter turn.
+  // No face graph has a vertex of one edge, as cones of index 3 are. On surfaces without borders
+  // and features, where cones can be given, a neighbor takes one quarter turn.
   template <typename Report>
   void split_sharp_cones(const unsigned int number_of_rounds, Report& made)
   {

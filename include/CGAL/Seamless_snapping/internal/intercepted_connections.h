@@ -98,8 +98,8 @@ inline void tell_of_interception(const std::size_t place, const std::string& obs
                                  Snapping_report& report)
 {
   if(report.intercepted_connections.empty())
-    report.message += std::string(report.message.empty() ? "" : "; ") + "the isocurve of connection "
-      "constraint " + std::to_string(place) + obstacle;
+    report.message += std::string(report.message.empty() ? "" : "; ") +
+                      "the isocurve of connection constraint " + std::to_string(place) + obstacle;
   report.intercepted_connections.push_back(place);
 }
 

@@ -80,7 +80,8 @@ inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_
 }
 
 // Invariant: vertices that are held stay where they are, all others on the surface.
-template <typename QuadMesh, typename VertexPointMap, typename TriangleMesh, typename TrianglePointMap>
+template <typename QuadMesh, typename VertexPointMap, typename TriangleMesh,
+          typename TrianglePointMap>
 class Quad_smoother
 {
   using Graph_traits = boost::graph_traits<QuadMesh>;

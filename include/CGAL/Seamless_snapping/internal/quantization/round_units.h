@@ -14,8 +14,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Integer vectors for the edges of a complex, near real-valued ones: they close all triangles, match
-// across edges, and keep walls on their isocurves. Not all triangles need be positive.
+// Integer vectors for the edges of a complex, near real-valued ones: they close all triangles,
+// match across edges, and keep walls on their isocurves. Not all triangles need be positive.
 
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
