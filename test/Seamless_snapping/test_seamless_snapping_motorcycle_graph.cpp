@@ -143,6 +143,37 @@ void test_rings()
     }
 }
 
+// A square above the middle of the upper side of a wider one. Their common vertex is a corner of the
+// former; it is a node for the latter only if it is given.
+void test_several_fans()
+{
+  Mesh mesh;
+  const auto uv = square_complex::uv_map(mesh);
+  auto is_given = mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
+  const auto vertex = [&](const double x, const double y)
+    { return mesh.add_vertex(Kernel::Point_3(x, y, 0)); };
+  const auto middle = vertex(1, 2), left = vertex(0, 0), right = vertex(2, 0);
+  mesh.add_face(left, right, middle);
+  mesh.add_face(left, middle, vertex(0, 2));
+  mesh.add_face(right, vertex(2, 2), middle);
+  const auto opposite = vertex(2, 3);
+  mesh.add_face(middle, vertex(2, 2), opposite);
+  mesh.add_face(middle, opposite, vertex(1, 3));
+  for(const auto h : mesh.halfedges())
+    uv[h] = Point_2(mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y());
+  const auto np = parameters::vertex_is_constrained_map(is_given);
+  const Graph graph = SS::motorcycle_graph(mesh, uv, np);
+  CHECK_EQUAL(graph.number_of_nodes(), std::size_t(8));
+  CHECK_EQUAL(graph.number_of_patches(), std::size_t(2));
+  is_given[middle] = true;
+  const Graph second = SS::motorcycle_graph(mesh, uv, np);
+  CHECK_EQUAL(second.number_of_nodes(), std::size_t(10)); // one more at the lower side
+  CHECK_EQUAL(second.number_of_patches(), std::size_t(3));
+  Mesh refined;
+  CHECK(SS::refine_along_arcs(second, refined) && CGAL::is_valid_polygon_mesh(refined));
+  CHECK_EQUAL(std::size_t(refined.number_of_vertices()), std::size_t(10));
+}
+
 // Each square is a patch, where all vertices of squares are nodes.
 void check_counts(const Square_complex& complex, const std::size_t nodes, const std::size_t arcs,
                   const std::size_t patches)
@@ -529,6 +560,7 @@ int main()
   test_known_counts();
   test_surfaces();
   test_rings();
+  test_several_fans();
   test_right_of_way();
   test_given_nodes();
   test_integer_lengths();

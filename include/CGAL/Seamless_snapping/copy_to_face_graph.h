@@ -28,6 +28,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>

@@ -95,12 +95,8 @@ private:
 
   bool check_walls()
   {
-    Chart_mesh& mesh = m_domain.mesh;
-    const std::vector<char>& is_border = mesh.is_border;
-    if(std::find(is_border.begin(), is_border.end(), true) != is_border.end())
-      Fan_splitter(mesh).run();
-    if(!m_is_given.empty()) // new vertices are copies of given ones, if any
-      m_is_given.resize(mesh.number_of_vertices(), false);
+    split_fans();
+    const Chart_mesh& mesh = m_domain.mesh;
     mark_walls(m_is_feature, m_domain);
     std::size_t number = 0;
     Corner_index first = no_index;
@@ -122,6 +118,25 @@ private:
                      ? ", on the border; call snap_to_seamless() with align_border(true)"
                      : "; call snap_to_seamless() with the same edge_is_constrained_map") +
                   ", on a map that is nearly aligned there");
+  }
+
+  // Each fan gets a vertex of its own, which is given if the one of the mesh is.
+  void split_fans()
+  {
+    Chart_mesh& mesh = m_domain.mesh;
+    if(std::find(mesh.is_border.begin(), mesh.is_border.end(), true) == mesh.is_border.end())
+      return;
+    std::vector<char> is_given_corner;
+    if(!m_is_given.empty())
+      for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
+        is_given_corner.push_back(m_is_given[mesh.vertex(h)]);
+    Fan_splitter(mesh).run();
+    if(m_is_given.empty())
+      return;
+    m_is_given.assign(mesh.number_of_vertices(), false);
+    for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
+      if(is_given_corner[std::size_t(h)])
+        m_is_given[mesh.vertex(h)] = true;
   }
 
   bool race()
