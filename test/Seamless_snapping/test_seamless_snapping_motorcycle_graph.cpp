@@ -143,8 +143,8 @@ void test_rings()
     }
 }
 
-// A square above the middle of the upper side of a wider one. Their common vertex is a corner of the
-// former; it is a node for the latter only if it is given.
+// A square above the middle of the upper side of a wider one. Their common vertex is a corner of
+// the former; it is a node for the latter only if it is given.
 void test_several_fans()
 {
   Mesh mesh;
