@@ -27,9 +27,9 @@ struct Remesh_options
   bool parse(const Arguments& arguments)
   {
     Options options("remesh IN OUT",
-                    "Remeshes a triangle mesh with quads only. IN is a file of any format that CGAL\n"
-                    "reads (.off, .obj, .ply, .stl and others); OUT is a .obj or .off file. Quads\n"
-                    "are aligned to borders.\n");
+                    "Remeshes a triangle mesh with quads only, aligned to borders. IN is a file of\n"
+                    "any format that CGAL reads (.off, .obj, .ply, .stl and others); OUT is a .obj\n"
+                    "or .off file.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("quads", "N", number, "about how many quads to make (default: 10000)");
