@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/parameters.h>

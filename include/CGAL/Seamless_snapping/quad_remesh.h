@@ -18,7 +18,7 @@
 
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
-#include <CGAL/Seamless_snapping/internal/quad_meshes/smooth_quads.h>
+#include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

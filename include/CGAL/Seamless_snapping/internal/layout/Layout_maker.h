@@ -23,8 +23,8 @@
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
 #include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
 #include <CGAL/Seamless_snapping/internal/layout/build_layout.h>
-#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
-#include <CGAL/Seamless_snapping/internal/quads/remove_faces.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
 
 #include <algorithm>
 #include <cstddef>

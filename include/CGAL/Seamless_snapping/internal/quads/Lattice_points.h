@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/quads/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
 #include <algorithm>
@@ -43,12 +44,6 @@ struct Lattice_point
 };
 
 inline std::size_t face_of(const Corner_index h) { return std::size_t(h) / 3; }
-
-inline Uv_triangle triangle(const Chart_mesh& mesh, const std::size_t face)
-{
-  const Corner_index h = Corner_index(3 * face);
-  return {mesh.uv(h), mesh.uv(h + 1), mesh.uv(h + 2)};
-}
 
 // Rows of the grid first, as the points inside of a face come.
 inline bool is_before(const Uv& a, const Uv& b)

@@ -23,7 +23,8 @@
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/quads/pair_darts.h>
 #include <CGAL/Seamless_snapping/internal/quads/Quad_complex.h>
-#include <CGAL/Seamless_snapping/internal/quads/remove_faces.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
 #include <algorithm>

@@ -61,15 +61,6 @@ inline bool is_half_integer(const Uv& u)
   return std::abs(u[0] - std::floor(u[0])) == 0.5 && std::abs(u[1] - std::floor(u[1])) == 0.5;
 }
 
-inline std::vector<std::size_t> nonpositive_faces(const Chart_mesh& mesh)
-{
-  std::vector<std::size_t> result;
-  for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f)
-    if(orientation(triangle(mesh, f)) != CGAL::POSITIVE)
-      result.push_back(f);
-  return result;
-}
-
 // In floating point.
 inline double area(const Chart_mesh& mesh)
 {

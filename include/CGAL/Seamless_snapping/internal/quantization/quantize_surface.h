@@ -18,10 +18,10 @@
 // mesh data structure.
 
 #include <CGAL/Seamless_snapping/Quantization.h>
-#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 
 #include <cmath>
 #include <cstddef>
