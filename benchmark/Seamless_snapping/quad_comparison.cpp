@@ -1,0 +1,123 @@
+// What quad_remesh() makes of the given meshes, and of all meshes in given folders, at several
+// sizes: a table of outcomes, quads, irregular vertices, scaled Jacobians, distances from the input,
+// and times; and what becomes of the same parametrizations without snapping.
+//
+//   quad_comparison [--quads N]... MESH_OR_FOLDER...
+
+#include "command_line.h"
+
+#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/quad_remesh.h>
+#include <CGAL/Seamless_snapping/quantize.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace po = benchmark::options;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SS = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// Of all meshes and sizes.
+struct Totals
+{
+  std::size_t tried = 0, remeshed = 0, parametrized = 0, quantized_unsnapped = 0;
+};
+
+std::vector<std::string> files_of(const std::vector<std::string>& names)
+{
+  std::vector<std::string> result;
+  for(const std::string& name : names)
+    if(std::filesystem::is_directory(name)) {
+      for(const auto& entry : std::filesystem::directory_iterator(name))
+        result.push_back(entry.path().string());
+    } else {
+      result.push_back(name);
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Whether the parametrization is good for quads as the solver returns it.
+void try_unsnapped(Mesh& mesh, Totals& totals)
+{
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  if(!SS::approximate_seamless_parameterization(mesh, uv, SS::parameters::align_border(true)))
+    return;
+  ++totals.parametrized;
+  totals.quantized_unsnapped += SS::quantize(mesh, uv) ? 1 : 0;
+}
+
+void print_row(const std::string& name, const Mesh& mesh, const std::size_t number, Totals& totals)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  Mesh quads;
+  CGAL::Real_timer timer;
+  timer.start();
+  const SS::Remeshing_report report =
+    SS::quad_remesh(mesh, quads, SS::parameters::target_number_of_quads(number));
+  ++totals.tried;
+  totals.remeshed += report ? 1 : 0;
+  std::cout << "| " << name << " | " << mesh.number_of_faces() << " | " << number << " | ";
+  if(report)
+    std::cout << report.number_of_quads << " | " << report.number_of_cones << " | " << std::fixed
+              << std::setprecision(3) << report.least_scaled_jacobian << " | "
+              << report.mean_scaled_jacobian << " | " << std::setprecision(2)
+              << 100 * report.largest_distance / diagonal << " | ";
+  else
+    std::cout << " | | | | | ";
+  std::cout << std::fixed << std::setprecision(2) << timer.time() << " | " << report << " |"
+            << std::endl;
+}
+
+int main(int argc, char** argv)
+{
+  std::vector<std::size_t> numbers;
+  std::vector<std::string> names;
+  po::options_description options("Options");
+  options.add_options()
+    ("quads", po::value(&numbers)->composing(), "sizes (default: 1000, 5000, and 20000)")
+    ("mesh", po::value(&names)->required(), "meshes of any format that CGAL reads, or folders");
+  if(const auto exit_code = benchmark::read_command_line(
+       argc, argv, "quad_comparison [options] MESH_OR_FOLDER...", options, "mesh"))
+    return *exit_code;
+  if(numbers.empty())
+    numbers = {1000, 5000, 20000};
+  std::cout << "| mesh | faces | asked | quads | irregular | least Jacobian | mean Jacobian "
+               "| distance, % of diagonal | seconds | outcome |\n"
+               "|---|---|---|---|---|---|---|---|---|---|" << std::endl;
+  Totals totals;
+  for(const std::string& filename : files_of(names)) {
+    const std::string name = std::filesystem::path(filename).filename().string();
+    Mesh mesh;
+    if(!PMP::IO::read_polygon_mesh(filename, mesh)) {
+      std::cout << "| " << name << " | unreadable |" << std::endl;
+      continue;
+    }
+    PMP::triangulate_faces(mesh);
+    for(const std::size_t number : numbers)
+      print_row(name, mesh, number, totals);
+    try_unsnapped(mesh, totals);
+  }
+  std::cout << totals.remeshed << " of " << totals.tried << " remeshed; without snapping, "
+            << totals.quantized_unsnapped << " of " << totals.parametrized
+            << " parametrizations are exact, and the others refused" << std::endl;
+  return EXIT_SUCCESS;
+}
