@@ -280,9 +280,13 @@ private:
         m_report.message.clear();
         return true;
       }
-      fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
       if(extracted.status != Extraction_status::NO_FACE_GRAPH)
-        return false;
+        return fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
+      fail(Remeshing_status::NOT_EXTRACTED,
+           std::to_string(quantization.number_of_quads) + " quads meet themselves, or each other "
+           "twice, which no face graph can hold; ask for more quads, or take the parametrization "
+           "of another method, whose cones are farther apart, to quantize() and "
+           "extract_quad_mesh()");
       m_options.is_coarsest = false;
       m_options.number_of_quads = 2 * static_cast<double>(quantization.number_of_quads);
     }
