@@ -1,6 +1,6 @@
 // What quad_remesh() makes of the given meshes, and of all meshes in given folders, at several
-// sizes: a table of outcomes, quads, irregular vertices, scaled Jacobians, distances from the input,
-// and times; and what becomes of the same parametrizations without snapping.
+// sizes: a table of outcomes, quads, irregular vertices, scaled Jacobians, distances from the
+// input, and times; and what becomes of the same parametrizations without snapping.
 //
 //   quad_comparison [--quads N]... MESH_OR_FOLDER...
 
