@@ -292,8 +292,8 @@ void test_further_constraints(Mesh mesh, const std::string& name)
   std::array<std::size_t, 3> number{{0, 0, 0}};
   for(int i = 0; i < 2000 && connections.size() < 12; ++i) {
     SS::Connection_constraint<Mesh> c;
-    c.a = Halfedge(random() % mesh.number_of_halfedges());
-    c.b = Halfedge(random() % mesh.number_of_halfedges());
+    c.a = Halfedge(Halfedge::size_type(random() % mesh.number_of_halfedges()));
+    c.b = Halfedge(Halfedge::size_type(random() % mesh.number_of_halfedges()));
     c.component = int(random() % 3);
     if(mesh.is_border(c.a) || mesh.is_border(c.b))
       continue;

@@ -35,11 +35,11 @@ degrees. Objects are values of the named parameter `rotational_symmetry`.
 
 For \f$ N = 1, 2, 4 \f$ coordinates are Cartesian. For \f$ N = 3, 6 \f$ they are <em>lattice
 coordinates</em>: \f$ (a, b) \f$ stands for the point \f$ a + b \omega \f$, where \f$ \omega \f$ is
-the unit vector at 60 degrees. The rotations are integer matrices then, by 60 degrees
-\f$ \left(\begin{smallmatrix} 0 & -1 \\ 1 & 1 \end{smallmatrix}\right) \f$. In Cartesian coordinates
-no such map can be exact: the image of \f$ (x, y) \neq 0 \f$ under this rotation is
-\f$ (\frac{x}{2} - \frac{\sqrt 3}{2} y, \frac{\sqrt 3}{2} x + \frac{y}{2}) \f$, and \f$ \sqrt 3 \f$
-is irrational, so that not all four numbers are floating point numbers.
+the unit vector at 60 degrees. The rotations are integer matrices then; that by 60 degrees takes
+\f$ (a, b) \f$ to \f$ (-b, a + b) \f$. In Cartesian coordinates no such map can be exact: the
+image of \f$ (x, y) \ne 0 \f$ is
+\f$ (x / 2 - \sqrt 3 y / 2, \sqrt 3 x / 2 + y / 2) \f$, and \f$ \sqrt 3 \f$ is irrational,
+so that not all four numbers are floating point numbers.
 
 Isocurves run in three directions for \f$ N = 3, 6 \f$: where \f$ a \f$, \f$ b \f$, or
 \f$ a + b \f$ is constant. These are the components 0, 1, and 2 of constraints. Tolerances and

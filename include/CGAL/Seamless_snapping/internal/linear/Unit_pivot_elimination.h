@@ -170,7 +170,7 @@ private:
       return;
     }
     const Entry<Integer>* pivot = rarest_unit(row(i));
-    if(pivot == nullptr && make_unit(i))
+    if(pivot == nullptr && m_number_of_original_columns > few_columns && make_unit(i))
       pivot = rarest_unit(row(i));
     if(pivot == nullptr) {
       m_states[std::size_t(i)] = CORE; // until another pivot changes it
@@ -305,6 +305,9 @@ private:
     implied.push_back({column, Integer(1)});
     add_auxiliary_unknown(std::move(sum), size, std::move(implied)); // invalidates `row`
   }
+
+  // Systems of no more columns are left to the integer solver, which is fast then, and closer.
+  static constexpr std::size_t few_columns = 200;
 
   // Columns that no other row holds become one with coefficient 1, if their coefficients have no
   // common factor: two at a time. Returns false if they have, or values might not fit.
