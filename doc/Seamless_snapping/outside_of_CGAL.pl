@@ -10,7 +10,8 @@ use open qw(:std :encoding(UTF-8));
 
 my %symbols = (
   pm => '±', ne => '≠', le => '≤', ge => '≥', approx => '≈', cdot => '·', ldots => '…',
-  circ => '°', omega => 'ω', sigma => 'σ', sqrt => '√', chi => 'χ', sum => '∑', in => '∈', to => '→',
+  circ => '°', omega => 'ω', sigma => 'σ', sqrt => '√',
+  chi => 'χ', sum => '∑', in => '∈', to => '→',
   log => 'log', times => '×');
 
 # What TeX takes as one argument at the place reached: a group in braces, a command, or a character.
