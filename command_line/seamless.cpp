@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <new>
@@ -58,10 +59,22 @@ void run(const Arguments& arguments)
     throw Failure(UNWRITABLE, "cannot write to the standard output");
 }
 
+// Under a name of its own, the program is the command that goes by this name.
+Arguments arguments_with_command(const int argc, char** argv)
+{
+  Arguments result(argv + (std::min)(argc, 1), argv + argc);
+  const std::string name = argc > 0 ? std::filesystem::path(argv[0]).stem().string() : "";
+  if(name == "quad_obj")
+    result.insert(result.begin(), "quads");
+  else if(name == "quad_remesh")
+    result.insert(result.begin(), "remesh");
+  return result;
+}
+
 int main(int argc, char** argv)
 {
   try {
-    run(Arguments(argv + 1, argv + argc));
+    run(arguments_with_command(argc, argv));
     return SUCCESS;
   } catch(const Failure& failure) {
     std::cerr << "seamless: " << failure.what() << std::endl;
