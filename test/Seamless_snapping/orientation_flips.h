@@ -103,6 +103,25 @@ inline void test_flips_near_origin()
     }
 }
 
+// A face without area counts as one to be repaired.
+inline void test_degenerate_face()
+{
+  const std::string context = "degenerate face";
+  Named named{ context, false, test_meshes::make_mesh<Kernel>(test_meshes::disc(4, 4), 1, 0.25) };
+  const Mesh& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(named.mesh);
+  const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                               [&](auto w) { return !mesh.is_border(w); });
+  const auto corner = mesh.halfedge(v);
+  const auto middle = CGAL::midpoint(uv[mesh.next(corner)], uv[mesh.prev(corner)]);
+  for(const auto h : halfedges_around_target(v, mesh))
+    uv[h] = middle;
+  const auto before = SS::measure_seamlessness(mesh, uv);
+  CHECK_IN(context, before.number_of_degenerate_faces == 1 && before.number_of_flipped_faces == 0);
+  snap(mesh, uv, SS::parameters::default_values(), exact_check::No_edge_aligned(), context, true);
+  CHECK_IN(context, are_all_positive(signs(mesh, uv)));
+}
+
 // Flips of an exact map at nodes of cuts, which no vertex can repair by itself.
 inline void test_flips_at_nodes()
 {
@@ -254,6 +273,7 @@ inline void test_flips()
   test_flips_of_exact_map();
   test_mirrored_map();
   test_flips_near_origin();
+  test_degenerate_face();
   test_flips_at_nodes();
   test_flips_off_grid();
   test_bow_tie();

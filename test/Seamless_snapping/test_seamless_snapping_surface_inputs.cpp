@@ -386,6 +386,15 @@ void test_bad_numbers()
         CHECK(!SS::is_seamless(named.mesh, uv));
     }
   }
+  // at a corner between two edges of the border
+  Mesh triangle;
+  const Halfedge corner = CGAL::make_triangle(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
+                                              Kernel::Point_3(0, 1, 0), triangle);
+  const UV_map triangle_uv = test_meshes::uv_map(triangle);
+  for(const double bad : { std::nan(""), infinity, 1.1e300 }) {
+    triangle_uv[corner] = Point_2(bad, 0);
+    CHECK(SS::snap_to_seamless(triangle, triangle_uv).status == Snapping_status::NOT_FINITE);
+  }
   // not read on the border
   Named_mesh<Kernel> named = named_mesh("box with three holes", 1);
   const UV_map uv = test_meshes::uv_map(named.mesh);
