@@ -10,6 +10,7 @@
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
+#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
@@ -78,6 +79,16 @@ void test_differences()
     only_rounded_equal += !is_equal && c - e == d.rounded ? 1 : 0;
   }
   CHECK(equal > 100 && only_rounded_equal > 100);
+}
+
+// Translations of integer-grid maps: a rounding error makes the difference.
+void test_integer_differences()
+{
+  for(const double x : { -3., 0., 1., 0x1p40 }) {
+    CHECK(is_integer(Exact_difference(x, 7)));
+    for(const double off : { 0x1p-60, 0.5, 0x1p-1060 })
+      CHECK(!is_integer(Exact_difference(x, off)));
+  }
 }
 
 // Terms that cancel, but for the last bits of some.
@@ -485,6 +496,7 @@ int main()
 {
   std::cout << "random seed " << seed << std::endl;
   test_differences();
+  test_integer_differences();
   test_sums();
   test_transitions<Trivial>({{{{1, 0}}, {{0, 1}}}}, "N = 1");
   test_transitions<Half_turns>({{{{-1, 0}}, {{0, -1}}}}, "N = 2");
