@@ -50,20 +50,6 @@ inline Extraction_status extraction_status(const Snapping_status status)
   }
 }
 
-// Marks, per corner, the edges that are features; empty if none are given.
-template <typename TriangleMesh, typename NamedParameters>
-std::vector<char> feature_corners(const TriangleMesh& tmesh,
-                                  const Flat_numbering<TriangleMesh>& numbering,
-                                  const NamedParameters& np)
-{
-  std::vector<char> is_feature;
-  const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  if constexpr(!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
-    for(const auto h : numbering.halfedges_of_corners())
-      is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
-  return is_feature;
-}
-
 template <typename NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)
 {

@@ -101,20 +101,7 @@ constexpr bool is_given_parameter(const Parameter&)
   return !std::is_same_v<Parameter, CGAL::internal_np::Param_not_found>;
 }
 
-// What the caller says of edges, per corner, and of vertices; empty if nothing.
-template <typename TriangleMesh, typename NamedParameters>
-std::vector<char> constrained_corners(const TriangleMesh& tmesh,
-                                      const Flat_numbering<TriangleMesh>& numbering,
-                                      const NamedParameters& np)
-{
-  std::vector<char> result;
-  const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  if constexpr(is_given_parameter(map))
-    for(const auto h : numbering.halfedges_of_corners())
-      result.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
-  return result;
-}
-
+// What the caller says of vertices; empty if nothing.
 template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> constrained_vertices(const Flat_numbering<TriangleMesh>& numbering,
                                        const NamedParameters& np)
@@ -193,7 +180,7 @@ void make_layout(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
       get(vertex_indices, target(numbering.halfedges_of_corners()[std::size_t(h)], tmesh)));
   };
   const Race_options options = race_options(tmesh, numbering, data, np);
-  Layout_maker(std::move(mesh), constrained_corners(tmesh, numbering, np),
+  Layout_maker(std::move(mesh), feature_corners(tmesh, numbering, np),
                constrained_vertices(numbering, np), options, vertex_name, data).run();
 }
 

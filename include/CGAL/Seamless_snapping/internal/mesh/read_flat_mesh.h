@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -30,6 +31,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -166,6 +168,20 @@ std::optional<Mesh_defect> find_several_fans(const Flat_mesh<Corner>& mesh)
                            "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()"};
   }
   return std::nullopt;
+}
+
+// Marks, per corner, the edges that are features; empty if none are given.
+template <typename TriangleMesh, typename NamedParameters>
+std::vector<char> feature_corners(const TriangleMesh& tmesh,
+                                  const Flat_numbering<TriangleMesh>& numbering,
+                                  const NamedParameters& np)
+{
+  std::vector<char> is_feature;
+  const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+  if constexpr(!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
+    for(const auto h : numbering.halfedges_of_corners())
+      is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
+  return is_feature;
 }
 
 } // namespace internal
