@@ -34,13 +34,27 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   endforeach()
 endif()
 
-# The benchmarks compile, where they are not built.
+# The benchmarks compile, where they are not built: with the flags of the precompiled headers, which
+# are those of all programs, or these would not be taken.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND flags -frounding-math) # as CGAL has it
+  endif()
+  set(target seamless_snapping_precompiled)
+  set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
+  set(precompiled "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
+  set(options "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>")
   file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping/*.cpp")
   foreach(benchmark IN LISTS benchmarks)
     get_filename_component(name "${benchmark}" NAME_WE)
     add_test(NAME "benchmark_${name}"
-      COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" "${benchmark}" COMMAND_EXPAND_LISTS)
+      COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
+        "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
+        -I "${PROJECT_SOURCE_DIR}/include"
+        "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
+        -include "${precompiled}" "${benchmark}" COMMAND_EXPAND_LISTS)
     set_tests_properties("benchmark_${name}" PROPERTIES LABELS headers)
   endforeach()
 endif()

@@ -5,6 +5,12 @@ add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
+# All programs have the same definitions, hence the same headers: some run in parallel.
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+if(TARGET CGAL::TBB_support)
+  target_link_libraries(seamless_snapping_precompiled PUBLIC CGAL::TBB_support)
+endif()
 target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <CGAL/Exact_integer.h>
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -5,11 +5,13 @@
 #define SEAMLESS_SNAPPING_PRECOMPILED_SURFACE_H
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <type_traits>
+#include <utility>
 
 namespace seamless_snapping_precompiled {
 
@@ -18,35 +20,55 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Uv_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-namespace SS = CGAL::Seamless_snapping;
-
 // Without parameters, with features, and with features and borders.
+namespace SS = CGAL::Seamless_snapping;
 using Plain = CGAL::parameters::Default_named_parameters;
 using Features = decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()));
 using Aligned =
     decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()).align_border(true));
 
+// What all calls share that give no cuts and rotations, whatever else they ask for.
+using Group = SS::internal::Rotation_group<4>;
+using Vertex_index_map = std::decay_t<decltype(
+    CGAL::get_initialized_vertex_index_map(std::declval<const Mesh&>(), std::declval<Plain>()))>;
+using Given = decltype(
+    SS::internal::given_transitions<Group>(std::declval<const Mesh&>(), std::declval<Plain>()));
+using Scaled_uv_map = std::decay_t<decltype(
+    get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), std::declval<const Mesh&>()))>;
+
 } // namespace seamless_snapping_precompiled
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX, PARAMETERS)                                  \
-  PREFIX template Snapping_report snap_to_seamless(const seamless_snapping_precompiled::Mesh&,     \
-                                                   seamless_snapping_precompiled::Uv_map,          \
-                                                   const PARAMETERS&);                             \
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND)                           \
+  PREFIX template class internal::Transition_reader<                                               \
+      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
+      seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given>;      \
+  PREFIX template class internal::Cut_complex_reader<                                              \
+      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
+      seamless_snapping_precompiled::Vertex_index_map>;                                            \
+  PREFIX template class internal::Surface_snapper<                                                 \
+      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
+      seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given,       \
+      MAY_ROUND>;
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \
                                    seamless_snapping_precompiled::Uv_map, const PARAMETERS&);      \
   PREFIX template Seamlessness measure_seamlessness(const seamless_snapping_precompiled::Mesh&,    \
                                                     seamless_snapping_precompiled::Uv_map,         \
                                                     const PARAMETERS&);
 
+#define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Uv_map, false)      \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Scaled_uv_map,      \
+                                        true)                                                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Features)            \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Aligned)
+
 namespace CGAL {
 namespace Seamless_snapping {
 
-SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(extern, seamless_snapping_precompiled::Plain)
-SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(extern, seamless_snapping_precompiled::Features)
-SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(extern, seamless_snapping_precompiled::Aligned)
-extern template auto
-seam_transitions(const seamless_snapping_precompiled::Mesh&, seamless_snapping_precompiled::Uv_map,
-                 const seamless_snapping_precompiled::Plain&);
+SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(extern)
 
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -7,6 +7,7 @@
 #include "exact_reference.h"
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -62,14 +63,16 @@ Values_and_system reduced_seamless_system(const Graph& g, const UVMap& uv,
   namespace internal = CGAL::Seamless_snapping::internal;
   using Group = internal::Quarter_turns;
   const auto np = internal::strip(wrapped);
+  const auto indices = CGAL::get_initialized_vertex_index_map(g, np);
+  const auto options = internal::snapping_options<Group>(g, np);
   const auto transitions = internal::read_transitions<Group>(g, uv, np);
   check(transitions.refusal);
-  const auto aligned_edges = internal::read_aligned_edges<Group>(g, uv, transitions.extent, np);
-  const internal::Constraint_list<Graph> constraints(g, np);
+  const auto aligned_edges = internal::read_aligned_edges<Group>(
+    g, uv, indices, options.edges_to_align, options.tolerance * transitions.extent);
   check(aligned_edges.refusal());
-  check(constraints.refusal());
-  const auto cuts = internal::read_cut_complex(g, uv, CGAL::get_initialized_vertex_index_map(g, np),
-                                               transitions, aligned_edges, constraints);
+  check(options.constraints.refusal());
+  const auto cuts = internal::read_cut_complex(g, uv, indices, transitions, aligned_edges,
+                                               options.constraints);
   const internal::Complex_solver<Group> solver(cuts.complex, internal::Number_format::of<double>());
 
   Values_and_system result;

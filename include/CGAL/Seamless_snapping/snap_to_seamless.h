@@ -19,6 +19,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
@@ -246,15 +247,22 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::grid_scale_t>;
   using Is_default_grid =
     CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::integer_grid_t>;
+  const auto& plain_np = internal::strip(np);
+  Snapping_report report;
   if constexpr(Is_default_scale::value && Is_default_grid::value)
-    return internal::Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, Parameters>(
-             tmesh, uv_map, internal::strip(np)).run();
+    report = internal::snap_surface<Group>(tmesh, uv_map, plain_np);
   else
-    return internal::snap_scaled<Group>(
-             tmesh, uv_map, internal::strip(np),
-             CGAL::parameters::choose_parameter(
-               CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::grid_scale),
-               1.));
+    report = internal::snap_scaled<Group>(
+      tmesh, uv_map, plain_np,
+      CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.));
+  if constexpr(Group::is_signed_permutation) // others are not traced
+    if(report)
+      internal::find_intercepted_connections(
+        CGAL::parameters::get_parameter_reference(plain_np,
+                                                  CGAL::internal_np::connection_constraints),
+        tmesh, uv_map, plain_np, report);
+  return report;
 }
 
 } // namespace Seamless_snapping

@@ -19,9 +19,13 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>
 #include <cstddef>
@@ -103,20 +107,20 @@ inline void tell_of_interception(const std::size_t place, const std::string& obs
   report.intercepted_connections.push_back(place);
 }
 
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters,
-          typename VertexIndexMap>
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 void find_intercepted_connections(const CGAL::internal_np::Param_not_found&, const TriangleMesh&,
-                                  const HalfedgeUVMap&, const NamedParameters&,
-                                  const VertexIndexMap&, Snapping_report&)
+                                  const HalfedgeUVMap&, const NamedParameters&, Snapping_report&)
 { }
 
 // Fills in the report. \pre the map is exactly seamless, and the connections hold
 template <typename Connections, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters, typename VertexIndexMap>
+          typename NamedParameters>
 void find_intercepted_connections(const Connections& connections, const TriangleMesh& tmesh,
                                   const HalfedgeUVMap& uv_map, const NamedParameters& np,
-                                  const VertexIndexMap& vertex_indices, Snapping_report& report)
+                                  Snapping_report& report)
 {
+  Step_timer timer(report.run);
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map, np);
   if(!tracer.is_exact())
     return;
@@ -127,6 +131,7 @@ void find_intercepted_connections(const Connections& connections, const Triangle
       tell_of_interception(place, obstacle, report);
     ++place;
   }
+  timer.finish("traces of connections");
 }
 
 } // namespace internal

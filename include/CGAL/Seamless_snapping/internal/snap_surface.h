@@ -19,7 +19,6 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
-#include <CGAL/Seamless_snapping/internal/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
@@ -28,6 +27,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
@@ -52,98 +52,74 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// In units of the grid: beyond, something else than the nearest integers is meant.
-constexpr double default_rounding_tolerance = 0.01;
-
 // Below, it is enough to move the vertices of the cuts.
 constexpr double negligible_rounding = 1e-4;
 
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+// \tparam Given see Given_transitions
+// \tparam may_round whether rounding to an integer-grid map is compiled. Lattice coordinates are
+//         not rounded one by one.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Given, bool may_round>
 class Surface_snapper
 {
-  using Vertex_index_map = std::decay_t<decltype(
-    CGAL::get_initialized_vertex_index_map(std::declval<const TriangleMesh&>(),
-                                           std::declval<const NamedParameters&>()))>;
+  using Options = Snapping_options<TriangleMesh>;
   using Cuts = Surface_cuts<Group, TriangleMesh>;
-  using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>;
-
-  // Without the parameter, rounding to an integer-grid map is not even compiled. Lattice
-  // coordinates are not rounded one by one.
-  static constexpr bool may_round = Group::is_signed_permutation &&
-    !CGAL::parameters::is_default_parameter<NamedParameters,
-                                            CGAL::internal_np::integer_grid_t>::value;
+  using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
 
 public:
-  Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
+  Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                  const VertexIndexMap& vertex_indices, const Given& given, const Options& options)
     : m_tmesh(tmesh)
     , m_uv_map(uv_map)
-    , m_np(np)
-    , m_timer(m_report.run,
-              CGAL::parameters::choose_parameter(
-                  CGAL::parameters::get_parameter(np, CGAL::internal_np::verbose), false))
-    , m_vertex_indices(CGAL::get_initialized_vertex_index_map(tmesh, np))
-    , m_rounds(CGAL::parameters::choose_parameter(
-          CGAL::parameters::get_parameter(np, CGAL::internal_np::integer_grid), false))
-    , m_repairs_flips(CGAL::parameters::choose_parameter(
-          CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false))
+    , m_vertex_indices(vertex_indices)
+    , m_given(given)
+    , m_options(options)
+    , m_timer(m_report.run, options.is_verbose)
+    , m_repairs_flips(options.repairs_flips)
   { }
 
-  Snapping_report run()
-  {
-    if(std::optional<Refusal> refusal = snap()) {
-      m_report.status = refusal->status;
-      m_report.message = std::move(refusal->message);
-      m_report.certificate = std::move(refusal->certificate);
-    }
-    m_timer.finish("release of memory");
-    if(m_report && m_report.run.number_of_cut_edges == 0)
-      note_coinciding_border_edges();
-    if constexpr(Group::is_signed_permutation) // others are not traced
-      if(m_report)
-        find_intercepted_connections(
-          CGAL::parameters::get_parameter_reference(m_np,
-                                                    CGAL::internal_np::connection_constraints),
-          m_tmesh, m_uv_map, m_np, m_vertex_indices, m_report);
-    m_timer.finish("notes");
-    return std::move(m_report);
-  }
+  Snapping_report run();
 
 private:
   std::optional<Refusal> snap()
   {
     if(faces(m_tmesh).size() == 0)
       return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
-    if(m_rounds && !Group::is_signed_permutation)
+    if(m_options.rounds && !Group::is_signed_permutation)
       return Refusal{Snapping_status::INVALID_ARGUMENT, "integer_grid needs a rotational symmetry "
                      "of order 1, 2, or 4; leave it out, or state the integers as corner "
                      "constraints", {}};
-    const auto transitions = read_transitions<Group>(m_tmesh, m_uv_map, m_np);
+    const auto transitions =
+      read_transitions<Group>(m_tmesh, m_uv_map, m_vertex_indices, m_options.has_given_indices,
+                              m_given, m_options.tolerance);
     fill_in(transitions);
     m_timer.finish("transitions");
     if(transitions.refusal)
       return transitions.refusal;
 
     const auto aligned_edges =
-      read_aligned_edges<Group>(m_tmesh, m_uv_map, transitions.extent, m_np);
+      read_aligned_edges<Group>(m_tmesh, m_uv_map, m_vertex_indices, m_options.edges_to_align,
+                                m_options.tolerance * transitions.extent);
     m_report.violation_before = (std::max)(transitions.violation, aligned_edges.violation());
-    Constraint_list<TriangleMesh> constraints(m_tmesh, m_np, Group::number_of_functionals);
+    Constraint_list<TriangleMesh> constraints = m_options.constraints;
     if(aligned_edges.refusal() || constraints.refusal())
       return aligned_edges.refusal() ? aligned_edges.refusal() : constraints.refusal();
 
     if constexpr(may_round)
-      if(m_rounds)
+      if(m_options.rounds)
         constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
                                                                   unit_scale(transitions.extent)));
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
     if(!m_has_spread)
-      if(const auto refusal = check_paths(cuts.complex, constraints, m_np, m_report))
+      if(const auto refusal = check_paths(cuts.complex, constraints,
+                                           m_options.connection_tolerance, m_report))
         return refusal;
     m_timer.finish("cut complex");
     std::vector<Rounding<Group> > roundings;
     if constexpr(may_round)
-      if(m_rounds) {
+      if(m_options.rounds) {
         if(const auto refusal = round_to_integers(cuts, constraints, roundings))
           return refusal;
         m_timer.finish("rounding");
@@ -189,7 +165,7 @@ private:
   {
     m_has_spread = true;
     m_repairs_flips = true; // those that the displacement may have made
-    if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, Vertex_index_map>(
+    if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
           m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
       return Refusal{Snapping_status::INTERNAL_ERROR, "the roundings could not be spread over the "
                      "surface; please report this", {}};
@@ -202,8 +178,6 @@ private:
                                            const Constraint_list<TriangleMesh>& constraints,
                                            std::vector<Rounding<Group> >& roundings)
   {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter;
     const auto format = Number_format::of<typename Uv_number<HalfedgeUVMap>::type>();
     if(auto refusal =
          Integer_rounding<Group>(cuts.complex, cuts.is_singular).run(format, roundings)) {
@@ -223,8 +197,7 @@ private:
     if(m_has_spread)
       return std::nullopt;
     m_report.largest_rounding = worst->distance;
-    const double tolerance = choose_parameter(
-      get_parameter(m_np, CGAL::internal_np::rounding_tolerance), default_rounding_tolerance);
+    const double tolerance = m_options.rounding_tolerance;
     if(worst->distance <= tolerance)
       return std::nullopt;
     return Refusal{Snapping_status::NOT_INTEGER,
@@ -285,14 +258,32 @@ private:
 
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
-  const NamedParameters& m_np;
+  const VertexIndexMap& m_vertex_indices;
+  const Given& m_given;
+  const Options& m_options;
   Snapping_report m_report;
-  Step_timer m_timer; // before all else that takes time
-  Vertex_index_map m_vertex_indices;
-  bool m_rounds; // to an integer-grid map
+  Step_timer m_timer;
   bool m_repairs_flips;
   bool m_has_spread = false;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Given, bool may_round>
+Snapping_report
+Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_round>::run()
+{
+  if(std::optional<Refusal> refusal = snap()) {
+    m_report.status = refusal->status;
+    m_report.message = std::move(refusal->message);
+    m_report.certificate = std::move(refusal->certificate);
+  }
+  m_timer.finish("release of memory");
+  if(m_report && m_report.run.number_of_cut_edges == 0)
+    note_coinciding_border_edges();
+  m_timer.finish("notes");
+  return std::move(m_report);
+}
 
 // Changes and orientations against the input times a number, where there were steps between.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename ScaledMap>
@@ -320,6 +311,22 @@ void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
   }
 }
 
+// The named parameters as values: the rest does not know their types.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                             const NamedParameters& np)
+{
+  constexpr bool may_round = Group::is_signed_permutation &&
+    !CGAL::parameters::is_default_parameter<NamedParameters,
+                                            CGAL::internal_np::integer_grid_t>::value;
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto given = given_transitions<Group>(tmesh, np);
+  const auto options = snapping_options<Group>(tmesh, np);
+  return Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
+                         std::decay_t<decltype(given)>, may_round>(
+           tmesh, uv_map, vertex_indices, given, options).run();
+}
+
 // The same for the map times a number: into a copy, which is written back if all succeeds.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
@@ -339,8 +346,7 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
       const Uv u = get_uv(uv_map, h);
       put(scaled, h, Point(Number(scale * u[0]), Number(scale * u[1])));
     }
-  using Snapper = Surface_snapper<Group, TriangleMesh, decltype(scaled), NamedParameters>;
-  report = Snapper(tmesh, scaled, np).run();
+  report = snap_surface<Group>(tmesh, scaled, np);
   if(!report)
     return report;
   compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);

@@ -62,6 +62,17 @@ bool for_each_edge_to_align(const TriangleMesh& tmesh, const NamedParameters& np
   return true;
 }
 
+template <typename TriangleMesh, typename NamedParameters>
+auto edges_to_align(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
+  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+    result.push_back(h);
+    return true;
+  });
+  return result;
+}
+
 // Invariant: each edge is represented by a halfedge that has a face, in whose chart the functional
 // is constant up to the tolerance; if not, `refusal()` tells.
 template <typename Group, typename TriangleMesh>
@@ -159,26 +170,22 @@ private:
   double m_violation = 0;
 };
 
-// The edges that the named parameters ask to align.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+// \param edges_to_align one halfedge of each
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Halfedge>
 Aligned_edges<Group, TriangleMesh> read_aligned_edges(const TriangleMesh& tmesh,
                                                       const HalfedgeUVMap& uv_map,
-                                                      const double extent,
-                                                      const NamedParameters& np)
+                                                      const VertexIndexMap& vertex_indices,
+                                                      const std::vector<Halfedge>& edges_to_align,
+                                                      const double tolerance)
 {
   using Aligned = Aligned_edges<Group, TriangleMesh>;
-  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto index = [&](const auto v) { return std::size_t(get(vertex_indices, v)); };
   std::vector<typename Aligned::Edge> found;
-  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+  for(const Halfedge h : edges_to_align)
     found.push_back({h, index(source(h, tmesh)), index(target(h, tmesh))});
-    return true;
-  });
-  const double tolerance = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance), default_tolerance);
   return found.empty() ? Aligned(tmesh)
-                       : Aligned(tmesh, uv_map, vertex_indices, std::move(found),
-                                 tolerance * extent);
+                       : Aligned(tmesh, uv_map, vertex_indices, std::move(found), tolerance);
 }
 
 } // namespace internal

@@ -22,9 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -39,16 +37,13 @@ namespace internal {
 // Relative to the extent of the coordinates.
 constexpr double default_connection_tolerance = 0.01;
 
-// Returns a refusal if a path misses by more than the tolerance.
+// Returns a refusal if a path misses by more than the tolerance, relative to the extent.
 // \param report its extent is set; receives the largest distance by which a path misses
-template <typename Group, typename TriangleMesh, typename NamedParameters>
+template <typename Group, typename TriangleMesh>
 std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
                                    const Constraint_list<TriangleMesh>& constraints,
-                                   const NamedParameters& np, Snapping_report& report)
+                                   const double tolerance, Snapping_report& report)
 {
-  const double tolerance = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::connection_tolerance),
-    default_connection_tolerance);
   if(!(tolerance >= 0))
     return Refusal{Snapping_status::INVALID_ARGUMENT, "connection_tolerance is " +
                    short_number(tolerance) + "; it must not be negative", {}};

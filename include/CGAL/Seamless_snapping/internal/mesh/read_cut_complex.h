@@ -100,16 +100,7 @@ public:
     , m_aligned_source_sector(aligned_edges.size(), -1)
   { }
 
-  Cuts run()
-  {
-    form_sectors(start_halfedges());
-    m_result.first_corner.push_back(m_result.corners.size());
-    measure_mixed_sectors();
-    add_branches();
-    add_chains();
-    add_further_constraints();
-    return std::move(m_result);
-  }
+  Cuts run();
 
 private:
   static constexpr std::size_t number_of_walks = 64; // at a time
@@ -488,6 +479,20 @@ private:
   Branch_list m_branches;
   Surface_cuts<Group, TriangleMesh> m_result;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+Surface_cuts<Group, TriangleMesh>
+Cut_complex_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
+{
+  form_sectors(start_halfedges());
+  m_result.first_corner.push_back(m_result.corners.size());
+  measure_mixed_sectors();
+  add_branches();
+  add_chains();
+  add_further_constraints();
+  return std::move(m_result);
+}
 
 // \pre nothing was refused
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>

@@ -168,35 +168,7 @@ public:
     , m_tolerance(tolerance)
   { }
 
-  Data run()
-  {
-    Data data;
-    if(!(m_tolerance >= 0)) {
-      data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT, "the tolerance is " +
-                             short_number(m_tolerance) + "; it must not be negative", {}};
-      return data;
-    }
-    Uv_survey<TriangleMesh> survey =
-      survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
-                [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
-    data.extent = survey.extent;
-    data.refusal = std::move(survey.refusal);
-    if(data.refusal)
-      return data;
-    m_scale = unit_scale(data.extent);
-    Vertex_numbers numbers(num_vertices(m_tmesh));
-    numbers.mark_ends(survey.mismatched_edges);
-    numbers.assign_numbers();
-    if(!read_rotations(survey.mismatched_edges, numbers, data) || !check_residuals(data) ||
-       !tell_cuts_from_noise(numbers, data))
-      return data;
-    std::stable_partition(data.edges.begin(), data.edges.end(),
-                          [](const Mismatched_edge<Halfedge>& edge) { return edge.is_cut; });
-    data.number_of_cuts = std::size_t(std::count_if(data.edges.begin(), data.edges.end(),
-                                                    [](const auto& edge) { return edge.is_cut; }));
-    data.is_exact = data.is_exact && data.number_of_cuts == data.edges.size();
-    return data;
-  }
+  Data run();
 
 private:
   bool read_rotations(std::vector<Surveyed_edge<Halfedge>>& surveyed,
@@ -332,6 +304,40 @@ private:
   double m_scale = 1; // lengths are measured after multiplication with it
 };
 
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Given>
+Transition_data<TriangleMesh>
+Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>::run()
+{
+  Data data;
+  if(!(m_tolerance >= 0)) {
+    data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT, "the tolerance is " +
+                           short_number(m_tolerance) + "; it must not be negative", {}};
+    return data;
+  }
+  Uv_survey<TriangleMesh> survey =
+    survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
+              [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
+  data.extent = survey.extent;
+  data.refusal = std::move(survey.refusal);
+  if(data.refusal)
+    return data;
+  m_scale = unit_scale(data.extent);
+  Vertex_numbers numbers(num_vertices(m_tmesh));
+  numbers.mark_ends(survey.mismatched_edges);
+  numbers.assign_numbers();
+  if(!read_rotations(survey.mismatched_edges, numbers, data) || !check_residuals(data) ||
+     !tell_cuts_from_noise(numbers, data))
+    return data;
+  std::stable_partition(data.edges.begin(), data.edges.end(),
+                        [](const Mismatched_edge<Halfedge>& edge) { return edge.is_cut; });
+  data.number_of_cuts = std::size_t(std::count_if(data.edges.begin(), data.edges.end(),
+                                                  [](const auto& edge) { return edge.is_cut; }));
+  data.is_exact = data.is_exact && data.number_of_cuts == data.edges.size();
+  return data;
+}
+
 // Whether indices are as for CGAL's functions: different, and less than the number of vertices.
 // Callers can give others, which would be places outside of arrays.
 template <typename TriangleMesh, typename VertexIndexMap>
@@ -350,16 +356,16 @@ bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_i
 // The residual, relative to the extent, up to which a map counts as seamless by default.
 constexpr double default_tolerance = 1e-4;
 
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+// \param given see Given_transitions
+// \param has_given_indices whether the indices are the caller's, and may be wrong
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
+          typename Given>
 Transition_data<TriangleMesh>
-read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
+read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                 const VertexIndexMap& vertex_indices, const bool has_given_indices,
+                 const Given& given, const double tolerance)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  if(!CGAL::parameters::is_default_parameter<NamedParameters,
-                                             CGAL::internal_np::vertex_index_t>::value &&
-     !are_valid_indices(tmesh, vertex_indices)) {
+  if(has_given_indices && !are_valid_indices(tmesh, vertex_indices)) {
     Transition_data<TriangleMesh> data;
     data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT,
                            "the indices of vertex_index_map must be different, from 0 to " +
@@ -367,13 +373,30 @@ read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
                            "vertices; leave the parameter out to have them made", {}};
     return data;
   }
-  const auto given = given_transitions<Group>(tmesh, np);
-  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
-                                            default_tolerance);
-  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap,
-                           std::decay_t<decltype(vertex_indices)>, std::decay_t<decltype(given)>>(
-             tmesh, uv_map, vertex_indices, given, tolerance)
-      .run();
+  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>(
+           tmesh, uv_map, vertex_indices, given, tolerance).run();
+}
+
+template <typename NamedParameters>
+constexpr bool has_vertex_index_map =
+  !CGAL::parameters::is_default_parameter<NamedParameters,
+                                          CGAL::internal_np::vertex_index_t>::value;
+
+template <typename NamedParameters>
+double chosen_tolerance(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance), default_tolerance);
+}
+
+// As the named parameters ask for.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Transition_data<TriangleMesh>
+read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
+{
+  return read_transitions<Group>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
+                                 has_vertex_index_map<NamedParameters>,
+                                 given_transitions<Group>(tmesh, np), chosen_tolerance(np));
 }
 
 } // namespace internal

@@ -1,0 +1,79 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SNAPPING_OPTIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SNAPPING_OPTIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What the named parameters of `snap_to_seamless()` ask for, without their types. Calls with
+// different parameters share all code that knows these values only: it is compiled once for a mesh
+// and a uv map.
+
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// In units of the grid: beyond, something else than the nearest integers is meant.
+constexpr double default_rounding_tolerance = 0.01;
+
+template <typename TriangleMesh>
+struct Snapping_options
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  std::vector<Halfedge> edges_to_align; // one halfedge of each
+  Constraint_list<TriangleMesh> constraints;
+  double tolerance;
+  double connection_tolerance;
+  double rounding_tolerance;
+  bool has_given_indices; // of vertices; they may be wrong
+  bool rounds;            // to an integer-grid map
+  bool repairs_flips;
+  bool is_verbose;
+};
+
+template <typename Group, typename TriangleMesh, typename NamedParameters>
+Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
+                                                const NamedParameters& np)
+{
+  const auto chosen = [&](const auto tag, const auto by_default) {
+    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), by_default);
+  };
+  return {edges_to_align(tmesh, np),
+          Constraint_list<TriangleMesh>(tmesh, np, Group::number_of_functionals),
+          chosen_tolerance(np),
+          double(chosen(CGAL::internal_np::connection_tolerance, default_connection_tolerance)),
+          double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
+          has_vertex_index_map<NamedParameters>,
+          bool(chosen(CGAL::internal_np::integer_grid, false)),
+          bool(chosen(CGAL::internal_np::repair_flips, false)),
+          bool(chosen(CGAL::internal_np::verbose, false))};
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_SNAPPING_OPTIONS_H
