@@ -249,10 +249,10 @@ private:
     result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
     result.near_distance = near_distance(np);
     const auto target = get_parameter(np, np_tags::target_vertex);
-    if constexpr(!std::is_same_v<std::decay_t<decltype(target)>, np_tags::Param_not_found>)
+    if constexpr(internal::is_given_parameter(target))
       result.limits.target = std::size_t(m_numbering.vertex(target));
     const auto is_stop = get_parameter(np, np_tags::vertex_is_constrained);
-    if constexpr(!std::is_same_v<std::decay_t<decltype(is_stop)>, np_tags::Param_not_found>)
+    if constexpr(internal::is_given_parameter(is_stop))
       result.limits.is_stop = [this, is_stop](const std::size_t v) -> bool
       { return get(is_stop, m_numbering.vertices_in_order()[v]); };
     return result;

@@ -95,22 +95,19 @@ void write_layout(const TriangleMesh& tmesh, const Cell_complex& cells, PolygonM
   const auto locations = get_parameter(np2, np_tags::vertex_location);
   const auto arcs = get_parameter(np2, np_tags::edge_is_constrained);
   const auto patches = get_parameter(np2, np_tags::face_patch);
-  const auto is_given = [](const auto& map) {
-    return !std::is_same_v<std::decay_t<decltype(map)>, np_tags::Param_not_found>;
-  };
   write_cells(
     cells, output,
     [&](const auto v, const std::size_t i) {
       put(new_points, v, point_at<Point>(tmesh, points, location(i)));
-      if constexpr(is_given(locations))
+      if constexpr(is_given_parameter(locations))
         put(locations, v, location(i));
     },
     [&](const auto e, const std::size_t i) {
-      if constexpr(is_given(arcs))
+      if constexpr(is_given_parameter(arcs))
         put(arcs, e, is_arc(i));
     },
     [&](const auto f, const std::size_t i) {
-      if constexpr(is_given(patches))
+      if constexpr(is_given_parameter(patches))
         put(patches, f, patch(i));
     });
 }

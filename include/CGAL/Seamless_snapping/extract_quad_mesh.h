@@ -19,8 +19,8 @@
 #include <CGAL/Seamless_snapping/Extraction_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
+#include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 #include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -39,17 +39,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-inline Extraction_status extraction_status(const Snapping_status status)
-{
-  switch(status) {
-  case Snapping_status::NOT_TRIANGULAR: return Extraction_status::NOT_TRIANGULAR;
-  case Snapping_status::NOT_FINITE:     return Extraction_status::NOT_FINITE;
-  case Snapping_status::NOT_SEAMLESS:   return Extraction_status::NOT_SEAMLESS;
-  default:                              return Extraction_status::INVALID_ARGUMENT;
-  }
-}
-
 template <typename NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)
 {
@@ -71,28 +60,13 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
                                 const NamedParameters& np, const Write& write)
 {
   const Protect_exact_arithmetic protect;
-  Extraction_report report;
-  if(!is_arithmetic_exact()) {
-    report.status = Extraction_status::INEXACT_ARITHMETIC;
-    report.message = inexact_arithmetic_message();
-    return report;
-  }
   const Flat_numbering<TriangleMesh> numbering(tmesh);
   Chart_mesh mesh;
-  {
-    const auto seams = seam_transitions(tmesh, uv_map, np);
-    if(!seams) {
-      report.status = extraction_status(*seams.failure());
-      report.message = seams.message();
-      return report;
-    }
-    if(!seams.is_exact()) {
-      report.status = Extraction_status::NOT_SEAMLESS;
-      report.message = "the map is not exactly seamless: sides of edges differ by up to " +
-                       short_number(seams.violation()) + "; call snap_to_seamless() first";
-      return report;
-    }
-    mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+    Extraction_report report;
+    report.status = input_status<Extraction_status>(refusal->status);
+    report.message = refusal->message;
+    return report;
   }
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
@@ -137,9 +111,6 @@ void write_quad_mesh(Quad_extractor& extractor, const Embedding& embedding, Quad
   const auto location_map = get_parameter(np, np_tags::vertex_location);
   const auto cone_map = get_parameter(np, np_tags::cone_index);
   const auto feature_map = get_parameter(np, np_tags::edge_is_constrained);
-  const auto is_given = [](const auto& map) {
-    return !std::is_same_v<std::decay_t<decltype(map)>, np_tags::Param_not_found>;
-  };
   const Quad_complex& complex = extractor.complex();
   const Cell_vertices vertices(complex.points, complex.darts, complex.cells);
   if(!is_face_graph(extractor, vertices))
@@ -149,13 +120,13 @@ void write_quad_mesh(Quad_extractor& extractor, const Embedding& embedding, Quad
     [&](const auto v, const std::size_t i) {
       const Lattice_point& p = complex.points[vertices.point(i)];
       put(point_map, v, embedding.template point<Point>(p));
-      if constexpr(is_given(location_map))
+      if constexpr(is_given_parameter(location_map))
         put(location_map, v, embedding.location(p));
-      if constexpr(is_given(cone_map))
+      if constexpr(is_given_parameter(cone_map))
         put(cone_map, v, cone_index(extractor.mesh(), complex, vertices.point(i)));
     },
     [&](const auto e, const std::size_t d) {
-      if constexpr(is_given(feature_map))
+      if constexpr(is_given_parameter(feature_map))
         put(feature_map, e, complex.darts.are_features[d] || !complex.has_cell(d) ||
                               !complex.has_cell(complex.twin(d)));
     });

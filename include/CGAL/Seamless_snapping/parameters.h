@@ -127,6 +127,13 @@ strip(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
+// Whether what `get_parameter()` returned has been given: no answer that the parameter holds.
+template <typename Parameter>
+constexpr bool is_given_parameter(const Parameter&)
+{
+  return !std::is_same_v<Parameter, CGAL::internal_np::Param_not_found>;
+}
+
 // Whether `T` is a chain of named parameters, plain or wrapped: for functions whose last positional
 // argument is optional, so that `f(a, np)` is not taken for `f(a, b)`.
 template <typename T>

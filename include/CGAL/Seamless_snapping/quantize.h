@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/quantization/locate_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
+#include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 
 #include <cmath>
 #include <cstddef>
@@ -33,17 +34,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-inline Quantization_status quantization_status(const Snapping_status status)
-{
-  switch(status) {
-  case Snapping_status::NOT_TRIANGULAR: return Quantization_status::NOT_TRIANGULAR;
-  case Snapping_status::NOT_FINITE:     return Quantization_status::NOT_FINITE;
-  case Snapping_status::NOT_SEAMLESS:   return Quantization_status::NOT_SEAMLESS;
-  default:                              return Quantization_status::INVALID_ARGUMENT;
-  }
-}
-
 template <typename TriangleMesh, typename NamedParameters>
 double area_in_space(const TriangleMesh& tmesh, const NamedParameters& np)
 {
@@ -97,26 +87,14 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
                           const NamedParameters& np, const Quantization_options& options)
 {
   const Protect_exact_arithmetic protect;
-  Quantization refusal;
-  if(!is_arithmetic_exact()) {
-    refusal.status = Quantization_status::INEXACT_ARITHMETIC;
-    refusal.message = inexact_arithmetic_message();
-    return refusal;
-  }
-  const auto seams = seam_transitions(tmesh, uv_map, np);
-  if(!seams) {
-    refusal.status = quantization_status(*seams.failure());
-    refusal.message = seams.message();
-    return refusal;
-  }
-  if(!seams.is_exact()) {
-    refusal.status = Quantization_status::NOT_SEAMLESS;
-    refusal.message = "the map is not exactly seamless: sides of edges differ by up to " +
-                      short_number(seams.violation()) + "; call snap_to_seamless() first";
-    return refusal;
-  }
   const Flat_numbering<TriangleMesh> numbering(tmesh);
-  const Chart_mesh mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  Chart_mesh mesh;
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+    Quantization result;
+    result.status = input_status<Quantization_status>(refusal->status);
+    result.message = refusal->message;
+    return result;
+  }
   const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)

@@ -18,9 +18,8 @@
 
 #include <CGAL/Seamless_snapping/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 #include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Named_function_parameters.h>
@@ -85,22 +84,6 @@ struct Run_to_nodes
 
 namespace internal {
 
-inline Layout_status layout_status(const Snapping_status status)
-{
-  switch(status) {
-  case Snapping_status::NOT_TRIANGULAR: return Layout_status::NOT_TRIANGULAR;
-  case Snapping_status::NOT_FINITE:     return Layout_status::NOT_FINITE;
-  case Snapping_status::NOT_SEAMLESS:   return Layout_status::NOT_SEAMLESS;
-  default:                              return Layout_status::INVALID_ARGUMENT;
-  }
-}
-
-template <typename Parameter>
-constexpr bool is_given_parameter(const Parameter&)
-{
-  return !std::is_same_v<Parameter, CGAL::internal_np::Param_not_found>;
-}
-
 // What the caller says of vertices; empty if nothing.
 template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> constrained_vertices(const Flat_numbering<TriangleMesh>& numbering,
@@ -152,26 +135,11 @@ void make_layout(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
                  const HalfedgeUVMap& uv_map, const NamedParameters& np, Layout_data& data)
 {
   const Protect_exact_arithmetic protect;
-  if(!is_arithmetic_exact()) {
-    data.status = Layout_status::INEXACT_ARITHMETIC;
-    data.message = inexact_arithmetic_message();
-    return;
-  }
   Chart_mesh mesh;
-  {
-    const auto seams = seam_transitions(tmesh, uv_map, np);
-    if(!seams) {
-      data.status = layout_status(*seams.failure());
-      data.message = seams.message();
-      return;
-    }
-    if(!seams.is_exact()) {
-      data.status = Layout_status::NOT_SEAMLESS;
-      data.message = "the map is not exactly seamless: sides of edges differ by up to " +
-                     short_number(seams.violation()) + "; call snap_to_seamless() first";
-      return;
-    }
-    mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+    data.status = input_status<Layout_status>(refusal->status);
+    data.message = refusal->message;
+    return;
   }
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v) {

@@ -17,6 +17,7 @@
 // Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
@@ -31,7 +32,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -178,7 +178,7 @@ std::vector<char> feature_corners(const TriangleMesh& tmesh,
 {
   std::vector<char> is_feature;
   const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  if constexpr(!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
+  if constexpr(is_given_parameter(map))
     for(const auto h : numbering.halfedges_of_corners())
       is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
   return is_feature;

@@ -1,0 +1,66 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_READ_EXACT_MAP_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_READ_EXACT_MAP_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// An exactly seamless map as arrays, for all that needs one; or why it is refused.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The status of a refused input, among those of a function that reads maps.
+template <typename Status>
+Status input_status(const Snapping_status status)
+{
+  switch(status) {
+  case Snapping_status::INEXACT_ARITHMETIC: return Status::INEXACT_ARITHMETIC;
+  case Snapping_status::NOT_TRIANGULAR:     return Status::NOT_TRIANGULAR;
+  case Snapping_status::NOT_FINITE:         return Status::NOT_FINITE;
+  case Snapping_status::NOT_SEAMLESS:       return Status::NOT_SEAMLESS;
+  default:                                  return Status::INVALID_ARGUMENT;
+  }
+}
+
+// Fills `mesh`, unless it returns a refusal.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
+                                      const Flat_numbering<TriangleMesh>& numbering,
+                                      const HalfedgeUVMap& uv_map, const NamedParameters& np,
+                                      Chart_mesh& mesh)
+{
+  if(!is_arithmetic_exact())
+    return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
+  const auto seams = seam_transitions(tmesh, uv_map, np);
+  if(!seams)
+    return Refusal{*seams.failure(), seams.message(), {}};
+  if(!seams.is_exact())
+    return Refusal{Snapping_status::NOT_SEAMLESS,
+                   "the map is not exactly seamless: sides of edges differ by up to " +
+                     short_number(seams.violation()) + "; call snap_to_seamless() first", {}};
+  mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_READ_EXACT_MAP_H
