@@ -83,12 +83,15 @@ bool starts_along_edge(const SS::Isocurve<Graph>& curve, const Graph& mesh, cons
     return false;
   const auto h = curve.start.halfedge;
   const auto a = get(uv, prev(h, mesh)), b = get(uv, h);
+  if(int(curve.direction) > 3)
+    return Exact_rational(a.x()) + Exact_rational(a.y()) ==
+           Exact_rational(b.x()) + Exact_rational(b.y());
   return int(curve.direction) % 2 == 0 ? a.y() == b.y() : a.x() == b.x();
 }
 
 // Traces a curve back from its end, and compares it point by point with the first one.
-template <typename Graph, typename UVMap>
-bool is_symmetric(const SS::Isocurve_tracer<Graph>& tracer, const SS::Isocurve<Graph>& curve,
+template <int D, typename Graph, typename UVMap>
+bool is_symmetric(const SS::Isocurve_tracer<Graph, D>& tracer, const SS::Isocurve<Graph>& curve,
                   const Graph& mesh, const UVMap& uv)
 {
   const std::size_t n = curve.points.size();
@@ -116,8 +119,8 @@ inline bool is_proper_end(const Status status)
 }
 
 // Ends properly, and is the same backwards.
-template <typename Graph, typename UVMap>
-bool is_good(const SS::Isocurve_tracer<Graph>& tracer, const SS::Isocurve<Graph>& curve,
+template <int D, typename Graph, typename UVMap>
+bool is_good(const SS::Isocurve_tracer<Graph, D>& tracer, const SS::Isocurve<Graph>& curve,
              const Graph& mesh, const UVMap& uv)
 {
   return is_proper_end(curve.status) && is_symmetric(tracer, curve, mesh, uv);

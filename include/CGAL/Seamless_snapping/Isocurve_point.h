@@ -97,8 +97,9 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   Isocurve_point() = default;
-  Isocurve_point(const Isocurve_place place, const halfedge_descriptor h, const int direction,
-                 const internal::Exact_level& level, const double running = 0)
+  Isocurve_point(const Isocurve_place place, const halfedge_descriptor h,
+                 const Isocurve_direction direction, const internal::Exact_level& level,
+                 const double running = 0)
     : m_halfedge(h), m_place(place), m_direction(static_cast<unsigned char>(direction)),
       m_level(level), m_running(running)
   { }
@@ -117,7 +118,8 @@ public:
   /// returns the direction of the curve in the chart of `face(halfedge())`.
   Isocurve_direction direction() const { return Isocurve_direction(m_direction); }
 
-  /// returns the coordinate that is constant along the curve, in this chart, exactly.
+  /// returns what is constant along the curve, in this chart, exactly: \f$ u \f$, \f$ v \f$, or
+  /// in lattice coordinates \f$ u + v \f$.
   Exact_rational constant_coordinate() const { return m_level.exact(); }
 
   /// returns the same, rounded.
@@ -149,6 +151,21 @@ struct Isocurve
   std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
 };
 
+namespace internal {
+
+// u, v, or u + v.
+inline Exact_rational exact_component(const Uv& u, const std::size_t c)
+{
+  return c < 2 ? Exact_rational(u[c]) : Exact_rational(Exact_rational(u[0]) + Exact_rational(u[1]));
+}
+
+inline double rounded_component(const Uv& u, const std::size_t c)
+{
+  return c < 2 ? u[c] : u[0] + u[1];
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingTracing
 
@@ -166,15 +183,18 @@ template <typename TriangleMesh, typename HalfedgeUVMap>
 Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
                                   const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
-  const std::size_t c = internal::constant_component(int(point.direction()));
   const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh)),
                      b = internal::get_uv(uv_map, point.halfedge());
-  const auto parameter = [&](const Exact_rational& coordinate, const std::size_t k) {
-    const Exact_rational from(a[k]), to(b[k]);
-    return Exact_rational((coordinate - from) / (to - from));
-  };
-  return a[c] == b[c] ? parameter(Exact_rational(point.running_coordinate()), 1 - c)
-                      : parameter(point.constant_coordinate(), c);
+  const auto parameter = [](const Exact_rational& x, const Exact_rational& from,
+                            const Exact_rational& to)
+  { return Exact_rational((x - from) / (to - from)); };
+  const std::size_t c = internal::constant_component(point.direction());
+  const Exact_rational from = internal::exact_component(a, c), to = internal::exact_component(b, c);
+  if(from != to)
+    return parameter(point.constant_coordinate(), from, to);
+  const std::size_t k = internal::other_coordinate(point.direction());
+  return parameter(Exact_rational(point.running_coordinate()), Exact_rational(a[k]),
+                   Exact_rational(b[k]));
 }
 
 /*!
@@ -190,19 +210,23 @@ template <typename TriangleMesh, typename HalfedgeUVMap>
 std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
                                   const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
-  const int direction = int(point.direction());
-  const std::size_t c = internal::constant_component(direction);
+  const std::size_t c = internal::constant_component(point.direction()),
+                    k = internal::other_coordinate(point.direction());
   const internal::Uv b = internal::get_uv(uv_map, point.halfedge());
   if(point.place() == Isocurve_place::VERTEX)
     return b;
-  internal::Uv result;
-  result[c] = point.approximate_constant_coordinate();
-  result[1 - c] = point.running_coordinate();
+  const double level = point.approximate_constant_coordinate();
+  double running = point.running_coordinate();
   if(point.place() == Isocurve_place::EDGE) {
     const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh));
-    if(a[c] != b[c]) // else the curve starts here, and runs along the edge
-      result[1 - c] = a[1 - c] + (result[c] - a[c]) / (b[c] - a[c]) * (b[1 - c] - a[1 - c]);
+    const double from = internal::rounded_component(a, c), to = internal::rounded_component(b, c);
+    if(from != to) // else the curve starts here, and runs along the edge
+      running = a[k] + (level - from) / (to - from) * (b[k] - a[k]);
   }
+  internal::Uv result;
+  result[k] = running;
+  result[1 - k] = c < 2 ? level
+                        : point.level().minus(internal::Exact_level(running)).approximation();
   return result;
 }
 
@@ -241,7 +265,7 @@ isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& 
   double s = ((x[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (x[1] - a[1])) / area;
   double t = ((b[0] - a[0]) * (x[1] - a[1]) - (x[0] - a[0]) * (b[1] - a[1])) / area;
   if(point.place() == Isocurve_place::EDGE) {
-    std::size_t k = internal::constant_component(int(point.direction()));
+    std::size_t k = 1 - internal::other_coordinate(point.direction());
     k = (a[k] == b[k]) ? 1 - k : k;
     s = (a[k] == b[k]) ? 0.5 : (x[k] - a[k]) / (b[k] - a[k]);
     t = 0;

@@ -48,10 +48,13 @@ those of the chart of `face()`. Segments are made by `Isocurve_walker` and `isoc
 and are valid as long as the tracer is.
 
 \tparam TriangleMesh a model of `FaceGraph`
+\tparam D the number of directions, as for `Isocurve_tracer`
 */
-template <typename TriangleMesh>
+template <typename TriangleMesh, int D = 4>
 class Isocurve_segment
 {
+  using Group = internal::Rotation_group<D>;
+  using Mesh = internal::Basic_chart_mesh<Group>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
 public:
@@ -61,7 +64,7 @@ public:
   using face_descriptor = typename Graph_traits::face_descriptor;
 
   /// \cond SKIP_IN_MANUAL
-  Isocurve_segment(const TriangleMesh& tmesh, const internal::Chart_mesh& mesh,
+  Isocurve_segment(const TriangleMesh& tmesh, const Mesh& mesh,
                    const internal::Flat_numbering<TriangleMesh>& numbering,
                    const internal::Chart_segment& segment)
     : m_tmesh(&tmesh), m_mesh(&mesh), m_numbering(&numbering), m_segment(segment)
@@ -97,30 +100,38 @@ public:
   halfedge_descriptor edge_halfedge() const { return halfedge(m_segment.along); }
 
   /// returns the direction of the curve.
-  Isocurve_direction direction() const { return Isocurve_direction(m_segment.direction); }
+  Isocurve_direction direction() const
+  { return internal::isocurve_direction<Group>(m_segment.direction); }
 
-  /// returns the coordinate that is constant along the curve.
+  /// returns what is constant along the curve: \f$ u \f$, \f$ v \f$, or in lattice coordinates
+  /// \f$ u + v \f$.
   Exact_rational constant_coordinate() const { return m_segment.level.exact(); }
 
-  /// returns the other coordinate where the segment begins.
-  Exact_rational from() const { return internal::running_from(*m_mesh, m_segment); }
+  /// returns the other coordinate where the segment begins; \f$ v \f$ where \f$ u + v \f$ is
+  /// constant.
+  Exact_rational from() const
+  { return internal::other_coordinate<Group>(m_segment, running_from(*m_mesh, m_segment)); }
 
-  /// returns the other coordinate where the segment ends.
-  Exact_rational to() const { return internal::running_to(*m_mesh, m_segment); }
+  /// returns the same where the segment ends.
+  Exact_rational to() const
+  { return internal::other_coordinate<Group>(m_segment, running_to(*m_mesh, m_segment)); }
 
   /// returns the length of the curve in the domain, from its start to where the segment begins.
-  /// What it goes back in flipped faces is subtracted.
-  Exact_rational length_before() const { return internal::length_up_to(m_segment, from()); }
+  /// What it goes back in flipped faces is subtracted. In lattice coordinates, the unit is the same
+  /// in all directions: the side of the triangles of the lattice.
+  Exact_rational length_before() const
+  { return internal::length_up_to<Group>(m_segment, running_from(*m_mesh, m_segment)); }
 
   /// returns the same from its start to where the segment ends.
-  Exact_rational length_after() const { return internal::length_up_to(m_segment, to()); }
+  Exact_rational length_after() const
+  { return internal::length_up_to<Group>(m_segment, running_to(*m_mesh, m_segment)); }
 
 private:
   halfedge_descriptor halfedge(const internal::Corner_index h) const
   { return m_numbering->halfedges_of_corners()[std::size_t(h)]; }
 
   const TriangleMesh* m_tmesh;
-  const internal::Chart_mesh* m_mesh;
+  const Mesh* m_mesh;
   const internal::Flat_numbering<TriangleMesh>* m_numbering;
   internal::Chart_segment m_segment;
 };

@@ -18,6 +18,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_point.h>
 #include <CGAL/Seamless_snapping/Isocurve_segment.h>
+#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
@@ -43,6 +44,15 @@
 namespace CGAL {
 namespace Seamless_snapping {
 
+namespace internal {
+
+// Of isocurves, for the rotational symmetry that named parameters ask for.
+template <typename NamedParameters>
+constexpr int number_of_directions =
+  Ray_group<order_of_symmetry<Plain_parameters<NamedParameters> > >::order;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingTracing
 
@@ -57,10 +67,17 @@ wrong then, and nothing is recovered from.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
+\tparam D the number of directions: 4 for parametrizations of rotational symmetry 1, 2, or 4, and 6
+        for those of 3 or 6. The compiler finds it if the class is named without arguments:
+        `Isocurve_tracer tracer(tmesh, uv_map,
+        parameters::rotational_symmetry(Rotational_symmetry<6>()))`.
 */
-template <typename TriangleMesh>
+template <typename TriangleMesh, int D = 4>
 class Isocurve_tracer
 {
+  static_assert(D == 4 || D == 6, "isocurves have four directions or, where N = 3 or 6, six");
+  using Group = internal::Rotation_group<D>;
+
 public:
   /// a halfedge of the mesh
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
@@ -70,9 +87,10 @@ public:
   using Curve = Isocurve<TriangleMesh>;       ///< a traced curve
 
   /*!
-  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`; the
-  `tolerance` among them is the largest violation of a transition, other than that of `trace()`.
-  Check `operator bool()` if the parametrization may not be seamless at all.
+  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`, with
+  `rotational_symmetry` among them as `D` needs it; the `tolerance` is the largest violation of a
+  transition, other than that of `trace()`. Check `operator bool()` if the parametrization may not
+  be seamless at all.
   */
   template <typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -83,6 +101,9 @@ public:
     const internal::Protect_exact_arithmetic protect;
     internal::require_exact_arithmetic();
     const auto seams = seam_transitions(tmesh, uv_map, np);
+    static_assert(std::is_same_v<internal::Ray_group<decltype(seams)::order>, Group>,
+                  "isocurves have six directions where rotational_symmetry is 3 or 6, else four: "
+                  "use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments out");
     m_is_valid = bool(seams);
     if(m_is_valid)
       m_mesh = internal::build_chart_mesh(tmesh, m_numbering, uv_map, seams);
@@ -110,7 +131,8 @@ public:
 
   /*!
   returns the starts and directions of all isocurves that leave a vertex, in counterclockwise order:
-  four at a regular vertex, \f$ 4 - i \f$ at a singular vertex of index \f$ i \f$, more where faces
+  `D` at a regular vertex, \f$ D - i \f$ at a singular vertex of index \f$ i \f$ (in turns by
+  \f$ 360 / D \f$ degrees), more where faces
   around the vertex are flipped, and at the border those that lead into the surface or along the
   border.
   \pre `operator bool()`
@@ -125,7 +147,7 @@ public:
       return result;
     for(const internal::Vertex_ray& ray : internal::rays_from_vertex(m_mesh, std::size_t(i)))
       result.emplace_back(Start::at_vertex(halfedge(ray.corner)),
-                          Isocurve_direction(ray.direction));
+                          internal::isocurve_direction<Group>(ray.direction));
     return result;
   }
 
@@ -136,7 +158,7 @@ public:
   returned.
   \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
   */
-  std::size_t outgoing_index(const Isocurve_segment<TriangleMesh>& arrival) const
+  std::size_t outgoing_index(const Isocurve_segment<TriangleMesh, D>& arrival) const
   {
     const internal::Chart_segment& segment = arrival.chart_segment();
     CGAL_precondition(segment.exit.place == Isocurve_place::VERTEX);
@@ -199,7 +221,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const TriangleMesh& mesh() const { return *m_tmesh; }
-  const internal::Chart_mesh& chart_mesh() const { return m_mesh; }
+  const internal::Basic_chart_mesh<Group>& chart_mesh() const { return m_mesh; }
   const internal::Flat_numbering<TriangleMesh>& correspondence() const { return m_numbering; }
   internal::Chart_start chart_start(const Start& start) const
   {
@@ -276,13 +298,13 @@ private:
     const internal::Protect_exact_arithmetic protect;
     internal::require_exact_arithmetic();
     if(options.decide_exactly) {
-      internal::Exact_decisions decisions(m_mesh);
+      internal::Basic_exact_decisions<Group> decisions(m_mesh);
       return trace_with(decisions, start, direction, options);
     }
     const bool at_vertex = start.place == Isocurve_place::VERTEX;
-    internal::Floating_point_decisions decisions(
+    internal::Basic_floating_point_decisions<Group> decisions(
       m_mesh, options.limits, at_vertex ? m_numbering.corner(start.halfedge) : internal::no_index,
-      int(direction), options.near_distance);
+      internal::chart_direction<Group>(direction), options.near_distance);
     return trace_with(decisions, start, direction, options);
   }
 
@@ -294,14 +316,16 @@ private:
     curve.start = start;
     curve.direction = direction;
     const auto add = [&](const Isocurve_place place, const auto& state, const double running) {
-      curve.points.emplace_back(place, halfedge(state.halfedge), state.direction,
+      curve.points.emplace_back(place, halfedge(state.halfedge),
+                                internal::isocurve_direction<Group>(state.direction),
                                 internal::Exact_level(state.level), running);
     };
-    internal::Isocurve_walk<Decisions> walk(m_mesh, options.limits, decisions);
-    const auto beginning = internal::begin_walk(m_mesh, chart_start(start), int(direction),
+    internal::Isocurve_walk<Decisions, Group> walk(m_mesh, options.limits, decisions);
+    const auto beginning = internal::begin_walk(m_mesh, chart_start(start),
+                                                internal::chart_direction<Group>(direction),
                                                 decisions, walk);
     if(!beginning.is_first_state)
-      add(start.place, beginning.start, CGAL::to_double(beginning.running));
+      add(start.place, beginning.start, other_coordinate(beginning));
     curve.status = beginning.status;
     if(curve.status == Isocurve_status::CONTINUES)
       curve.status = internal::run(walk, [&](const auto& state) {
@@ -314,14 +338,33 @@ private:
     return curve;
   }
 
+  // As points tell it; where u + v is the running component, that is v.
+  template <typename Beginning>
+  static double other_coordinate(const Beginning& beginning)
+  {
+    if(internal::running_component<Group>(beginning.start.direction) < 2)
+      return CGAL::to_double(beginning.running);
+    const Exact_rational level = internal::Exact_level(beginning.start.level).exact();
+    return CGAL::to_double(Exact_rational(beginning.running - level));
+  }
+
   halfedge_descriptor halfedge(const internal::Corner_index h) const
   { return m_numbering.halfedges_of_corners()[std::size_t(h)]; }
 
   const TriangleMesh* m_tmesh;
   internal::Flat_numbering<TriangleMesh> m_numbering;
-  internal::Chart_mesh m_mesh;
+  internal::Basic_chart_mesh<Group> m_mesh;
   bool m_is_valid = false;
 };
+
+/// \cond SKIP_IN_MANUAL
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Isocurve_tracer(const TriangleMesh&, HalfedgeUVMap) -> Isocurve_tracer<TriangleMesh>;
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Isocurve_tracer(const TriangleMesh&, HalfedgeUVMap, const NamedParameters&)
+  -> Isocurve_tracer<TriangleMesh, internal::number_of_directions<NamedParameters> >;
+/// \endcond
 
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -41,17 +41,20 @@ copy goes on by itself from where it was made.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
+\tparam D the number of directions, as for `Isocurve_tracer`
 
 \cgalModels{CopyConstructible, Assignable}
 \sa `isocurve_segments()`
 */
-template <typename TriangleMesh>
+template <typename TriangleMesh, int D = 4>
 class Isocurve_walker
 {
+  using Group = internal::Rotation_group<D>;
+
 public:
-  using Tracer = Isocurve_tracer<TriangleMesh>;   ///< the tracer
-  using Start = Isocurve_start<TriangleMesh>;     ///< where a curve starts
-  using Segment = Isocurve_segment<TriangleMesh>; ///< a part of it
+  using Tracer = Isocurve_tracer<TriangleMesh, D>;   ///< the tracer
+  using Start = Isocurve_start<TriangleMesh>;        ///< where a curve starts
+  using Segment = Isocurve_segment<TriangleMesh, D>; ///< a part of it
 
   /*!
   begins at a point, as `Isocurve_tracer::trace()` does.
@@ -66,7 +69,7 @@ public:
     const internal::Protect_exact_arithmetic protect;
     if(tracer.is_exact())
       m_walker.emplace(tracer.chart_mesh(), internal::no_limits(), tracer.chart_start(start),
-                       int(direction));
+                       internal::chart_direction<Group>(direction));
   }
 
   /*!
@@ -97,7 +100,7 @@ public:
 
 private:
   const Tracer* m_tracer;
-  std::optional<internal::Segment_walker> m_walker;
+  std::optional<internal::Basic_segment_walker<Group> > m_walker;
 };
 
 /*!
@@ -107,18 +110,19 @@ iterates over the segments of an isocurve, from its start to its end; see `isocu
 
 \cgalModels{InputIterator}
 */
-template <typename TriangleMesh>
+template <typename TriangleMesh, int D = 4>
 class Isocurve_segment_iterator
-  : public boost::iterator_facade<Isocurve_segment_iterator<TriangleMesh>,
-                                  const Isocurve_segment<TriangleMesh>,
+  : public boost::iterator_facade<Isocurve_segment_iterator<TriangleMesh, D>,
+                                  const Isocurve_segment<TriangleMesh, D>,
                                   boost::single_pass_traversal_tag,
-                                  Isocurve_segment<TriangleMesh> >
+                                  Isocurve_segment<TriangleMesh, D> >
 {
 public:
   Isocurve_segment_iterator() = default; ///< the end of any curve
 
   /// \cond SKIP_IN_MANUAL
-  Isocurve_segment_iterator(const Isocurve_walker<TriangleMesh>& walker, const std::size_t number)
+  Isocurve_segment_iterator(const Isocurve_walker<TriangleMesh, D>& walker,
+                            const std::size_t number)
     : m_walker(walker), m_number_left(number)
   {
     increment();
@@ -142,9 +146,9 @@ private:
            (!m_walker || m_number_left == other.m_number_left);
   }
 
-  Isocurve_segment<TriangleMesh> dereference() const { return m_walker->segment(); }
+  Isocurve_segment<TriangleMesh, D> dereference() const { return m_walker->segment(); }
 
-  std::optional<Isocurve_walker<TriangleMesh> > m_walker; // none at the end
+  std::optional<Isocurve_walker<TriangleMesh, D> > m_walker; // none at the end
   std::size_t m_number_left = 0;
 };
 
@@ -162,13 +166,13 @@ not exactly seamless, it is empty.
 
 \sa `Isocurve_walker`
 */
-template <typename TriangleMesh>
-CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh> >
-isocurve_segments(const Isocurve_tracer<TriangleMesh>& tracer,
+template <typename TriangleMesh, int D>
+CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh, D> >
+isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
                   const Isocurve_start<TriangleMesh>& start, const Isocurve_direction direction)
 {
-  using Iterator = Isocurve_segment_iterator<TriangleMesh>;
-  return {Iterator(Isocurve_walker<TriangleMesh>(tracer, start, direction),
+  using Iterator = Isocurve_segment_iterator<TriangleMesh, D>;
+  return {Iterator(Isocurve_walker<TriangleMesh, D>(tracer, start, direction),
                    (std::numeric_limits<std::size_t>::max)()), Iterator()};
 }
 
@@ -180,12 +184,13 @@ returns the segments of a curve that was traced exactly, as many as it has betwe
 \param tracer the tracer of the curve
 \param curve a curve with its points
 */
-template <typename TriangleMesh>
-CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh> >
-isocurve_segments(const Isocurve_tracer<TriangleMesh>& tracer, const Isocurve<TriangleMesh>& curve)
+template <typename TriangleMesh, int D>
+CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh, D> >
+isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                  const Isocurve<TriangleMesh>& curve)
 {
-  using Iterator = Isocurve_segment_iterator<TriangleMesh>;
-  return {Iterator(Isocurve_walker<TriangleMesh>(tracer, curve.start, curve.direction),
+  using Iterator = Isocurve_segment_iterator<TriangleMesh, D>;
+  return {Iterator(Isocurve_walker<TriangleMesh, D>(tracer, curve.start, curve.direction),
                    curve.points.empty() ? 0 : curve.points.size() - 1), Iterator()};
 }
 

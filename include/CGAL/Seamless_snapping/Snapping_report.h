@@ -215,10 +215,10 @@ struct Snapping_report
   /// @}
 
   /*!
-  After success, of the surface function, for rotational symmetries of order 1, 2, and 4: the
-  connection constraints, by their places in the range, that hold, but whose isocurve does not
-  arrive at its end, since a singular vertex or the border is in its way. `message` names the first.
-  Where faces are flipped in the domain, an isocurve can turn back, and the list be wrong.
+  After success, of the surface function: the connection constraints, by their places in the range,
+  that hold, but whose isocurve does not arrive at its end, since a singular vertex or the border is
+  in its way. `message` names the first. Where faces are flipped in the domain, an isocurve can turn
+  back, and the list be wrong.
   */
   std::vector<std::size_t> intercepted_connections;
 

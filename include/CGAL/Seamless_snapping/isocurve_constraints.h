@@ -133,7 +133,7 @@ connection_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh
   Connection_constraint<TriangleMesh> result;
   result.a = start.halfedge();
   result.b = internal::corner_at_end(tmesh, curve);
-  result.component = int(internal::constant_component(int(start.direction())));
+  result.component = int(internal::constant_component(start.direction()));
   result.path = isocurve_face_path(tmesh, curve);
   if(curve.points.back().place() == Isocurve_place::EDGE)
     result.path.push_back(curve.points.back().halfedge());
@@ -165,7 +165,7 @@ cycle_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& cu
                     curve.status == Isocurve_status::SPIRALS);
   Cycle_constraint<TriangleMesh> result;
   result.corner = start.halfedge();
-  result.component = int(internal::constant_component(int(start.direction())));
+  result.component = int(internal::constant_component(start.direction()));
   result.path = isocurve_face_path(tmesh, curve);
   if(curve.points.back().place() == Isocurve_place::EDGE)
     result.path.push_back(curve.points.back().halfedge());

@@ -256,12 +256,11 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
       tmesh, uv_map, plain_np,
       CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.));
-  if constexpr(Group::is_signed_permutation) // others are not traced
-    if(report)
-      internal::find_intercepted_connections(
-        CGAL::parameters::get_parameter_reference(plain_np,
-                                                  CGAL::internal_np::connection_constraints),
-        tmesh, uv_map, plain_np, report);
+  if(report)
+    internal::find_intercepted_connections(
+      CGAL::parameters::get_parameter_reference(plain_np,
+                                                CGAL::internal_np::connection_constraints),
+      tmesh, uv_map, plain_np, report);
   return report;
 }
 

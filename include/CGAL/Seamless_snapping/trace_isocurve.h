@@ -20,6 +20,8 @@
 #include <CGAL/Seamless_snapping/Isocurve_point.h>
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
+#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
+#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/tags.h>
@@ -29,11 +31,24 @@
 namespace CGAL {
 namespace Seamless_snapping {
 
+namespace internal {
+
+// The tolerance means something else where the mesh is read.
+template <typename NamedParameters>
+auto symmetry_only(const NamedParameters&)
+{
+  constexpr int order = order_of_symmetry<Plain_parameters<NamedParameters> >;
+  return parameters::rotational_symmetry(Rotational_symmetry<order>());
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingTracing
 
 traces an isocurve of an exactly seamless parametrization, from a point on the surface in one of the
-directions \f$ +u, -u, +v, -v \f$ of its chart.
+directions \f$ +u, -u, +v, -v \f$ of its chart; or, in lattice coordinates, of its six directions
+(see `Isocurve_direction`).
 
 The curve crosses cuts by their exact transitions, passes exactly through vertices, and runs along
 edges where these lie on it. It ends at the target, at a singular vertex, at the border, where it
@@ -110,6 +125,13 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{rotational_symmetry}
+    \cgalParamDescription{the rotations that transitions may have. With N = 3 and 6, coordinates are
+                          lattice coordinates, and there are six directions. Not read by the
+                          functions of `Isocurve_tracer`, but for its constructor.}
+    \cgalParamType{`Rotational_symmetry<N>`}
+    \cgalParamDefault{`Rotational_symmetry<4>()`}
+  \cgalParamNEnd
   \cgalParamNBegin{tolerance}
     \cgalParamDescription{in floating point only: the distance, relative to the extent of the
                           coordinates, below which a curve is taken to have missed what it passes
@@ -144,7 +166,7 @@ Isocurve<TriangleMesh> trace_isocurve(const TriangleMesh& tmesh, HalfedgeUVMap u
                                       const NamedParameters& np =
                                         CGAL::parameters::default_values())
 {
-  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map);
+  const Isocurve_tracer tracer(tmesh, uv_map, internal::symmetry_only(np));
   Isocurve<TriangleMesh> curve = tracer.trace(start, direction, np);
   for(const auto& point : curve.points)
     *output++ = point;
@@ -191,7 +213,7 @@ CurveOutputIterator trace_all_separatrices(const TriangleMesh& tmesh, HalfedgeUV
                                            const NamedParameters& np =
                                              CGAL::parameters::default_values())
 {
-  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map);
+  const Isocurve_tracer tracer(tmesh, uv_map, internal::symmetry_only(np));
   for(auto& curve : tracer.template separatrices<ConcurrencyTag>(np))
     *output++ = std::move(curve);
   return output;

@@ -25,10 +25,15 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// The plain chain of any named parameters.
+template <typename NamedParameters>
+using Plain_parameters = std::decay_t<decltype(strip(std::declval<const NamedParameters&>()))>;
 
 template <typename Parameter>
 struct Order_of_symmetry

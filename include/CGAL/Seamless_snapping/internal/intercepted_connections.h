@@ -37,55 +37,63 @@ namespace internal {
 
 // From corner a to corner b of a connection, in the chart of a, as if the faces of the path lay in
 // the plane. Rounded: it tells the direction, and about how far the isocurve has to go.
-template <typename TriangleMesh>
-Uv displacement(const Isocurve_tracer<TriangleMesh>& tracer,
+template <typename TriangleMesh, int D>
+Uv displacement(const Isocurve_tracer<TriangleMesh, D>& tracer,
                 const Connection_constraint<TriangleMesh>& connection)
 {
-  using Group = Quarter_turns;
-  const Chart_mesh& mesh = tracer.chart_mesh();
+  using Group = Rotation_group<D>;
+  const Basic_chart_mesh<Group>& mesh = tracer.chart_mesh();
   const auto corner = [&](const auto h) { return tracer.correspondence().corner(h); };
   Uv u = mesh.uv(corner(connection.a));
-  Group::Element g = Group::identity();
+  typename Group::Element g = Group::identity();
   for(const auto h : connection.path) {
     const auto t = mesh.corner(corner(h)).transition;
     if(t == no_index)
       continue;
-    const Chart_transition& transition = mesh.transitions[std::size_t(t)];
+    const auto& transition = mesh.transitions[std::size_t(t)];
     u = Group::apply(transition.rotation, u);
     for(std::size_t c = 0; c < 2; ++c)
-      u[c] += transition.translation[c].rounded;
+      u[c] += nearest_double(transition.translation[c]);
     g = Group::compose(transition.rotation, g);
   }
   const Uv b = mesh.uv(corner(connection.b));
   return Group::apply(Group::inverse(g), Uv{b[0] - u[0], b[1] - u[1]});
 }
 
-// Traces the isocurve of a connection until it is as long as it should be.
-template <typename TriangleMesh>
-Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh>& tracer,
-                                        const Connection_constraint<TriangleMesh>& connection,
-                                        const Uv& displacement)
+// The direction along which this component is constant and the other coordinate grows.
+inline Isocurve_direction direction_of_connection(const int component)
 {
-  const std::size_t running = std::size_t(1 - connection.component);
-  const Direction axis = running == 0 ? Direction(Isocurve_direction::PLUS_U)
-                                      : Direction(Isocurve_direction::PLUS_V);
+  return component == 0 ? Isocurve_direction::PLUS_V
+                        : component == 1 ? Isocurve_direction::PLUS_U
+                                         : Isocurve_direction::MINUS_U_PLUS_V;
+}
+
+// Traces the isocurve of a connection until it is as long as it should be: this change of the other
+// coordinate.
+template <typename TriangleMesh, int D>
+Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                                        const Connection_constraint<TriangleMesh>& connection,
+                                        const double change)
+{
+  const Isocurve_direction growing = direction_of_connection(connection.component);
   return tracer.trace(Isocurve_start<TriangleMesh>::at_vertex(connection.a),
-                      Isocurve_direction(displacement[running] > 0 ? axis : reversed(axis)),
+                      change > 0 ? growing : reversed(growing),
                       parameters::target_vertex(target(connection.b, tracer.mesh()))
-                                 .maximum_length(1.001 * std::abs(displacement[running])));
+                                 .maximum_length(1.001 * std::abs(change)));
 }
 
 // Whether the isocurve of a connection does not arrive, and where it ends instead.
 // \param point the distance of ends that may have become one point, with nothing between
-template <typename TriangleMesh, typename VertexIndexMap>
-bool is_intercepted(const Isocurve_tracer<TriangleMesh>& tracer,
+template <typename TriangleMesh, int D, typename VertexIndexMap>
+bool is_intercepted(const Isocurve_tracer<TriangleMesh, D>& tracer,
                     const Connection_constraint<TriangleMesh>& connection, const double point,
                     const VertexIndexMap& vertex_indices, std::string& obstacle)
 {
-  const Uv d = displacement(tracer, connection);
-  if(std::abs(d[std::size_t(1 - connection.component)]) <= point)
+  const double change = displacement(tracer, connection)
+    [other_coordinate(direction_of_connection(connection.component))];
+  if(std::abs(change) <= point)
     return false;
-  const auto curve = trace_connection(tracer, connection, d);
+  const auto curve = trace_connection(tracer, connection, change);
   if(curve.status == Isocurve_status::TARGET)
     return false;
   obstacle = curve.status != Isocurve_status::SINGULAR_VERTEX
@@ -121,7 +129,7 @@ void find_intercepted_connections(const Connections& connections, const Triangle
 {
   Step_timer timer(report.run);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const Isocurve_tracer<TriangleMesh> tracer(tmesh, uv_map, np);
+  const Isocurve_tracer tracer(tmesh, uv_map, np);
   if(!tracer.is_exact())
     return;
   std::size_t place = 0;

@@ -49,6 +49,9 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
   if(!is_arithmetic_exact())
     return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
   const auto seams = seam_transitions(tmesh, uv_map, np);
+  static_assert(has_four_directions<decltype(seams)>,
+                "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
+                "4 only");
   if(!seams)
     return Refusal{*seams.failure(), seams.message(), {}};
   if(!seams.is_exact())

@@ -17,13 +17,16 @@
 // A parametrized mesh in plain arrays: what isocurves are traced on.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
+#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -37,18 +40,24 @@ struct Chart_corner : Flat_corner
 };
 
 // u' = R u + t, from the face of a halfedge to the opposite one. The translation is that of the
-// source of the halfedge, exactly; in an exactly seamless map it is also that of the target.
-struct Chart_transition
+// source of the halfedge, exactly; in an exactly seamless map it is also that of the target. It is
+// stored by components: for N = 6, these are sums of three or four coordinates.
+template <typename Group>
+struct Basic_chart_transition
 {
-  Quarter_turns::Element rotation;
-  std::array<Exact_difference, 2> translation;
+  using Translation =
+    std::conditional_t<Group::is_signed_permutation, Exact_difference, Exact_level>;
+
+  typename Group::Element rotation;
+  std::array<Translation, std::size_t(Group::number_of_functionals)> translation;
 };
 
 // Invariant: an interior halfedge has a transition if and only if its two sides have different
 // coordinates or charts.
-struct Chart_mesh : Flat_mesh<Chart_corner>
+template <typename Group>
+struct Basic_chart_mesh : Flat_mesh<Chart_corner>
 {
-  std::vector<Chart_transition> transitions;
+  std::vector<Basic_chart_transition<Group> > transitions;
   std::vector<char> is_singular; // per vertex
   double extent = 0;             // the larger side of the bounding box of the coordinates
   double violation = 0;          // the largest one of a transition
@@ -56,12 +65,35 @@ struct Chart_mesh : Flat_mesh<Chart_corner>
 
   const Uv& uv(const Corner_index h) const { return corner(h).uv; }
 
-  Quarter_turns::Element rotation(const Corner_index h) const
+  // Of the coordinates of a corner; exactly, and rounded.
+  Component<Group> component(const Corner_index h, const std::size_t c) const
+  { return internal::component<Group>(uv(h), c); }
+  double rounded_component(const Corner_index h, const std::size_t c) const
+  { return Group::value(int(c), uv(h)); }
+
+  typename Group::Element rotation(const Corner_index h) const
   {
     const std::int32_t t = corner(h).transition;
-    return t == no_index ? Quarter_turns::identity() : transitions[std::size_t(t)].rotation;
+    return t == no_index ? Group::identity() : transitions[std::size_t(t)].rotation;
   }
 };
+
+using Chart_transition = Basic_chart_transition<Quarter_turns>;
+using Chart_mesh = Basic_chart_mesh<Quarter_turns>;
+
+// What adds to sign * (a component in one chart) to make it that of the same point in another one.
+template <typename Group>
+typename Basic_chart_transition<Group>::Translation
+offset(const Component<Group>& from, const int sign, const Component<Group>& to)
+{
+  if constexpr(Group::is_signed_permutation) {
+    return Exact_difference(to, sign * from);
+  } else {
+    Exact_level result(from);
+    result.transform(-sign, to);
+    return result;
+  }
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

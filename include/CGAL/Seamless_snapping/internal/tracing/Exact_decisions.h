@@ -32,36 +32,39 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-class Exact_decisions
+template <typename Group>
+class Basic_exact_decisions
 {
+  using Mesh = Basic_chart_mesh<Group>;
+
 public:
   using Level = Exact_level;
   using State = Walk_state<Level>;
 
-  explicit Exact_decisions(const Chart_mesh& mesh) : m_mesh(&mesh) { }
+  explicit Basic_exact_decisions(const Mesh& mesh) : m_mesh(&mesh) { }
 
   // From the chart of the transition's one face to that of the other.
-  static void cross(const Chart_transition& transition, State& state)
+  static void cross(const Basic_chart_transition<Group>& transition, State& state)
   {
     const Signed_functional constant =
-      Quarter_turns::act(transition.rotation, int(constant_component(state.direction)));
-    state.direction = turned(state.direction, transition.rotation);
+      Group::act(transition.rotation, int(constant_component<Group>(state.direction)));
+    state.direction = turned<Group>(state.direction, transition.rotation);
     state.level.transform(constant.sign, transition.translation[std::size_t(constant.index)]);
   }
 
   static double approximation(const Level& level) { return level.approximation(); }
-  static int side_of(const Level& level, const double coordinate)
-  { return level.side_of(coordinate); }
+  static int side_of(const Level& level, const Component<Group>& component)
+  { return level.side_of(component); }
 
   // Whether the curve leads into the face whose halfedge it has just crossed: its source lies at
   // the left, its target at the right.
   bool enters(const State& state) const
   {
-    const std::size_t c = constant_component(state.direction);
+    const std::size_t c = constant_component<Group>(state.direction);
     CGAL_USE(c);
-    CGAL_assertion_code(const int left = left_sign(state.direction));
-    CGAL_assertion(state.level.side_of(m_mesh->uv(Chart_mesh::prev(state.halfedge))[c]) == left);
-    CGAL_assertion(state.level.side_of(m_mesh->uv(state.halfedge)[c]) == -left);
+    CGAL_assertion_code(const int left = left_sign<Group>(state.direction));
+    CGAL_assertion(state.level.side_of(m_mesh->component(Mesh::prev(state.halfedge), c)) == left);
+    CGAL_assertion(state.level.side_of(m_mesh->component(state.halfedge, c)) == -left);
     return true;
   }
 
@@ -74,7 +77,7 @@ public:
   // The ray that continues the curve straight on: the opposite one, as many to its left as to its
   // right. In a star without folds that is the only one but that of arrival.
   template <typename AnyLevel>
-  static Isocurve_status straight_ray(const Chart_mesh& mesh, const Walk_state<AnyLevel>& state,
+  static Isocurve_status straight_ray(const Mesh& mesh, const Walk_state<AnyLevel>& state,
                                       const Isocurve_rays& around, Vertex_ray& chosen)
   {
     const std::size_t n = around.rays.size();
@@ -103,8 +106,10 @@ public:
   static Isocurve_status failure() { return Isocurve_status::CONTINUES; }
 
 private:
-  const Chart_mesh* m_mesh;
+  const Mesh* m_mesh;
 };
+
+using Exact_decisions = Basic_exact_decisions<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The constant coordinate of an isocurve, exactly. It starts as a coordinate of a corner, and every
+// The constant component of an isocurve, exactly. It starts as a component of a corner, and every
 // cut adds a translation. As long as all these lie on the grid, it stays a single `double`;
 // coordinates that no constraint concerns lie on no grid, so that it may take two of them; a point
 // anywhere on an edge needs a rational number.
@@ -32,6 +32,12 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+inline Exact_rational exact_value(const double x) { return Exact_rational(x); }
+inline Exact_rational exact_value(const Exact_difference& x)
+{
+  return Exact_rational(Exact_rational(x.rounded) + Exact_rational(x.error));
+}
+
 // The value is m_nearest + m_rest, where m_nearest is the `double` nearest to it; unless it needs
 // more than two of them: then it is *m_rational. Needs rounding to nearest.
 class Exact_level
@@ -39,6 +45,9 @@ class Exact_level
 public:
   Exact_level() = default;
   explicit Exact_level(const double value) : m_nearest(value) { }
+  explicit Exact_level(const Exact_difference& value)
+    : m_nearest(value.rounded), m_rest(value.error)
+  { }
   explicit Exact_level(const Exact_rational& value) { set(value); }
 
   // The sign of `coordinate` less the level. Where `coordinate` differs from the nearest number,
@@ -51,11 +60,20 @@ public:
     return side != 0 ? side : compare(0, m_rest);
   }
 
+  // The same for a component that may need two numbers.
+  int side_of(const Exact_difference& component) const
+  {
+    if(m_rational != nullptr)
+      return side_of_rational(component);
+    const int side = compare(component.rounded, m_nearest);
+    return side != 0 ? side : compare(component.error, m_rest);
+  }
+
   // Becomes sign * level + translation.
   void transform(const int sign, const Exact_difference& translation)
   {
     if(m_rational != nullptr)
-      return set(Exact_rational(Exact_rational(sign) * *m_rational + exact(translation)));
+      return set(Exact_rational(Exact_rational(sign) * *m_rational + exact_value(translation)));
     if(sign < 0) {
       m_nearest = -m_nearest;
       m_rest = -m_rest;
@@ -67,6 +85,14 @@ public:
     } else {
       add_small_parts(sum, translation);
     }
+  }
+
+  void transform(const int sign, const Exact_level& translation)
+  {
+    if(translation.m_rational == nullptr)
+      transform(sign, Exact_difference(translation.m_nearest, -translation.m_rest));
+    else
+      set(Exact_rational(Exact_rational(sign) * exact() + *translation.m_rational));
   }
 
   double approximation() const { return m_nearest; }
@@ -123,12 +149,9 @@ public:
     return a.exact() == b.exact();
   }
 
-private:
-  static Exact_rational exact(const Exact_difference& d)
-  {
-    return Exact_rational(Exact_rational(d.rounded) + Exact_rational(d.error));
-  }
+  friend double nearest_double(const Exact_level& level) { return level.m_nearest; }
 
+private:
   // What remains of the sum of four numbers after that of the large two.
   void add_small_parts(const Exact_difference& sum, const Exact_difference& translation)
   {
@@ -139,7 +162,7 @@ private:
       m_nearest = total.rounded;
       m_rest = total.error;
     } else {
-      set(Exact_rational(exact() + exact(translation)));
+      set(Exact_rational(exact() + exact_value(translation)));
     }
   }
 
@@ -155,14 +178,15 @@ private:
     m_rational = fits ? nullptr : std::make_shared<const Exact_rational>(value);
   }
 
-  int side_of_rational(const double coordinate) const
+  template <typename Component>
+  int side_of_rational(const Component& component) const
   {
     const std::pair<double, double> interval = CGAL::to_interval(*m_rational);
-    if(coordinate < interval.first)
+    if(nearest_double(component) < interval.first)
       return -1;
-    if(coordinate > interval.second)
+    if(nearest_double(component) > interval.second)
       return 1;
-    return static_cast<int>(CGAL::compare(Exact_rational(coordinate), *m_rational));
+    return static_cast<int>(CGAL::compare(exact_value(component), *m_rational));
   }
 
   double m_nearest = 0;

@@ -30,44 +30,47 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-class Floating_point_decisions
+template <typename Group>
+class Basic_floating_point_decisions
 {
+  using Mesh = Basic_chart_mesh<Group>;
+
 public:
   using Level = double;
   using State = Walk_state<Level>;
 
   // A curve that comes closer than `near_distance` to a singular vertex or a target is meant to
   // meet it. A loop should return to `start`, in this direction, unless that is no_index.
-  Floating_point_decisions(const Chart_mesh& mesh, const Walk_limits& limits,
-                           const Corner_index start, const Direction start_direction,
-                           const double near_distance)
+  Basic_floating_point_decisions(const Mesh& mesh, const Walk_limits& limits,
+                                 const Corner_index start, const Direction start_direction,
+                                 const double near_distance)
     : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
       m_near(near_distance)
   { }
 
   // The translation and the sum are rounded.
-  static void cross(const Chart_transition& transition, State& state)
+  static void cross(const Basic_chart_transition<Group>& transition, State& state)
   {
     const Signed_functional constant =
-      Quarter_turns::act(transition.rotation, int(constant_component(state.direction)));
-    state.direction = turned(state.direction, transition.rotation);
+      Group::act(transition.rotation, int(constant_component<Group>(state.direction)));
+    state.direction = turned<Group>(state.direction, transition.rotation);
     state.level = constant.sign * state.level +
-                  transition.translation[std::size_t(constant.index)].rounded;
+                  nearest_double(transition.translation[std::size_t(constant.index)]);
   }
 
   static double approximation(const Level level) { return level; }
-  static int side_of(const Level level, const double coordinate)
-  { return compare(coordinate, level); }
+  static int side_of(const Level level, const Component<Group>& component)
+  { return compare(nearest_double(component), level); }
 
   bool enters(const State& state)
   {
-    const std::size_t c = constant_component(state.direction);
-    const int left = left_sign(state.direction);
-    const double source = m_mesh.uv(Chart_mesh::prev(state.halfedge))[c];
-    const double target = m_mesh.uv(state.halfedge)[c];
+    const std::size_t c = constant_component<Group>(state.direction);
+    const int left = left_sign<Group>(state.direction);
+    const double source = m_mesh.rounded_component(Mesh::prev(state.halfedge), c);
+    const double target = m_mesh.rounded_component(state.halfedge, c);
     if(left * compare(source, target) <= 0)
       m_failure = Isocurve_status::STUCK_AT_CUT; // here the edge faces the other way
-    else if(left * side_of(state.level, source) < 0 || left * side_of(state.level, target) > 0)
+    else if(left * compare(source, state.level) < 0 || left * compare(target, state.level) > 0)
       m_failure = Isocurve_status::FELL_INTO_GAP;
     else
       m_failure = near_miss(state);
@@ -105,7 +108,7 @@ public:
   Isocurve_status leave_over_border(const State& state) const
   {
     return is_nearly_along(state.halfedge, state.direction) ||
-           is_nearly_along(state.halfedge, reversed(state.direction))
+           is_nearly_along(state.halfedge, reversed<Group>(state.direction))
              ? Isocurve_status::FELL_OFF_BORDER : Isocurve_status::BORDER;
   }
 
@@ -113,10 +116,11 @@ private:
   // Whether the edge was meant to run in this direction.
   bool is_nearly_along(const Corner_index h, const Direction direction) const
   {
-    const Uv a = m_mesh.uv(Chart_mesh::prev(h)), b = m_mesh.uv(h);
-    const std::size_t c = constant_component(direction), r = running_component(direction);
-    const double along = running_sign(direction) * (b[r] - a[r]);
-    const double across = std::abs(b[c] - a[c]);
+    const auto change = [&](const std::size_t c)
+    { return m_mesh.rounded_component(h, c) - m_mesh.rounded_component(Mesh::prev(h), c); };
+    const double along =
+      running_sign<Group>(direction) * change(running_component<Group>(direction));
+    const double across = std::abs(change(constant_component<Group>(direction)));
     return across <= m_near && along > 4 * across;
   }
 
@@ -125,22 +129,22 @@ private:
   {
     Direction direction = state.direction;
     Corner_index corner = first_corner(m_mesh, state.halfedge, direction);
-    if(is_nearly_along(Chart_mesh::next(corner), direction))
+    if(is_nearly_along(Mesh::next(corner), direction))
       return true;
     while(m_mesh.opposite(corner) != no_index) {
-      direction = turned(direction, m_mesh.rotation(corner));
+      direction = turned<Group>(direction, m_mesh.rotation(corner));
       corner = m_mesh.counterclockwise(corner);
     }
-    return is_nearly_along(corner, reversed(direction));
+    return is_nearly_along(corner, reversed<Group>(direction));
   }
 
   // Whether the curve is about to pass beside a vertex that it should meet.
   Isocurve_status near_miss(const State& state) const
   {
-    const Corner_index apex = Chart_mesh::next(state.halfedge);
+    const Corner_index apex = Mesh::next(state.halfedge);
     const std::size_t v = m_mesh.vertex(apex);
-    const double distance =
-      std::abs(m_mesh.uv(apex)[constant_component(state.direction)] - state.level);
+    const double distance = std::abs(
+      m_mesh.rounded_component(apex, constant_component<Group>(state.direction)) - state.level);
     if(distance == 0 || distance > m_near)
       return Isocurve_status::CONTINUES;
     const bool is_singular = m_mesh.is_singular[v] != 0;
@@ -156,19 +160,21 @@ private:
     if(m_start == no_index || m_mesh.vertex(corner) != m_mesh.vertex(m_start))
       return false;
     while(corner != m_start && m_mesh.opposite(corner) != no_index) {
-      direction = turned(direction, m_mesh.rotation(corner));
+      direction = turned<Group>(direction, m_mesh.rotation(corner));
       corner = m_mesh.counterclockwise(corner);
     }
     return corner == m_start && direction == m_start_direction;
   }
 
-  const Chart_mesh& m_mesh;
+  const Mesh& m_mesh;
   const Walk_limits& m_limits;
   Corner_index m_start;
   Direction m_start_direction;
   double m_near;
   Isocurve_status m_failure = Isocurve_status::CONTINUES;
 };
+
+using Floating_point_decisions = Basic_floating_point_decisions<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -31,15 +31,17 @@ namespace internal {
 
 // Invariant: once it has begun, and until it ends, the state is the edge that the curve is about to
 // cross, or the vertex that it is about to pass, as seen from the face that it comes through.
-template <typename Decisions>
+template <typename Decisions, typename Group = Quarter_turns>
 class Isocurve_walk
 {
+  using Mesh = Basic_chart_mesh<Group>;
+
 public:
   using Level = typename Decisions::Level;
   using State = Walk_state<Level>;
 
   // The arguments have to outlive the walk.
-  Isocurve_walk(const Chart_mesh& mesh, const Walk_limits& limits, const Decisions& decisions)
+  Isocurve_walk(const Mesh& mesh, const Walk_limits& limits, const Decisions& decisions)
     : m_mesh(&mesh), m_limits(&limits), m_decisions(decisions)
   { }
 
@@ -109,15 +111,15 @@ private:
     if(!m_decisions.enters(m_state)) // never, where decisions are exact
       return m_decisions.failure();
     const Corner_index entry = m_state.halfedge;
-    const Corner_index apex = Chart_mesh::next(entry);
-    const int side = m_decisions.side_of(m_state.level,
-                                         m_mesh->uv(apex)[constant_component(m_state.direction)]);
+    const Corner_index apex = Mesh::next(entry);
+    const int side = m_decisions.side_of(
+      m_state.level, m_mesh->component(apex, constant_component<Group>(m_state.direction)));
     if(has_length())
       m_length += length_through(entry, side);
     if(side == 0)
       arrive(apex, no_index);
     else
-      m_state.halfedge = (side == left_sign(m_state.direction)) ? apex : Chart_mesh::next(apex);
+      m_state.halfedge = (side == left_sign<Group>(m_state.direction)) ? apex : Mesh::next(apex);
     return Isocurve_status::CONTINUES;
   }
 
@@ -158,16 +160,17 @@ private:
   void take(const Vertex_ray& ray)
   {
     m_state.direction = ray.direction;
-    m_state.level = Level(m_mesh->uv(ray.corner)[constant_component(ray.direction)]);
+    m_state.level =
+      make_level<Level>(m_mesh->component(ray.corner, constant_component<Group>(ray.direction)));
     if(ray.kind == Ray_kind::THROUGH_FACE) {
       m_state.is_at_vertex = false;
-      m_state.halfedge = Chart_mesh::prev(ray.corner);
+      m_state.halfedge = Mesh::prev(ray.corner);
       if(has_length())
         m_length += length_between(running(ray.corner), running_on_edge(m_state.halfedge));
       return;
     }
     const bool is_first = ray.kind == Ray_kind::ALONG_FIRST_EDGE;
-    const Corner_index end = is_first ? Chart_mesh::next(ray.corner) : Chart_mesh::prev(ray.corner);
+    const Corner_index end = is_first ? Mesh::next(ray.corner) : Mesh::prev(ray.corner);
     if(has_length())
       m_length += length_between(running(ray.corner), running(end));
     arrive(end, m_mesh->edge_key(is_first ? end : ray.corner));
@@ -211,14 +214,14 @@ private:
 
   double running(const Corner_index corner) const
   {
-    return m_mesh->uv(corner)[running_component(m_state.direction)];
+    return m_mesh->rounded_component(corner, running_component<Group>(m_state.direction));
   }
 
   double running_on_edge(const Corner_index h) const
   {
-    const std::size_t c = constant_component(m_state.direction);
-    const Corner_index source = Chart_mesh::prev(h);
-    const double a = m_mesh->uv(source)[c], b = m_mesh->uv(h)[c];
+    const std::size_t c = constant_component<Group>(m_state.direction);
+    const Corner_index source = Mesh::prev(h);
+    const double a = m_mesh->rounded_component(source, c), b = m_mesh->rounded_component(h, c);
     const double parameter = (Decisions::approximation(m_state.level) - a) / (b - a);
     return running(source) + parameter * (running(h) - running(source));
   }
@@ -227,14 +230,14 @@ private:
 
   double length_through(const Corner_index entry, const int apex_side) const
   {
-    const Corner_index apex = Chart_mesh::next(entry);
+    const Corner_index apex = Mesh::next(entry);
     const double end = apex_side == 0
       ? running(apex)
-      : running_on_edge(apex_side == left_sign(m_state.direction) ? apex : Chart_mesh::next(apex));
+      : running_on_edge(apex_side == left_sign<Group>(m_state.direction) ? apex : Mesh::next(apex));
     return length_between(running_on_edge(entry), end);
   }
 
-  const Chart_mesh* m_mesh;
+  const Mesh* m_mesh;
   const Walk_limits* m_limits;
   Decisions m_decisions;
 

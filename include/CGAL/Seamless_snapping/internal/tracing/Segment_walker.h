@@ -15,13 +15,12 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Isocurves of exactly seamless maps as sequences of segments, one in each face that is crossed and
-// one along each edge. The running coordinate of the start is carried through transitions, as the
+// one along each edge. The running component of the start is carried through transitions, as the
 // level of the curve is: so the length up to any point is a difference of two numbers in one chart,
 // and exact.
 
 #include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Isocurve_walk.h>
@@ -50,68 +49,83 @@ struct Chart_segment
 {
   Segment_end entry, exit;
   Corner_index along = no_index; // the halfedge on which the segment lies, if it lies on an edge
-  Direction direction = Quarter_turns::identity();
-  Exact_level level;             // of the constant coordinate
-  Exact_level origin;            // the running coordinate of the start of the curve
+  Direction direction = 0;
+  Exact_level level;             // of the constant component
+  Exact_level origin;            // the running component of the start of the curve
   bool is_first = false;         // its entry is the start of the curve
   bool is_closing = false;       // its exit is the start, which is no vertex, and its running
-  Exact_level closing;           // coordinate is this
+  Exact_level closing;           // component is this
 
   Flat_face_index face() const { return Flat_mesh<Flat_corner>::face(exit.halfedge); }
 };
 
-// The running coordinate where an isocurve crosses the edge of a halfedge.
-inline Exact_rational running_on_edge(const Chart_mesh& mesh, const Corner_index h,
-                                      const Direction direction, const Exact_level& level)
+// The running component where an isocurve crosses the edge of a halfedge.
+template <typename Group>
+Exact_rational running_on_edge(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                               const Direction direction, const Exact_level& level)
 {
-  const std::size_t c = constant_component(direction), r = running_component(direction);
-  const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
-  const Exact_rational ac(a[c]), ar(a[r]);
-  const Exact_rational t((level.exact() - ac) / (Exact_rational(b[c]) - ac));
-  return Exact_rational(ar + t * (Exact_rational(b[r]) - ar));
+  const std::size_t c = constant_component<Group>(direction);
+  const Exact_rational a = exact_value(mesh.component(mesh.prev(h), c));
+  const Exact_rational b = exact_value(mesh.component(h, c));
+  return component_on_edge(mesh, h, Exact_rational((level.exact() - a) / (b - a)),
+                           running_component<Group>(direction));
 }
 
-// The running coordinate at an end that is not a start inside of a face or edge.
-inline Exact_rational running_coordinate(const Chart_mesh& mesh, const Chart_segment& segment,
-                                         const Segment_end& end)
+// The running component at an end that is not a start inside of a face or edge.
+template <typename Group>
+Exact_rational running_at(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment,
+                          const Segment_end& end)
 {
-  return end.place == Isocurve_place::VERTEX
-           ? Exact_rational(mesh.uv(end.halfedge)[running_component(segment.direction)])
-           : running_on_edge(mesh, end.halfedge, segment.direction, segment.level);
+  if(end.place != Isocurve_place::VERTEX)
+    return running_on_edge(mesh, end.halfedge, segment.direction, segment.level);
+  return exact_value(mesh.component(end.halfedge, running_component<Group>(segment.direction)));
 }
 
-inline Exact_rational running_from(const Chart_mesh& mesh, const Chart_segment& segment)
+template <typename Group>
+Exact_rational running_from(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
 {
-  return segment.is_first ? segment.origin.exact()
-                          : running_coordinate(mesh, segment, segment.entry);
+  return segment.is_first ? segment.origin.exact() : running_at(mesh, segment, segment.entry);
 }
 
-inline Exact_rational running_to(const Chart_mesh& mesh, const Chart_segment& segment)
+template <typename Group>
+Exact_rational running_to(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
 {
-  return segment.is_closing ? segment.closing.exact()
-                            : running_coordinate(mesh, segment, segment.exit);
+  return segment.is_closing ? segment.closing.exact() : running_at(mesh, segment, segment.exit);
+}
+
+// The coordinate of a point of a segment that is not constant: where u is, and u + v is the running
+// component, that is v.
+template <typename Group>
+Exact_rational other_coordinate(const Chart_segment& segment, const Exact_rational& running)
+{
+  return running_component<Group>(segment.direction) < 2
+           ? running : Exact_rational(running - segment.level.exact());
 }
 
 // The length of the curve from its start to a point of a segment.
-inline Exact_rational length_up_to(const Chart_segment& segment, const Exact_rational& running)
+template <typename Group>
+Exact_rational length_up_to(const Chart_segment& segment, const Exact_rational& running)
 {
   const Exact_rational difference(running - segment.origin.exact());
-  return Exact_rational(running_sign(segment.direction) * difference);
+  return Exact_rational(running_sign<Group>(segment.direction) * difference);
 }
 
 // Invariant: after a call of advance() that returned CONTINUES, the segment is the last one so far.
-class Segment_walker
+template <typename Group>
+class Basic_segment_walker
 {
-  using Walk = Isocurve_walk<Exact_decisions>;
-  using State = Walk::State;
+  using Mesh = Basic_chart_mesh<Group>;
+  using Decisions = Basic_exact_decisions<Group>;
+  using Walk = Isocurve_walk<Decisions, Group>;
+  using State = typename Walk::State;
 
 public:
   // The arguments have to outlive the walker. Needs rounding to nearest, as do all functions.
-  Segment_walker(const Chart_mesh& mesh, const Walk_limits& limits, const Chart_start& start,
-                 const Direction direction)
-    : m_mesh(&mesh), m_walk(mesh, limits, Exact_decisions(mesh))
+  Basic_segment_walker(const Mesh& mesh, const Walk_limits& limits, const Chart_start& start,
+                       const Direction direction)
+    : m_mesh(&mesh), m_walk(mesh, limits, Decisions(mesh))
   {
-    Exact_decisions decisions(mesh);
+    Decisions decisions(mesh);
     const auto beginning = begin_walk(mesh, start, direction, decisions, m_walk);
     m_status = beginning.status;
     m_is_at_first_state = beginning.is_first_state;
@@ -125,8 +139,8 @@ public:
   }
 
   // Along a ray from a vertex.
-  Segment_walker(const Chart_mesh& mesh, const Walk_limits& limits, const Vertex_ray& ray)
-    : m_mesh(&mesh), m_walk(mesh, limits, Exact_decisions(mesh))
+  Basic_segment_walker(const Mesh& mesh, const Walk_limits& limits, const Vertex_ray& ray)
+    : m_mesh(&mesh), m_walk(mesh, limits, Decisions(mesh))
   {
     State start;
     start.is_at_vertex = true;
@@ -166,7 +180,8 @@ private:
     m_segment.direction = start.direction;
     m_segment.origin =
       place == Isocurve_place::VERTEX
-        ? Exact_level(m_mesh->uv(start.halfedge)[running_component(start.direction)])
+        ? Exact_level(m_mesh->component(start.halfedge,
+                                        running_component<Group>(start.direction)))
         : Exact_level(running);
     m_segment.closing = m_segment.origin;
   }
@@ -198,7 +213,7 @@ private:
     carry_origin_across(m_segment.along, m_segment.direction);
     m_segment.along = m_start.halfedge;
     m_segment.entry.halfedge = m_first_state.halfedge == m_start.halfedge
-                                 ? Chart_mesh::prev(m_start.halfedge) : m_start.halfedge;
+                                 ? Mesh::prev(m_start.halfedge) : m_start.halfedge;
     m_segment.direction = m_first_state.direction;
     m_segment.level = m_first_state.level;
   }
@@ -209,7 +224,7 @@ private:
     if(!state.is_at_vertex || state.arrival_key == no_index)
       return no_index;
     return m_mesh->edge_key(state.halfedge) == state.arrival_key ? state.halfedge
-                                                                 : Chart_mesh::next(state.halfedge);
+                                                                 : Mesh::next(state.halfedge);
   }
 
   bool is_first_state(const State& state) const
@@ -233,10 +248,12 @@ private:
     }
     const Corner_index corner = corner_left_by(state);
     m_segment.entry = {Isocurve_place::VERTEX, corner};
-    const double here = m_mesh->uv(before.halfedge)[running_component(before.direction)];
-    const double there = m_mesh->uv(corner)[running_component(state.direction)];
-    const int sign = running_sign(before.direction) * running_sign(state.direction);
-    m_segment.origin.transform(sign, Exact_difference(there, sign * here));
+    const int sign = running_sign<Group>(before.direction) * running_sign<Group>(state.direction);
+    m_segment.origin.transform(
+      sign, offset<Group>(m_mesh->component(before.halfedge,
+                                            running_component<Group>(before.direction)),
+                          sign,
+                          m_mesh->component(corner, running_component<Group>(state.direction))));
   }
 
   void carry_origin_across(const Corner_index h, const Direction direction)
@@ -244,9 +261,9 @@ private:
     const std::int32_t t = m_mesh->corner(h).transition;
     if(t == no_index)
       return;
-    const Chart_transition& transition = m_mesh->transitions[std::size_t(t)];
+    const Basic_chart_transition<Group>& transition = m_mesh->transitions[std::size_t(t)];
     const Signed_functional running =
-      Quarter_turns::act(transition.rotation, int(running_component(direction)));
+      Group::act(transition.rotation, int(running_component<Group>(direction)));
     m_segment.origin.transform(running.sign, transition.translation[std::size_t(running.index)]);
   }
 
@@ -254,12 +271,12 @@ private:
   Corner_index corner_left_by(const State& state) const
   {
     if(!state.is_at_vertex)
-      return Chart_mesh::next(state.halfedge);
+      return Mesh::next(state.halfedge);
     const Corner_index along = edge_along(state);
-    return along == state.halfedge ? Chart_mesh::prev(along) : along;
+    return along == state.halfedge ? Mesh::prev(along) : along;
   }
 
-  const Chart_mesh* m_mesh;
+  const Mesh* m_mesh;
   Walk m_walk;
   Segment_end m_start;
   State m_first_state;
@@ -269,6 +286,8 @@ private:
   bool m_is_at_first_state = false; // the walk has begun at the start, not behind the first segment
   bool m_may_close_inside = false;  // of a segment
 };
+
+using Segment_walker = Basic_segment_walker<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -15,18 +15,18 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The isocurves that leave a vertex, by signs alone. Whether a point of the star lies left or right
-// of an isocurve through its center is a comparison of two coordinates in one chart; a ray leaves
+// of an isocurve through its center is a comparison of two components in one chart; a ray leaves
 // where this changes from right to left, counterclockwise.
 //
-// In a star without folds these are the rays in the directions of the axes. With folds, the
+// In a star without folds these are the rays in all directions of the group. With folds, the
 // isocurves are still the level sets of a piecewise linear function; the direction of a ray then
 // tells its sides, not where it points to: in a flipped triangle, that is the opposite.
 
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,31 +52,35 @@ struct Vertex_ray
 
 // 1 if the corner `other` of the same face lies at the left of the isocurve in this direction from
 // `corner`; -1 at the right; 0 on it.
-inline int side_of_ray(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
-                       const Corner_index other)
+template <typename Group>
+int side_of_ray(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+                const Direction direction, const Corner_index other)
 {
-  const std::size_t c = constant_component(direction);
-  return left_sign(direction) * compare(mesh.uv(other)[c], mesh.uv(corner)[c]);
+  const std::size_t c = constant_component<Group>(direction);
+  return left_sign<Group>(direction) *
+         compare(mesh.component(other, c), mesh.component(corner, c));
 }
 
 // The side of the first link vertex of the corner before this one, clockwise; -1 beyond the border.
-inline int side_before(const Chart_mesh& mesh, const Corner_index corner, const Direction direction)
+template <typename Group>
+int side_before(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+                const Direction direction)
 {
   const Corner_index before = mesh.clockwise(corner);
   if(before == no_index)
     return -1;
-  return side_of_ray(mesh, before, turned(direction, mesh.rotation(Chart_mesh::next(corner))),
-                     Chart_mesh::next(before));
+  return side_of_ray(mesh, before, turned<Group>(direction, mesh.rotation(mesh.next(corner))),
+                     mesh.next(before));
 }
 
 // Calls f(ray) for the ray of this direction that starts along the first edge of the corner, inside
 // it, or along its last edge if that is on the border, if there is one.
-template <typename Function>
-void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
-                       const Function& f)
+template <typename Group, typename Function>
+void for_ray_at_corner(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+                       const Direction direction, const Function& f)
 {
-  const int first = side_of_ray(mesh, corner, direction, Chart_mesh::next(corner));
-  const int second = side_of_ray(mesh, corner, direction, Chart_mesh::prev(corner));
+  const int first = side_of_ray(mesh, corner, direction, mesh.next(corner));
+  const int second = side_of_ray(mesh, corner, direction, mesh.prev(corner));
   if(first < 0 && second > 0)
     f(Vertex_ray{corner, direction, Ray_kind::THROUGH_FACE});
   else if(first == 0 && second > 0 && side_before(mesh, corner, direction) < 0)
@@ -87,12 +91,13 @@ void for_ray_at_corner(const Chart_mesh& mesh, const Corner_index corner, const 
 
 // The first corner of the star counterclockwise, if it starts at the border; else `corner`.
 // `direction` is carried along.
-inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corner,
-                                 Direction& direction)
+template <typename Group>
+Corner_index first_corner(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+                          Direction& direction)
 {
   Corner_index c = corner;
   for(Corner_index before = mesh.clockwise(c); before != no_index; before = mesh.clockwise(c)) {
-    direction = turned(direction, mesh.rotation(Chart_mesh::next(c)));
+    direction = turned<Group>(direction, mesh.rotation(mesh.next(c)));
     c = before;
     if(c == corner)
       break;
@@ -101,20 +106,23 @@ inline Corner_index first_corner(const Chart_mesh& mesh, const Corner_index corn
 }
 
 // All rays from a vertex, counterclockwise, each in the chart of its corner.
-inline std::vector<Vertex_ray> rays_from_vertex(const Chart_mesh& mesh, const std::size_t vertex)
+template <typename Group>
+std::vector<Vertex_ray> rays_from_vertex(const Basic_chart_mesh<Group>& mesh,
+                                         const std::size_t vertex)
 {
   std::vector<Vertex_ray> rays;
   const Corner_index start = mesh.corner_at_vertex[vertex];
   Corner_index corner = start;
   do {
     const std::size_t begin = rays.size();
-    for(int turns = 0; turns < Quarter_turns::order; ++turns)
-      for_ray_at_corner(mesh, corner, Quarter_turns::element(turns),
+    for(int turns = 0; turns < Group::order; ++turns)
+      for_ray_at_corner(mesh, corner, Group::element(turns),
                         [&](const Vertex_ray& r) { rays.push_back(r); });
-    // +u comes after -v
-    if(rays.size() == begin + 2 &&
-       turned(rays[begin + 1].direction, Quarter_turns::element(1)) == rays[begin].direction)
-      std::swap(rays[begin], rays[begin + 1]);
+    // +u comes after the last direction
+    for(std::size_t i = begin + 1; i < rays.size(); ++i)
+      if(rays[i].direction != turned<Group>(rays[i - 1].direction, Group::element(1)))
+        std::rotate(rays.begin() + std::ptrdiff_t(begin), rays.begin() + std::ptrdiff_t(i),
+                    rays.end());
     corner = mesh.counterclockwise(corner);
   } while(corner != no_index && corner != start);
   return rays;
@@ -128,7 +136,8 @@ struct Isocurve_rays
   std::vector<Vertex_ray> rays;
   std::vector<char> is_forward;
 
-  void collect(const Chart_mesh& mesh, const Corner_index corner, Direction direction)
+  template <typename Group>
+  void collect(const Basic_chart_mesh<Group>& mesh, const Corner_index corner, Direction direction)
   {
     rays.clear();
     is_forward.clear();
@@ -136,12 +145,12 @@ struct Isocurve_rays
     Corner_index c = start;
     do {
       for(const bool forward : {true, false})
-        for_ray_at_corner(mesh, c, forward ? direction : reversed(direction),
+        for_ray_at_corner(mesh, c, forward ? direction : reversed<Group>(direction),
                           [&](const Vertex_ray& ray) {
                             rays.push_back(ray);
                             is_forward.push_back(forward);
                           });
-      direction = turned(direction, mesh.rotation(c));
+      direction = turned<Group>(direction, mesh.rotation(c));
       c = mesh.counterclockwise(c);
     } while(c != no_index && c != start);
   }

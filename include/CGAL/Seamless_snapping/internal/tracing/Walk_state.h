@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -31,23 +32,34 @@ struct Walk_state
 {
   bool is_at_vertex = false;           // else on an edge
   Corner_index halfedge = no_index;    // points to the vertex; or lies on the edge being crossed
-  Direction direction = Quarter_turns::identity(); // in the chart of the halfedge's face
+  Direction direction = 0;             // in the chart of the halfedge's face
   Level level{};                       // of the constant component, in the same chart
   Corner_index arrival_key = no_index; // at a vertex: the edge that the curve came along, if it did
 
   // Whether the ray points back to where the curve came from. A loop has two ends at the vertex.
-  bool arrived_by(const Chart_mesh& mesh, const Vertex_ray& ray) const
+  template <typename Group>
+  bool arrived_by(const Basic_chart_mesh<Group>& mesh, const Vertex_ray& ray) const
   {
     if(arrival_key == no_index)
       return ray.kind == Ray_kind::THROUGH_FACE && ray.corner == halfedge &&
-             ray.direction == reversed(direction);
+             ray.direction == reversed<Group>(direction);
     const bool came_along_halfedge = mesh.edge_key(halfedge) == arrival_key;
     const Corner_index back =
-      came_along_halfedge ? mesh.opposite(halfedge) : Chart_mesh::next(halfedge);
-    return (ray.kind == Ray_kind::ALONG_FIRST_EDGE && Chart_mesh::next(ray.corner) == back) ||
+      came_along_halfedge ? mesh.opposite(halfedge) : mesh.next(halfedge);
+    return (ray.kind == Ray_kind::ALONG_FIRST_EDGE && mesh.next(ray.corner) == back) ||
            (ray.kind == Ray_kind::ALONG_LAST_EDGE && came_along_halfedge && ray.corner == halfedge);
   }
 };
+
+// A component as a level: rounded where that is a `double`.
+template <typename Level, typename Component>
+Level make_level(const Component& component)
+{
+  if constexpr(std::is_same_v<Level, double>)
+    return nearest_double(component);
+  else
+    return Level(component);
+}
 
 struct Walk_limits
 {

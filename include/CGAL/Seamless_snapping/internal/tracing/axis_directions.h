@@ -14,63 +14,118 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The four directions of isocurves in a chart, as the rotations that turn +u into +u, +v, -u, -v.
+// The directions of isocurves in a chart, as the rotations that turn +u into them: +u, +v, -u, -v
+// in Cartesian coordinates; +u, +v, v - u, -u, -v, u - v in lattice coordinates, 60 degrees apart.
+//
+// The group of the directions is that of N = 4 for N = 1, 2, 4, and that of N = 6 for N = 3, 6: all
+// that is templated by it is compiled for these two only.
 
+#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-using Direction = Quarter_turns::Element;
+// An element of either group.
+using Direction = int;
+
+template <int N>
+using Ray_group = Rotation_group<(N % 3 == 0) ? 6 : 4>;
 
 // In the chart behind a transition.
-inline Direction turned(const Direction direction, const Quarter_turns::Element g)
+template <typename Group = Quarter_turns>
+Direction turned(const Direction direction, const typename Group::Element g)
 {
-  return Quarter_turns::compose(g, direction);
+  return Group::compose(g, direction);
 }
 
-inline Direction reversed(const Direction direction)
+template <typename Group = Quarter_turns>
+Direction reversed(const Direction direction)
 {
-  return turned(direction, Quarter_turns::element(Quarter_turns::order / 2));
+  return turned<Group>(direction, Group::element(Group::order / 2));
 }
 
-// What a direction is made of: it runs along a coordinate axis, and another one points to its left.
+// What a direction is made of: one component runs along it, another one is constant and grows or
+// falls to its left. Components are the functionals of the group: u, v, and u + v for N = 6, where
+// +v has u + v as its running one. So a transition takes each of both to that behind it.
 struct Axes
 {
-  std::size_t running, constant; // coordinates
+  std::size_t running, constant; // components
   int running_sign, left_sign;
 };
 
+template <typename Group>
 constexpr Axes axes_of_direction(const Direction direction)
 {
-  const auto& m = Quarter_turns::matrix(direction); // its columns: along the curve, and to the left
-  return {std::size_t(m[0][0] == 0), std::size_t(m[0][0] != 0), m[0][0] + m[1][0],
-          m[0][1] + m[1][1]};
+  const Signed_functional along = Group::act(direction, 0), left = Group::act(direction, 1);
+  return {std::size_t(along.index), std::size_t(left.index), along.sign, left.sign};
 }
 
-inline const Axes& axes(const Direction direction)
+template <typename Group>
+struct Axes_table
 {
-  static constexpr Axes table[Quarter_turns::order] = {
-    axes_of_direction(Quarter_turns::element(0)), axes_of_direction(Quarter_turns::element(1)),
-    axes_of_direction(Quarter_turns::element(2)), axes_of_direction(Quarter_turns::element(3))};
-  return table[direction];
+  Axes of_direction[Group::order];
+
+  static constexpr Axes_table make()
+  {
+    Axes_table result{};
+    for(int d = 0; d < Group::order; ++d)
+      result.of_direction[d] = axes_of_direction<Group>(d);
+    return result;
+  }
+};
+
+template <typename Group = Quarter_turns>
+const Axes& axes(const Direction direction)
+{
+  static constexpr Axes_table<Group> table = Axes_table<Group>::make();
+  return table.of_direction[direction];
 }
 
-// The coordinate that is constant along isocurves of this direction.
-inline std::size_t constant_component(const Direction d) { return axes(d).constant; }
+// The component that is constant along isocurves of this direction.
+template <typename Group = Quarter_turns>
+std::size_t constant_component(const Direction d) { return axes<Group>(d).constant; }
 
-// The coordinate that changes along them, and whether it grows or falls.
-inline std::size_t running_component(const Direction d) { return axes(d).running; }
-inline int running_sign(const Direction d) { return axes(d).running_sign; }
+// The component that changes along them, and whether it grows or falls.
+template <typename Group = Quarter_turns>
+std::size_t running_component(const Direction d) { return axes<Group>(d).running; }
+template <typename Group = Quarter_turns>
+int running_sign(const Direction d) { return axes<Group>(d).running_sign; }
 
-// The sign of the constant coordinate, less its value on the curve, at the left of the curve.
-inline int left_sign(const Direction d) { return axes(d).left_sign; }
+// The sign of the constant component, less its value on the curve, at the left of the curve.
+template <typename Group = Quarter_turns>
+int left_sign(const Direction d) { return axes<Group>(d).left_sign; }
 
 // -1, 0, or 1; exact, as comparisons of floating point numbers are.
 inline int compare(const double a, const double b) { return int(a > b) - int(a < b); }
+
+// Rounding to the nearest number does not change the order.
+inline int compare(const Exact_difference& a, const Exact_difference& b)
+{
+  const int rounded = compare(a.rounded, b.rounded);
+  return rounded != 0 ? rounded : compare(a.error, b.error);
+}
+
+// A component of a point, exactly: u + v may need two numbers.
+template <typename Group>
+using Component = std::conditional_t<Group::is_signed_permutation, double, Exact_difference>;
+
+template <typename Group>
+Component<Group> component(const Uv& u, const std::size_t c)
+{
+  if constexpr(Group::is_signed_permutation)
+    return u[c];
+  else
+    return c < 2 ? Exact_difference(u[c], 0) : Exact_difference(u[0], -u[1]);
+}
+
+inline double nearest_double(const double x) { return x; }
+inline double nearest_double(const Exact_difference& x) { return x.rounded; }
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -44,76 +44,111 @@ inline Direction quadrant(const Uv& a, const Uv& b)
   return Quarter_turns::element((x < 0 && y <= 0) ? 2 : 3);
 }
 
-// By how many axes a vector passes that turns from the first to the second edge of a corner;
-// negative where the face is flipped. These add up to the angle around a vertex, in quarter turns,
-// since the seams map axes to axes.
-inline int axes_passed(const Uv& p, const Uv& q, const Uv& r)
+// The same for the sectors between the directions of any group.
+template <typename Group>
+Direction sector(const Uv& a, const Uv& b)
 {
-  const Direction passed = turned(quadrant(p, r), Quarter_turns::inverse(quadrant(p, q)));
-  for(const int axes : {0, 1, -1})
-    if(passed == Quarter_turns::element(axes))
-      return axes;
-  return orientation({{p, q, r}}) == CGAL::NEGATIVE ? -2 : 2;
+  if constexpr(Group::is_signed_permutation) {
+    return quadrant(a, b);
+  } else {
+    const auto is_right = [&](const Direction d) {
+      const std::size_t c = constant_component<Group>(d);
+      return left_sign<Group>(d) * compare(component<Group>(b, c), component<Group>(a, c)) < 0;
+    };
+    int d = 0;
+    while(is_right(Group::element(d)) || !is_right(Group::element(d + 1)))
+      ++d;
+    return Group::element(d);
+  }
+}
+
+// By how many directions a vector passes that turns from the first to the second edge of a corner;
+// negative where the face is flipped. These add up to the angle around a vertex, in turns of the
+// group, since the seams map directions to directions.
+template <typename Group>
+int directions_passed(const Uv& p, const Uv& q, const Uv& r)
+{
+  constexpr int half = Group::order / 2;
+  const int passed =
+    Group::turns(turned<Group>(sector<Group>(p, r), Group::inverse(sector<Group>(p, q))));
+  if(passed == half)
+    return orientation({{p, q, r}}) == CGAL::NEGATIVE ? -half : half;
+  return passed < half ? passed : passed - Group::order;
 }
 
 // The same angle where the seams are not exact; the sum is then near to an integer only.
-inline double quarter_turns_between(const Uv& p, const Uv& q, const Uv& r)
+template <typename Group>
+double turns_between(const Uv& p, const Uv& q, const Uv& r)
 {
-  const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
-  return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) / std::acos(0.);
+  const Uv a = Group::to_cartesian({q[0] - p[0], q[1] - p[1]});
+  const Uv b = Group::to_cartesian({r[0] - p[0], r[1] - p[1]});
+  return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) /
+         (4 * std::acos(0.) / Group::order);
 }
 
 // Vertices whose angle is not 360 degrees. Unlike rotations alone, this also finds those of 720
 // degrees. An edge without length has no angle with others: at its ends, the rotations decide.
-inline void mark_singular_vertices(Chart_mesh& mesh)
+template <typename Group>
+void mark_singular_vertices(Basic_chart_mesh<Group>& mesh)
 {
   const std::size_t n = mesh.corner_at_vertex.size();
-  std::vector<double> angles(n, 0); // in quarter turns
-  std::vector<Quarter_turns::Element> rotations(n, Quarter_turns::identity());
+  std::vector<double> angles(n, 0); // in turns of the group
+  std::vector<typename Group::Element> rotations(n, Group::identity());
   std::vector<char> has_angle(n, true);
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h) {
     const std::size_t v = mesh.vertex(h);
-    const Uv &p = mesh.uv(h), &q = mesh.uv(Chart_mesh::next(h)), &r = mesh.uv(Chart_mesh::prev(h));
-    rotations[v] = Quarter_turns::compose(mesh.rotation(h), rotations[v]);
+    const Uv &p = mesh.uv(h), &q = mesh.uv(mesh.next(h)), &r = mesh.uv(mesh.prev(h));
+    rotations[v] = Group::compose(mesh.rotation(h), rotations[v]);
     if(p == q || p == r)
       has_angle[v] = false;
     else
-      angles[v] += mesh.is_exact ? axes_passed(p, q, r) : quarter_turns_between(p, q, r);
+      angles[v] += mesh.is_exact ? directions_passed<Group>(p, q, r)
+                                 : turns_between<Group>(p, q, r);
   }
   mesh.is_singular.assign(n, false);
   for(std::size_t v = 0; v < n; ++v) {
-    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == Quarter_turns::order
-                                         : rotations[v] == Quarter_turns::identity();
+    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == Group::order
+                                         : rotations[v] == Group::identity();
     mesh.is_singular[v] = !mesh.is_border[v] && !is_regular;
   }
 }
 
 // Sets the transition across a halfedge whose rotation is known.
-inline void add_transition(Chart_mesh& mesh, const Corner_index h,
-                           const Quarter_turns::Element rotation)
+template <typename Group>
+void add_transition(Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                    const typename Group::Element rotation)
 {
-  const Corner_index p = Chart_mesh::prev(h);
+  const Corner_index p = mesh.prev(h);
   const Corner_index g = mesh.opposite(h);
-  if(rotation == Quarter_turns::identity() && mesh.uv(h) == mesh.uv(Chart_mesh::prev(g)) &&
+  if(rotation == Group::identity() && mesh.uv(h) == mesh.uv(mesh.prev(g)) &&
      mesh.uv(p) == mesh.uv(g))
     return;
-  const Uv turned_source = Quarter_turns::apply(rotation, mesh.uv(p));
+  const auto translation = [&](const int c) {
+    const Signed_functional here = Group::act(Group::inverse(rotation), c);
+    return offset<Group>(mesh.component(p, std::size_t(here.index)), here.sign,
+                         mesh.component(g, std::size_t(c)));
+  };
   mesh.corners[std::size_t(h)].transition = std::int32_t(mesh.transitions.size());
-  mesh.transitions.push_back({rotation, {{Exact_difference(mesh.uv(g)[0], turned_source[0]),
-                                          Exact_difference(mesh.uv(g)[1], turned_source[1])}}});
+  if constexpr(Group::number_of_functionals == 2)
+    mesh.transitions.push_back({rotation, {{translation(0), translation(1)}}});
+  else
+    mesh.transitions.push_back({rotation, {{translation(0), translation(1), translation(2)}}});
 }
+
+// For what knows of four directions only.
+template <typename SeamTransitions>
+constexpr bool has_four_directions = Ray_group<SeamTransitions::order>::order == 4;
 
 // `seams` are the transitions that were read off `uv_map`. Vertices with several fans of faces do
 // no harm here: the border keeps their fans apart.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename SeamTransitions>
-Chart_mesh build_chart_mesh(const TriangleMesh& tmesh,
-                            const Flat_numbering<TriangleMesh>& numbering,
-                            const HalfedgeUVMap& uv_map, const SeamTransitions& seams)
+Basic_chart_mesh<Ray_group<SeamTransitions::order> >
+build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                 const HalfedgeUVMap& uv_map, const SeamTransitions& seams)
 {
-  static_assert(Quarter_turns::order % SeamTransitions::order == 0,
-                "isocurves are traced for rotational symmetries of order 1, 2, and 4");
-  constexpr int quarters = Quarter_turns::order / SeamTransitions::order; // in each turn
-  Chart_mesh mesh;
+  using Group = Ray_group<SeamTransitions::order>;
+  constexpr int turns = Group::order / SeamTransitions::order; // of the group, in each of the seams
+  Basic_chart_mesh<Group> mesh;
   mesh.extent = seams.extent();
   mesh.violation = seams.violation();
   mesh.is_exact = seams.is_exact();
@@ -124,7 +159,7 @@ Chart_mesh build_chart_mesh(const TriangleMesh& tmesh,
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(!mesh.is_border_edge(h))
       add_transition(mesh, h,
-                     Quarter_turns::element(quarters * seams.rotation(halfedges[std::size_t(h)])));
+                     Group::element(turns * seams.rotation(halfedges[std::size_t(h)])));
   mark_singular_vertices(mesh);
   return mesh;
 }

@@ -26,14 +26,16 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-inline Uv_triangle triangle(const Chart_mesh& mesh, const std::size_t face)
+template <typename Group>
+Uv_triangle triangle(const Basic_chart_mesh<Group>& mesh, const std::size_t face)
 {
   const Corner_index h = Corner_index(3 * face);
   return {mesh.uv(h), mesh.uv(h + 1), mesh.uv(h + 2)};
 }
 
 // In order.
-inline std::vector<std::size_t> nonpositive_faces(const Chart_mesh& mesh)
+template <typename Group>
+std::vector<std::size_t> nonpositive_faces(const Basic_chart_mesh<Group>& mesh)
 {
   std::vector<std::size_t> result;
   for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f)

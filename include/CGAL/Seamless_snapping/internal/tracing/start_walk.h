@@ -35,8 +35,9 @@ namespace internal {
 // The ray from a vertex that is the fewest corners away when the direction is carried around it,
 // both ways, starting with the corner. Every direction occurs within a full turn, which around a
 // cone takes several rounds.
-inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const Direction direction,
-                     Vertex_ray& ray)
+template <typename Group>
+bool find_ray(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+              const Direction direction, Vertex_ray& ray)
 {
   bool found = false;
   const auto look_at = [&](const Corner_index c, const int d) {
@@ -46,16 +47,15 @@ inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const Di
   Corner_index left = corner, right = corner;
   Direction left_direction = direction, right_direction = direction;
   look_at(corner, direction);
-  for(int rounds = 0; !found && rounds < Quarter_turns::order &&
-                      (left != no_index || right != no_index);) {
+  for(int rounds = 0; !found && rounds < Group::order && (left != no_index || right != no_index);) {
     if(left != no_index) {
-      left_direction = turned(left_direction, mesh.rotation(left));
+      left_direction = turned<Group>(left_direction, mesh.rotation(left));
       left = mesh.counterclockwise(left);
       look_at(left, left_direction);
       rounds += (left == corner) ? 1 : 0;
     }
     if(right != no_index) {
-      right_direction = turned(right_direction, mesh.rotation(Chart_mesh::next(right)));
+      right_direction = turned<Group>(right_direction, mesh.rotation(mesh.next(right)));
       right = mesh.clockwise(right);
       look_at(right, right_direction);
     }
@@ -64,35 +64,36 @@ inline bool find_ray(const Chart_mesh& mesh, const Corner_index corner, const Di
 }
 
 // The sides of the three corners of a face: 1 at the left of the curve, -1 at the right.
-template <typename Decisions>
-int side_of_corner(const Chart_mesh& mesh, const typename Decisions::State& state,
+template <typename Decisions, typename Group>
+int side_of_corner(const Basic_chart_mesh<Group>& mesh, const typename Decisions::State& state,
                    const Corner_index h)
 {
-  return left_sign(state.direction) *
-         Decisions::side_of(state.level, mesh.uv(h)[constant_component(state.direction)]);
+  return left_sign<Group>(state.direction) *
+         Decisions::side_of(state.level,
+                            mesh.component(h, constant_component<Group>(state.direction)));
 }
 
 // `state.halfedge` lies on the curve, in full: to the end that has the face at the left.
-template <typename Decisions>
-bool go_along_edge(const Chart_mesh& mesh, typename Decisions::State& state)
+template <typename Decisions, typename Group>
+bool go_along_edge(const Basic_chart_mesh<Group>& mesh, typename Decisions::State& state)
 {
   const Corner_index h = state.halfedge;
-  const int apex_side = side_of_corner<Decisions>(mesh, state, Chart_mesh::next(h));
+  const int apex_side = side_of_corner<Decisions>(mesh, state, mesh.next(h));
   state.is_at_vertex = true;
   state.arrival_key = mesh.edge_key(h);
-  state.halfedge = apex_side > 0 ? h : Chart_mesh::prev(h);
+  state.halfedge = apex_side > 0 ? h : mesh.prev(h);
   return apex_side != 0;
 }
 
 // From a point inside of the edge, whose level is known in the chart of its face. Afterwards the
 // state is that of the edge being crossed, of a vertex at its end, or, if `enters` is set, of the
 // face of a border edge being entered. Returns `false` if the coordinate is constant on the face.
-template <typename Decisions>
-bool leave_edge_point(const Chart_mesh& mesh, Decisions& decisions,
+template <typename Decisions, typename Group>
+bool leave_edge_point(const Basic_chart_mesh<Group>& mesh, Decisions& decisions,
                       typename Decisions::State& state, bool& enters)
 {
   const Corner_index h = state.halfedge;
-  const int source_side = side_of_corner<Decisions>(mesh, state, Chart_mesh::prev(h));
+  const int source_side = side_of_corner<Decisions>(mesh, state, mesh.prev(h));
   enters = false;
   if(source_side == 0)
     return go_along_edge<Decisions>(mesh, state);
@@ -111,14 +112,14 @@ bool leave_edge_point(const Chart_mesh& mesh, Decisions& decisions,
 
 // From a point of the face of `state.halfedge`. Returns `false` if the coordinate is constant on
 // the face.
-template <typename Decisions>
-bool leave_face_point(const Chart_mesh& mesh, typename Decisions::State& state)
+template <typename Decisions, typename Group>
+bool leave_face_point(const Basic_chart_mesh<Group>& mesh, typename Decisions::State& state)
 {
   const Corner_index first = state.halfedge;
-  for(Corner_index h = first, i = 0; i < 3; ++i, h = Chart_mesh::next(h)) {
-    const int source = side_of_corner<Decisions>(mesh, state, Chart_mesh::prev(h));
+  for(Corner_index h = first, i = 0; i < 3; ++i, h = mesh.next(h)) {
+    const int source = side_of_corner<Decisions>(mesh, state, mesh.prev(h));
     const int target = side_of_corner<Decisions>(mesh, state, h);
-    const int apex = side_of_corner<Decisions>(mesh, state, Chart_mesh::next(h));
+    const int apex = side_of_corner<Decisions>(mesh, state, mesh.next(h));
     state.halfedge = h;
     if(source < 0 && target > 0)
       return true;
@@ -148,15 +149,17 @@ template <typename Decisions>
 struct Walk_beginning
 {
   typename Decisions::State start; // the point, as a state
-  Exact_rational running{0};       // its running coordinate, unless it is a vertex
+  Exact_rational running{0};       // its running component, unless it is a vertex
   bool is_first_state = false;     // the walk's state is the start itself, not the next point
   Isocurve_status status = Isocurve_status::CONTINUES;
 };
 
-inline Exact_rational coordinate_on_edge(const Chart_mesh& mesh, const Corner_index h,
-                                         const Exact_rational& t, const std::size_t c)
+template <typename Group>
+Exact_rational component_on_edge(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                                 const Exact_rational& t, const std::size_t c)
 {
-  const Exact_rational a(mesh.uv(Chart_mesh::prev(h))[c]), b(mesh.uv(h)[c]);
+  const Exact_rational a = exact_value(mesh.component(mesh.prev(h), c)),
+                       b = exact_value(mesh.component(h, c));
   return Exact_rational(a + t * (b - a));
 }
 
@@ -169,8 +172,8 @@ Number rounded_level(const Exact_rational& level)
     return Number(level);
 }
 
-template <typename Decisions>
-void begin_at_vertex(const Chart_mesh& mesh, Isocurve_walk<Decisions>& walk,
+template <typename Group, typename Decisions>
+void begin_at_vertex(const Basic_chart_mesh<Group>& mesh, Isocurve_walk<Decisions, Group>& walk,
                      Walk_beginning<Decisions>& beginning)
 {
   auto& state = beginning.start;
@@ -179,7 +182,8 @@ void begin_at_vertex(const Chart_mesh& mesh, Isocurve_walk<Decisions>& walk,
   state.is_at_vertex = true;
   state.halfedge = ray.corner;
   state.direction = ray.direction;
-  state.level = typename Decisions::Level(mesh.uv(ray.corner)[constant_component(ray.direction)]);
+  state.level = make_level<typename Decisions::Level>(
+    mesh.component(ray.corner, constant_component<Group>(ray.direction)));
   if(leaves)
     walk.begin_at_vertex(ray);
   else
@@ -187,15 +191,16 @@ void begin_at_vertex(const Chart_mesh& mesh, Isocurve_walk<Decisions>& walk,
                                                                : Isocurve_status::CONSTANT_ON_FACE;
 }
 
-template <typename Decisions>
-void begin_on_edge(const Chart_mesh& mesh, const Exact_rational& t, Decisions& decisions,
-                   Isocurve_walk<Decisions>& walk, Walk_beginning<Decisions>& beginning)
+template <typename Group, typename Decisions>
+void begin_on_edge(const Basic_chart_mesh<Group>& mesh, const Exact_rational& t,
+                   Decisions& decisions, Isocurve_walk<Decisions, Group>& walk,
+                   Walk_beginning<Decisions>& beginning)
 {
   auto& point = beginning.start;
   point.level = rounded_level<typename Decisions::Level>(
-    coordinate_on_edge(mesh, point.halfedge, t, constant_component(point.direction)));
+    component_on_edge(mesh, point.halfedge, t, constant_component<Group>(point.direction)));
   beginning.running =
-    coordinate_on_edge(mesh, point.halfedge, t, running_component(point.direction));
+    component_on_edge(mesh, point.halfedge, t, running_component<Group>(point.direction));
   auto state = point;
   bool enters = false;
   if(!leave_edge_point(mesh, decisions, state, enters)) {
@@ -210,10 +215,10 @@ void begin_on_edge(const Chart_mesh& mesh, const Exact_rational& t, Decisions& d
   }
 }
 
-template <typename Decisions>
-Walk_beginning<Decisions> begin_walk(const Chart_mesh& mesh, const Chart_start& start,
+template <typename Group, typename Decisions>
+Walk_beginning<Decisions> begin_walk(const Basic_chart_mesh<Group>& mesh, const Chart_start& start,
                                      const Direction direction, Decisions& decisions,
-                                     Isocurve_walk<Decisions>& walk)
+                                     Isocurve_walk<Decisions, Group>& walk)
 {
   CGAL_precondition_msg(start.halfedge != no_index,
                         "the halfedge that an isocurve starts at must have a face");
@@ -232,12 +237,13 @@ Walk_beginning<Decisions> begin_walk(const Chart_mesh& mesh, const Chart_start& 
   case Isocurve_place::FACE:
     break;
   }
-  const double running = start.uv[running_component(direction)];
-  beginning.start.level = typename Decisions::Level(start.uv[constant_component(direction)]);
-  beginning.running = Exact_rational(running);
+  const auto running = component<Group>(start.uv, running_component<Group>(direction));
+  beginning.start.level = make_level<typename Decisions::Level>(
+    component<Group>(start.uv, constant_component<Group>(direction)));
+  beginning.running = exact_value(running);
   auto state = beginning.start;
   if(leave_face_point<Decisions>(mesh, state))
-    walk.begin(state, running);
+    walk.begin(state, nearest_double(running));
   else
     beginning.status = Isocurve_status::CONSTANT_ON_FACE;
   return beginning;

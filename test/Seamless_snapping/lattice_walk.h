@@ -1,0 +1,280 @@
+// Isocurves of exactly seamless maps, walked in rationals by code that knows nothing of levels: a
+// point, a vector that is turned along with charts, and the intersection with the edges of a face.
+// And the comparison with what the package traces, for four and six directions.
+
+#ifndef SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
+#define SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
+
+#include "checking.h"
+#include "hexagonal_maps.h"
+
+#include <CGAL/Seamless_snapping/Isocurve_walker.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lattice_walk {
+
+namespace SS = CGAL::Seamless_snapping;
+using namespace hexagonal_maps;
+
+// Direction k of D, counterclockwise.
+template <int D>
+Exact_vector direction_vector(const int k)
+{
+  return turned<D>(k, Exact_vector{{Rational(1), Rational(0)}});
+}
+
+template <int D>
+SS::Isocurve_direction direction_name(const int k)
+{
+  using Direction = SS::Isocurve_direction;
+  constexpr std::array<Direction, 4> four{
+    {Direction::PLUS_U, Direction::PLUS_V, Direction::MINUS_U, Direction::MINUS_V}};
+  constexpr std::array<Direction, 6> six{
+    {Direction::PLUS_U, Direction::PLUS_V, Direction::MINUS_U_PLUS_V, Direction::MINUS_U,
+     Direction::MINUS_V, Direction::PLUS_U_MINUS_V}};
+  return D == 4 ? four[std::size_t(k)] : six[std::size_t(k)];
+}
+
+template <int D>
+Exact_vector vector_of(const SS::Isocurve_direction direction)
+{
+  for(int k = 0; k < D; ++k)
+    if(direction_name<D>(k) == direction)
+      return direction_vector<D>(k);
+  return {};
+}
+
+inline Rational cross(const Exact_vector& a, const Exact_vector& b)
+{
+  return Rational(a[0] * b[1] - a[1] * b[0]);
+}
+
+inline Exact_vector sum(const Exact_vector& a, const Rational& s, const Exact_vector& b)
+{
+  return {{Rational(a[0] + s * b[0]), Rational(a[1] + s * b[1])}};
+}
+
+inline Exact_vector exact_point(const Kernel::Point_2& p)
+{
+  return {{Rational(p.x()), Rational(p.y())}};
+}
+
+// What a walk meets: a vertex, or the inside of an edge.
+struct Stop
+{
+  bool is_vertex;
+  Halfedge halfedge;  // points to the vertex, or is of the face that the walk leaves
+  Exact_vector point; // and direction, in the chart of its face
+  Exact_vector direction;
+  Rational length;    // from the start, in steps of the direction
+  bool is_along_edge; // the way there
+};
+
+template <int N>
+class Reference_walk
+{
+public:
+  Reference_walk(const Mesh& mesh, const UV_map uv)
+    : m_mesh(mesh), m_uv(uv), m_turns(2 * mesh.number_of_edges(), 0)
+  {
+    for(const Halfedge h : mesh.halfedges())
+      if(is_interior(mesh, h))
+        m_turns[std::size_t(h)] = exact_turns(h);
+  }
+
+  // To the next edge or vertex; nothing at the border.
+  std::optional<Stop> from_face(const Halfedge in_face, const Exact_vector& p,
+                                const Exact_vector& d, const Rational& length) const
+  {
+    Halfedge h = in_face;
+    for(int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
+      const Exact_vector a = sum(point(m_mesh.prev(h)), Rational(-1), p);
+      const Exact_vector b = sum(point(h), Rational(-1), p);
+      if(!(cross(d, a) < 0 && cross(d, b) >= 0 && cross(a, b) > 0))
+        continue; // the walk leaves between a, at its right, and b, at its left
+      const Exact_vector e = sum(b, Rational(-1), a);
+      const Rational s(cross(a, e) / cross(d, e));
+      return Stop{cross(d, b) == 0, h, sum(p, s, d), d, Rational(length + s), false};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Stop> next(const Stop& stop) const
+  {
+    return stop.is_vertex ? from_vertex(stop.halfedge, stop.direction, stop.length)
+                          : from_edge(stop);
+  }
+
+  // Around the vertex to the face that the direction leads into: counterclockwise as far as that
+  // goes, then clockwise.
+  std::optional<Stop> from_vertex(const Halfedge corner, const Exact_vector& direction,
+                                  const Rational& length) const
+  {
+    Halfedge h = corner;
+    Exact_vector d = direction;
+    do {
+      if(leads_into(h, d))
+        return leave(h, d, length);
+      if(m_mesh.is_border(m_mesh.opposite(h)))
+        break;
+      d = turned<N>(m_turns[std::size_t(h)], d);
+      h = m_mesh.prev(m_mesh.opposite(h));
+    } while(h != corner);
+    h = corner;
+    d = direction;
+    while(!m_mesh.is_border(m_mesh.opposite(m_mesh.next(h)))) {
+      d = turned<N>(m_turns[std::size_t(m_mesh.next(h))], d);
+      h = m_mesh.opposite(m_mesh.next(h));
+      if(leads_into(h, d))
+        return leave(h, d, length);
+      if(h == corner)
+        break;
+    }
+    return std::nullopt;
+  }
+
+  // From a point inside of an edge.
+  std::optional<Stop> from_edge_point(const Halfedge h, const Exact_vector& p,
+                                      const Exact_vector& d) const
+  {
+    const Exact_vector source = point(m_mesh.prev(h));
+    const Exact_vector e = sum(point(h), Rational(-1), source);
+    if(cross(e, d) > 0)
+      return from_face(h, p, d, Rational(0));
+    if(cross(e, d) < 0)
+      return from_edge(Stop{false, h, p, d, Rational(0), false});
+    const bool is_forward = e[0] * d[0] + e[1] * d[1] > 0;
+    const Halfedge end = is_forward ? h : m_mesh.prev(h);
+    const Exact_vector way = sum(point(end), Rational(-1), p);
+    return Stop{true, end, point(end), d, Rational(d[0] != 0 ? way[0] / d[0] : way[1] / d[1]),
+                true};
+  }
+
+private:
+  Exact_vector point(const Halfedge h) const { return exact_point(m_uv[h]); }
+
+  int exact_turns(const Halfedge h) const
+  {
+    const Halfedge o = m_mesh.opposite(h);
+    const Exact_vector here = exact_vector(m_uv[m_mesh.prev(h)], m_uv[h]);
+    const Exact_vector there = exact_vector(m_uv[o], m_uv[m_mesh.prev(o)]);
+    for(int k = 0; k < N; ++k)
+      if(turned<N>(k, here) == there)
+        return k;
+    CHECK(false);
+    return 0;
+  }
+
+  bool leads_into(const Halfedge h, const Exact_vector& d) const
+  {
+    const Exact_vector a = sum(point(m_mesh.next(h)), Rational(-1), point(h));
+    const Exact_vector b = sum(point(m_mesh.prev(h)), Rational(-1), point(h));
+    return cross(a, d) >= 0 && (cross(d, b) > 0 || is_along_border(h, d));
+  }
+
+  bool is_along_border(const Halfedge h, const Exact_vector& d) const
+  {
+    const Exact_vector b = sum(point(m_mesh.prev(h)), Rational(-1), point(h));
+    return m_mesh.is_border(m_mesh.opposite(h)) && cross(d, b) == 0 &&
+           b[0] * d[0] + b[1] * d[1] > 0;
+  }
+
+  std::optional<Stop> leave(const Halfedge h, const Exact_vector& d, const Rational& length) const
+  {
+    const Halfedge end = is_along_border(h, d) ? m_mesh.prev(h) : m_mesh.next(h);
+    const Exact_vector way = sum(point(end), Rational(-1), point(h));
+    if(cross(way, d) != 0)
+      return from_face(h, point(h), d, length);
+    const Rational s(d[0] != 0 ? way[0] / d[0] : way[1] / d[1]);
+    return Stop{true, end, point(end), d, Rational(length + s), true};
+  }
+
+  std::optional<Stop> from_edge(const Stop& stop) const
+  {
+    const Halfedge h = stop.halfedge, o = m_mesh.opposite(h);
+    if(m_mesh.is_border(o))
+      return std::nullopt;
+    const int k = m_turns[std::size_t(h)];
+    const Exact_vector from_source = sum(stop.point, Rational(-1), point(m_mesh.prev(h)));
+    return from_face(o, sum(point(o), Rational(1), turned<N>(k, from_source)),
+                     turned<N>(k, stop.direction), stop.length);
+  }
+
+  const Mesh& m_mesh;
+  const UV_map m_uv;
+  std::vector<int> m_turns;
+};
+
+// The point of a segment with this other coordinate, in the chart of its face.
+inline Exact_vector segment_point(const SS::Isocurve_direction direction, const Rational& level,
+                                  const Rational& other)
+{
+  using Direction = SS::Isocurve_direction;
+  switch(direction) {
+  case Direction::PLUS_U:
+  case Direction::MINUS_U: return {{other, level}};
+  case Direction::PLUS_V:
+  case Direction::MINUS_V: return {{level, other}};
+  default:                 return {{Rational(level - other), other}};
+  }
+}
+
+// Whether the segments of an isocurve are those of a walk that has made its first stop, up to a
+// number of them, and end where that does. Returns how the isocurve ends.
+template <int N, int D>
+SS::Isocurve_status check_segments(const SS::Isocurve_tracer<Mesh, D>& tracer, const Mesh& mesh,
+                                   const UV_map uv, const Reference_walk<N>& walk,
+                                   const SS::Isocurve_start<Mesh>& start,
+                                   const SS::Isocurve_direction direction,
+                                   std::optional<Stop> stop, const std::size_t maximum,
+                                   const std::string& context)
+{
+  using Status = SS::Isocurve_status;
+  SS::Isocurve_walker<Mesh, D> walker(tracer, start, direction);
+  for(std::size_t i = 0; i < maximum && walker.advance() == Status::CONTINUES; ++i) {
+    const auto segment = walker.segment();
+    if(i > 0 && segment.exit_place() != SS::Isocurve_place::VERTEX &&
+       (segment.exit_place() == SS::Isocurve_place::FACE || segment.is_along_edge()))
+      continue; // closed inside of a face or along an edge, where the walk does not stop
+    CHECK_IN(context, bool(stop));
+    if(!stop)
+      break;
+    const Halfedge exit = segment.exit();
+    CHECK_IN(context, (segment.exit_place() == SS::Isocurve_place::VERTEX) == stop->is_vertex);
+    CHECK_IN(context, stop->is_vertex ? mesh.target(exit) == mesh.target(stop->halfedge)
+                                      : exit == stop->halfedge);
+    CHECK_IN(context, segment.length_after() == stop->length);
+    CHECK_IN(context, segment.is_along_edge() == stop->is_along_edge);
+    const auto point_at = [&](const Rational& other)
+    { return segment_point(segment.direction(), segment.constant_coordinate(), other); };
+    const Exact_vector to = point_at(segment.to());
+    CHECK_IN(context, stop->is_vertex ? to == exact_point(uv[exit]) : to == stop->point);
+    CHECK_IN(context, sum(point_at(segment.from()),
+                          Rational(segment.length_after() - segment.length_before()),
+                          vector_of<D>(segment.direction())) == to);
+    if(!stop->is_along_edge) {
+      CHECK_IN(context, segment.face() == mesh.face(stop->halfedge));
+      CHECK_IN(context, vector_of<D>(segment.direction()) == stop->direction);
+    }
+    if(stop->is_vertex && mesh.is_border(mesh.target(stop->halfedge)))
+      return Status::BORDER;
+    if(stop->is_vertex && tracer.is_singular(mesh.target(stop->halfedge))) {
+      CHECK_IN(context, walker.advance() == Status::SINGULAR_VERTEX);
+      break;
+    }
+    stop = walk.next(*stop);
+  }
+  const Status status = walker.status();
+  CHECK_IN(context, status == Status::CONTINUES || status == Status::CLOSED ||
+                      status == Status::SINGULAR_VERTEX || (status == Status::BORDER && !stop));
+  return status;
+}
+
+} // namespace lattice_walk
+
+#endif // SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
