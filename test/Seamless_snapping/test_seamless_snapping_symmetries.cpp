@@ -685,6 +685,10 @@ void check_rays(const SS::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
     CHECK_IN(context, tracer.outgoing(v).size() == mesh.degree(v));
     number += is_singular ? mesh.degree(v) : 0;
     const auto rays = tracer.outgoing(v);
+    for(std::size_t i = 1; i < rays.size(); ++i)
+      CHECK_IN(context, rays[i].first.halfedge != rays[i - 1].first.halfedge ||
+                          lattice_walk::vector_of<6>(rays[i].second) ==
+                            turned<6>(1, lattice_walk::vector_of<6>(rays[i - 1].second)));
     for(std::size_t i = 0; i < rays.size(); ++i) { // arriving, one finds the way back
       SS::Isocurve_walker<Mesh, 6> there(tracer, rays[i].first, rays[i].second);
       CHECK_IN(context, there.advance() == Status::CONTINUES);
