@@ -23,6 +23,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,8 @@ public:
       for(const std::size_t h : halves) {
         const std::size_t arriving = Graph::opposite(h);
         const auto [end, distance] = follow(h);
-        is_clear = is_clear && end != UNCLEAR && !m_graph.arc_is_constrained(Graph::arc(h));
+        is_clear = is_clear && end != UNCLEAR && !m_graph.arc_is_constrained(Graph::arc(h)) &&
+                   !is_beside_cut_patch(h);
         if(continuation(arriving) == none)
           stem = distance;
         else if(end == START && (through < 0 || distance < through))
@@ -92,8 +94,15 @@ private:
   bool runs_straight(const std::size_t h) const
   {
     const std::size_t g = m_graph.next(h);
-    return m_graph.patch(h) != Graph::null_patch && side(h) == side(g);
+    return m_graph.patch(h) != Graph::null_patch && !is_cut(m_graph.patch(h)) &&
+           side(h) == side(g);
   }
+
+  bool is_cut(const std::size_t p) const
+  { return p != Graph::null_patch && m_graph.patch_is_cut(p); }
+
+  bool is_beside_cut_patch(const std::size_t h) const
+  { return is_cut(m_graph.patch(h)) || is_cut(m_graph.patch(Graph::opposite(h))); }
 
   // The half-arc straight on behind h, if there is one.
   std::size_t continuation(const std::size_t h) const
@@ -116,7 +125,8 @@ private:
       if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION)
         return {START, length};
       if(m_graph.half_arcs_around_node(n).size() != 3 ||
-         m_graph.arc_is_constrained(Graph::arc(h))) // which may be closed
+         m_graph.arc_is_constrained(Graph::arc(h)) || // which may be closed
+         is_beside_cut_patch(h))                      // where sides are not told
         return {UNCLEAR, length};
       h = continuation(h);
       if(h == none)
@@ -131,14 +141,25 @@ private:
       CHECK_IN(m_context, m_graph.target(h) == m_graph.source(g));
       CHECK_IN(m_context, m_graph.patch(h) == m_graph.patch(g));
       CHECK_IN(m_context, m_previous.emplace(g, h).second);
-      CHECK_IN(m_context, m_graph.arc_length(Graph::arc(h)) > 0);
+      CHECK_IN(m_context, m_graph.arc_is_isocurve(Graph::arc(h))
+                            ? m_graph.arc_length(Graph::arc(h)) > 0
+                            : m_graph.arc_length(Graph::arc(h)) == 0 &&
+                                m_graph.arc_is_constrained(Graph::arc(h)));
     }
   }
 
-  // Each patch has one cycle of half-arcs, in four sides, the opposite ones of the same length.
+  // Each patch has one cycle of half-arcs, in four sides, the opposite ones of the same length; or
+  // it is cut, and has cycles only.
   void check_patches()
   {
+    std::set<std::size_t> around_cut_patches;
+    std::size_t number_of_cut_patches = 0;
     for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p) {
+      if(m_graph.patch_is_cut(p)) {
+        ++number_of_cut_patches;
+        check_cut_patch(p, around_cut_patches);
+        continue;
+      }
       std::array<Exact_rational, 4> lengths;
       std::vector<std::size_t> cycle;
       for(std::size_t s = 0; s < 4; ++s) {
@@ -147,6 +168,7 @@ private:
           cycle.push_back(h);
           CHECK_IN(m_context, m_graph.patch(h) == p);
           CHECK_IN(m_context, m_sides.emplace(h, std::make_pair(p, s)).second);
+          CHECK_IN(m_context, m_graph.arc_is_isocurve(Graph::arc(h)));
         }
         CHECK_IN(m_context, lengths[s] > 0);
       }
@@ -154,11 +176,52 @@ private:
       CHECK_IN(m_context, lengths[1] == lengths[3] && lengths[1] == m_graph.patch_height(p));
       for(std::size_t i = 0; i < cycle.size(); ++i)
         CHECK_IN(m_context, m_graph.next(cycle[i]) == cycle[(i + 1) % cycle.size()]);
+      CHECK_IN(m_context, m_graph.patch_cycles(p).size() == 1 &&
+                            m_graph.patch_cycles(p).front() == cycle &&
+                            m_graph.patch_euler_characteristic(p) == 1);
     }
+    CHECK_EQUAL(m_graph.number_of_cut_patches(), number_of_cut_patches);
     std::size_t outside = 0;
     for(std::size_t h = 0; h < 2 * m_graph.number_of_arcs(); ++h)
       outside += m_graph.patch(h) == Graph::null_patch ? 1 : 0;
-    CHECK_IN(m_context, m_sides.size() + outside == 2 * m_graph.number_of_arcs());
+    CHECK_IN(m_context, m_sides.size() + around_cut_patches.size() + outside ==
+                          2 * m_graph.number_of_arcs());
+  }
+
+  // A border that lies on no isocurve is part of it, or a vertex of one.
+  void check_cut_patch(const std::size_t p, std::set<std::size_t>& found)
+  {
+    bool touches_border = false;
+    for(const auto& cycle : m_graph.patch_cycles(p))
+      for(std::size_t i = 0; i < cycle.size(); ++i) {
+        CHECK_IN(m_context, m_graph.patch(cycle[i]) == p && found.insert(cycle[i]).second &&
+                              m_graph.next(cycle[i]) == cycle[(i + 1) % cycle.size()]);
+        touches_border =
+          touches_border || !m_graph.arc_is_isocurve(Graph::arc(cycle[i])) ||
+          (m_graph.node_place(m_graph.source(cycle[i])) == SS::Isocurve_place::VERTEX &&
+           has_oblique_border_edge(
+             target(m_graph.node_halfedge(m_graph.source(cycle[i])), m_mesh)));
+      }
+    CHECK_IN(m_context, touches_border && m_graph.patch_area(p) > 0);
+    for(std::size_t s = 0; s < 4; ++s)
+      CHECK_IN(m_context, m_graph.patch_side(p, s).empty());
+  }
+
+  // Of a face of the mesh: whether no coordinate is constant along it.
+  bool is_oblique(const Halfedge h) const
+  {
+    const auto a = get(m_uv, prev(h, m_mesh)), b = get(m_uv, h);
+    return a.x() != b.x() && a.y() != b.y();
+  }
+
+  bool has_oblique_border_edge(
+    const typename boost::graph_traits<Mesh>::vertex_descriptor v) const
+  {
+    for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
+      for(const auto g : {h, opposite(h, m_mesh)})
+        if(CGAL::is_border(g, m_mesh) && is_oblique(opposite(g, m_mesh)))
+          return true;
+    return false;
   }
 
   Exact_rational area() const
@@ -174,19 +237,25 @@ private:
     return Exact_rational(twice / 2);
   }
 
-  // As each patch has one cycle, all of them are discs if and only if these characteristics agree.
+  // As each rectangle has one cycle, all of them are discs if and only if these characteristics
+  // agree. Areas of rectangles come from lengths, those of others from their faces.
   void check_numbers()
   {
     Exact_rational sum(0);
-    for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p)
-      sum += m_graph.patch_width(p) * m_graph.patch_height(p);
+    std::ptrdiff_t found = std::ptrdiff_t(m_graph.number_of_nodes()) -
+                           std::ptrdiff_t(m_graph.number_of_arcs());
+    for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p) {
+      sum += m_graph.patch_is_cut(p) ? m_graph.patch_area(p)
+                                     : Exact_rational(m_graph.patch_width(p) *
+                                                      m_graph.patch_height(p));
+      found += m_graph.patch_euler_characteristic(p);
+    }
     CHECK_IN(m_context, sum == area());
     std::ptrdiff_t expected = std::ptrdiff_t(faces(m_mesh).size()) -
                               std::ptrdiff_t(edges(m_mesh).size());
     for(const auto v : vertices(m_mesh))
       expected += halfedge(v, m_mesh) != boost::graph_traits<Mesh>::null_halfedge() ? 1 : 0;
-    CHECK_EQUAL(std::ptrdiff_t(m_graph.number_of_nodes() + m_graph.number_of_patches()) -
-                  std::ptrdiff_t(m_graph.number_of_arcs()), expected);
+    CHECK_EQUAL(found, expected);
   }
 
   double angle(const Halfedge h) const
@@ -196,8 +265,34 @@ private:
     return std::atan2(ax * by - ay * bx, ax * bx + ay * by) / std::acos(0.);
   }
 
+  // How many arcs there are at a border vertex at which curves start: one along each border edge,
+  // and along each axis between both.
+  std::size_t expected_degree(const typename boost::graph_traits<Mesh>::vertex_descriptor v) const
+  {
+    Halfedge first = halfedge(v, m_mesh); // the corner next to the first border edge
+    while(!CGAL::is_border(opposite(next(first, m_mesh), m_mesh), m_mesh))
+      first = opposite(next(first, m_mesh), m_mesh);
+    std::size_t axes = 0;
+    for(Halfedge h = first;; h = prev(opposite(h, m_mesh), m_mesh)) {
+      axes += std::size_t(quadrant(h, prev(h, m_mesh)) + 4 - quadrant(h, next(h, m_mesh))) % 4;
+      if(CGAL::is_border(opposite(h, m_mesh), m_mesh))
+        return 1 + axes + (is_oblique(h) ? 1 : 0);
+    }
+  }
+
+  // That of the vector from one corner to another; each with the axis at its clockwise end.
+  int quadrant(const Halfedge from, const Halfedge to) const
+  {
+    const auto p = get(m_uv, from), q = get(m_uv, to);
+    if(q.y() >= p.y() && q.x() > p.x())
+      return 0;
+    if(q.y() > p.y())
+      return 1;
+    return q.x() < p.x() ? 2 : 3;
+  }
+
   // As many arcs as quarter turns at inner vertices, one more on the border; at others, three or
-  // four.
+  // four. On the border there can be more where that lies on no isocurve.
   void check_nodes()
   {
     std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> nodes;
@@ -209,7 +304,9 @@ private:
         CHECK_IN(m_context, m_graph.next(Graph::opposite(halves[(i + 1) % halves.size()])) ==
                               halves[i]);
       if(m_graph.node_kind(n) == SS::Layout_node::JUNCTION)
-        CHECK_IN(m_context, halves.size() == 3 || halves.size() == 4);
+        CHECK_IN(m_context, halves.size() == 3 || halves.size() == 4 ||
+                              (halves.size() > 4 && has_oblique_border_edge(target(
+                                                      m_graph.node_halfedge(n), m_mesh))));
       if(m_graph.node_place(n) == SS::Isocurve_place::VERTEX)
         CHECK_IN(m_context, nodes.emplace(target(m_graph.node_halfedge(n), m_mesh), n).second);
     }
@@ -223,14 +320,25 @@ private:
         sum += CGAL::is_border(h, m_mesh) ? 0 : angle(h);
       }
       const long turns = std::lround(sum);
-      CHECK_IN(m_context, std::abs(sum - double(turns)) < 1e-3);
       const auto node = nodes.find(v);
+      if(is_border && has_oblique_border_edge(v)) {
+        if(node != nodes.end() && m_graph.node_kind(node->second) != SS::Layout_node::JUNCTION) {
+          const std::size_t degree = m_graph.half_arcs_around_node(node->second).size();
+          CHECK_IN(m_context, degree == expected_degree(v) ||
+                                (degree == 2 &&
+                                 m_graph.node_kind(node->second) == SS::Layout_node::SEED));
+        }
+        continue;
+      }
+      CHECK_IN(m_context, std::abs(sum - double(turns)) < 1e-3);
       const bool is_regular = turns == (is_border ? 2 : 4);
       CHECK_IN(m_context, is_regular || node != nodes.end());
       if(node == nodes.end() || m_graph.node_kind(node->second) == SS::Layout_node::JUNCTION)
         continue;
-      CHECK_IN(m_context, m_graph.half_arcs_around_node(node->second).size() ==
-                            std::size_t(turns) + (is_border ? 1 : 0));
+      const std::size_t degree = m_graph.half_arcs_around_node(node->second).size();
+      CHECK_IN(m_context, degree == std::size_t(turns) + (is_border ? 1 : 0) ||
+                            (degree == 2 && m_graph.number_of_cut_patches() > 0 &&
+                             m_graph.node_kind(node->second) == SS::Layout_node::SEED));
     }
   }
 
@@ -257,19 +365,19 @@ private:
   }
 
   // The path leads from node to node, each time along a straight line in one face, and is as long
-  // as the arc; but for the rounding of its points. `result` is the length in a face that holds
-  // both.
+  // as the arc, if that lies on an isocurve; but for the rounding of its points. `result` is the
+  // length in a face that holds both.
   bool step_length(const typename Graph::Location& a, const typename Graph::Location& b,
-                   double& result) const
+                   const bool is_isocurve, double& result) const
   {
     const auto on_a = support(a), on_b = support(b);
     for(const auto f : faces_around(a))
       if(holds(f, on_a) && holds(f, on_b)) {
         const auto p = in_chart(f, on_a), q = in_chart(f, on_b);
         const double du = std::abs(p[0] - q[0]), dv = std::abs(p[1] - q[1]);
-        if((std::min)(du, dv) > 1e-6 * ((std::max)(du, dv) + 1))
+        if(is_isocurve && (std::min)(du, dv) > 1e-6 * ((std::max)(du, dv) + 1))
           continue; // another face with the same vertices
-        result = (std::max)(du, dv);
+        result = is_isocurve ? (std::max)(du, dv) : std::hypot(du, dv);
         return true;
       }
     return false;
@@ -317,19 +425,28 @@ private:
 
   void check_paths()
   {
+    m_oblique_length = 0;
     for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a) {
       const auto path = m_graph.arc_path(a);
       CHECK_IN(m_context, path.size() >= 2 &&
                             path.front() == m_graph.node_location(m_graph.source(2 * a)) &&
                             path.back() == m_graph.node_location(m_graph.target(2 * a)));
-      if(std::any_of(path.begin(), path.end(), comes_near_vertex))
+      if(std::any_of(path.begin(), path.end(), comes_near_vertex)) {
+        m_oblique_length = -1e300;
         continue; // rounding may move such a point to another edge
+      }
       double length = 0;
       bool is_path = true;
+      const bool is_isocurve = m_graph.arc_is_isocurve(a);
       for(std::size_t i = 0; i + 1 < path.size(); ++i) {
         double step = 0;
-        is_path = is_path && step_length(path[i], path[i + 1], step);
+        is_path = is_path && step_length(path[i], path[i + 1], is_isocurve, step);
         length += step;
+      }
+      if(!is_isocurve) {
+        CHECK_IN(m_context, is_path);
+        m_oblique_length += length;
+        continue;
       }
       const double expected = CGAL::to_double(m_graph.arc_length(a));
       CHECK_IN(m_context, is_path && std::abs(length - expected) < 1e-6 * (expected + 1));
@@ -395,15 +512,39 @@ private:
                               (points[i - 1][1] - p[1]) * (points[i][0] - p[0])) / 2;
     }
     CHECK_IN(m_context, part_of_patch.size() == number);
+    check_topology(refined, is_arc, patches);
     for(std::size_t p = 0; p < areas.size() && !is_near_vertex; ++p) {
-      const double expected = CGAL::to_double(m_graph.patch_width(p)) *
-                              CGAL::to_double(m_graph.patch_height(p));
+      const double expected = CGAL::to_double(m_graph.patch_area(p));
       CHECK_IN(m_context, std::abs(areas[p] - expected) < 1e-6 * (expected + 1));
     }
   }
 
+  // Of each patch, without its border: faces, edges, and vertices.
+  template <typename Refined, typename IsArc, typename Patches>
+  void check_topology(const Refined& refined, const IsArc& is_arc, const Patches& patches)
+  {
+    std::vector<std::ptrdiff_t> numbers(m_graph.number_of_patches(), 0);
+    for(const auto f : refined.faces())
+      ++numbers[patches[f]];
+    for(const auto e : refined.edges())
+      if(!is_arc[e])
+        --numbers[patches[refined.face(refined.halfedge(e))]];
+    for(const auto v : refined.vertices()) {
+      bool is_inside = true;
+      for(const auto h : refined.halfedges_around_target(refined.halfedge(v)))
+        is_inside = is_inside && !is_arc[refined.edge(h)];
+      if(is_inside)
+        ++numbers[patches[refined.face(refined.halfedge(v))]];
+    }
+    for(std::size_t p = 0; p < numbers.size(); ++p)
+      CHECK_EQUAL(numbers[p], m_graph.patch_euler_characteristic(p));
+  }
+
   bool is_simple() const
   {
+    for(std::size_t p = 0; p < m_graph.number_of_patches(); ++p)
+      if(m_graph.patch_cycles(p).size() != 1 || m_graph.patch_euler_characteristic(p) != 1)
+        return false;
     std::set<std::pair<std::size_t, std::size_t> > ends;
     for(std::size_t a = 0; a < m_graph.number_of_arcs(); ++a) {
       const auto pair = std::minmax({m_graph.source(2 * a), m_graph.target(2 * a)});
@@ -430,16 +571,22 @@ private:
                           patches.number_of_faces() == m_graph.number_of_patches());
   }
 
-  // All border and feature edges are on constrained arcs, by their length.
+  // All border and feature edges are on constrained arcs, by their length; the latter is rounded
+  // where they lie on no isocurve.
   void check_walls()
   {
     Exact_rational expected(0), found(0);
+    double oblique_length = 0;
     for(const auto e : edges(m_mesh)) {
       Halfedge h = halfedge(e, m_mesh);
       if(!CGAL::is_border_edge(h, m_mesh) && !get(m_features, e))
         continue;
       h = CGAL::is_border(h, m_mesh) ? opposite(h, m_mesh) : h;
       const auto a = get(m_uv, prev(h, m_mesh)), b = get(m_uv, h);
+      if(is_oblique(h)) {
+        oblique_length += std::hypot(b.x() - a.x(), b.y() - a.y());
+        continue;
+      }
       expected += CGAL::abs(Exact_rational(Exact_rational(a.x()) - Exact_rational(b.x()))) +
                   CGAL::abs(Exact_rational(Exact_rational(a.y()) - Exact_rational(b.y())));
     }
@@ -447,6 +594,8 @@ private:
       if(m_graph.arc_is_constrained(a))
         found += m_graph.arc_length(a);
     CHECK_IN(m_context, found == expected);
+    if(m_oblique_length >= 0)
+      CHECK_IN(m_context, std::abs(m_oblique_length - oblique_length) <= 1e-9 * oblique_length);
   }
 
   const Mesh& m_mesh;
@@ -454,6 +603,7 @@ private:
   const FeatureMap& m_features;
   const Graph& m_graph;
   const std::string m_context;
+  double m_oblique_length = 0; // of arcs; negative if not known
   std::map<std::size_t, std::size_t> m_previous;
   std::map<std::size_t, std::pair<std::size_t, std::size_t> > m_sides; // patch and side
 };
@@ -475,29 +625,66 @@ void check_motorcycle_graph(const Mesh& mesh, const UVMap& uv, const FeatureMap&
     checker.check_order();
 }
 
-// What does not depend on the numbering: lengths, sizes of patches, kinds and degrees of nodes.
+// Points of the vertices of the edge or face that a node lies in, or of the vertex that it is.
+using Node_place = std::vector<std::array<double, 3> >;
+
+// What does not depend on the numbering: between which places arcs run, their lengths, and whether
+// they are constrained; sizes of patches; places, kinds, and degrees of nodes.
 struct Shape
 {
-  std::vector<std::pair<Exact_rational, bool> > arcs;
+  std::vector<std::tuple<Node_place, Node_place, Exact_rational, bool> > arcs;
   std::vector<std::pair<Exact_rational, Exact_rational> > patches;
-  std::vector<std::pair<SS::Layout_node, std::size_t> > nodes;
+  std::vector<std::pair<Exact_rational, std::ptrdiff_t> > cut_patches;
+  std::vector<std::tuple<Node_place, SS::Layout_node, std::size_t> > nodes;
 
   friend bool operator==(const Shape& a, const Shape& b)
-  { return a.arcs == b.arcs && a.patches == b.patches && a.nodes == b.nodes; }
+  {
+    return a.arcs == b.arcs && a.patches == b.patches && a.cut_patches == b.cut_patches &&
+           a.nodes == b.nodes;
+  }
 };
+
+template <typename Mesh>
+Node_place node_place(const SS::Motorcycle_graph<Mesh>& graph, const std::size_t n)
+{
+  const Mesh& mesh = graph.mesh();
+  const auto points = get(CGAL::vertex_point, mesh);
+  const auto h = graph.node_halfedge(n);
+  Node_place result;
+  const auto add = [&](const auto v) {
+    const auto& p = get(points, v);
+    result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  };
+  add(target(h, mesh));
+  if(graph.node_place(n) != SS::Isocurve_place::VERTEX)
+    add(source(h, mesh));
+  if(graph.node_place(n) == SS::Isocurve_place::FACE)
+    add(target(next(h, mesh), mesh));
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
 template <typename Mesh>
 Shape shape(const SS::Motorcycle_graph<Mesh>& graph)
 {
   Shape result;
-  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a)
-    result.arcs.emplace_back(graph.arc_length(a), graph.arc_is_constrained(a));
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    const auto ends = std::minmax({node_place(graph, graph.source(2 * a)),
+                                   node_place(graph, graph.target(2 * a))});
+    result.arcs.emplace_back(ends.first, ends.second, graph.arc_length(a),
+                             graph.arc_is_constrained(a));
+  }
   for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
-    result.patches.push_back(std::minmax({graph.patch_width(p), graph.patch_height(p)}));
+    if(graph.patch_is_cut(p))
+      result.cut_patches.emplace_back(graph.patch_area(p), graph.patch_euler_characteristic(p));
+    else
+      result.patches.push_back(std::minmax({graph.patch_width(p), graph.patch_height(p)}));
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
-    result.nodes.emplace_back(graph.node_kind(n), graph.half_arcs_around_node(n).size());
+    result.nodes.emplace_back(node_place(graph, n), graph.node_kind(n),
+                              graph.half_arcs_around_node(n).size());
   std::sort(result.arcs.begin(), result.arcs.end());
   std::sort(result.patches.begin(), result.patches.end());
+  std::sort(result.cut_patches.begin(), result.cut_patches.end());
   std::sort(result.nodes.begin(), result.nodes.end());
   return result;
 }

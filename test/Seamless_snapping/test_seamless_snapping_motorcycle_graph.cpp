@@ -13,6 +13,7 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
 #include <functional>
@@ -323,6 +324,141 @@ void test_given_nodes()
     }
 }
 
+// --- borders that lie on no isocurve -------------------------------------------------------------
+
+// A part of the plane, whose coordinates are those of the points.
+struct Flat_mesh
+{
+  Mesh mesh;
+  quad_reference::UV_map uv = square_complex::uv_map(mesh);
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature = square_complex::feature_map(mesh);
+  Vertex_set is_given = mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
+
+  Flat_mesh(const std::vector<std::array<double, 2> >& points,
+            const std::vector<std::array<unsigned, 3> >& triangles)
+  {
+    for(const auto& p : points)
+      mesh.add_vertex(Kernel::Point_3(p[0], p[1], 0));
+    for(const auto& t : triangles)
+      mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+    for(const auto h : mesh.halfedges())
+      uv[h] = Point_2(mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y());
+  }
+  Flat_mesh(const Flat_mesh&) = delete;
+
+  Graph graph(const std::vector<unsigned>& nodes)
+  {
+    for(const unsigned v : nodes)
+      is_given[Mesh::Vertex_index(v)] = true;
+    const Graph result = SS::motorcycle_graph(
+      mesh, uv, parameters::vertex_is_constrained_map(is_given));
+    check_motorcycle_graph(mesh, uv, is_feature, result, "flat mesh");
+    return result;
+  }
+};
+
+void test_known_oblique_borders()
+{
+  // A right triangle. Its corners are nodes, but no curve leaves them into it.
+  const std::vector<std::array<double, 2> > triangle = {{0, 0}, {8, 0}, {0, 8}, {4, 4}, {2, 4},
+                                                        {4, 2}};
+  const std::vector<std::array<unsigned, 3> > faces = {{0, 1, 5}, {5, 1, 3}, {0, 5, 4}, {4, 5, 3},
+                                                       {0, 4, 2}, {4, 3, 2}};
+  const Graph whole = Flat_mesh(triangle, faces).graph({});
+  CHECK_EQUAL(whole.number_of_arcs(), std::size_t(3));
+  CHECK_EQUAL(whole.number_of_cut_patches(), std::size_t(1));
+  CHECK(whole.patch_area(0) == 32);
+  CHECK_IN(whole.message(), whole.message().find("2 border edges do not lie") == 0);
+  // The middle of the long side: a square, and two triangles.
+  Flat_mesh middle(triangle, faces);
+  const Graph halved = middle.graph({3});
+  CHECK_EQUAL(halved.number_of_patches(), std::size_t(3));
+  CHECK_EQUAL(halved.number_of_cut_patches(), std::size_t(2));
+  CHECK_EQUAL(degree_at(halved, 4, 4), std::size_t(4));
+  // Two curves that come to the middle at the same time.
+  Flat_mesh both(triangle, faces);
+  const Graph meeting = both.graph({4, 5});
+  CHECK_EQUAL(degree_at(meeting, 4, 4), std::size_t(4));
+  CHECK_EQUAL(degree_at(meeting, 2, 6), std::size_t(3));
+  // Both at an inner point of an edge, at coordinates that are no binary numbers.
+  Flat_mesh third({{0, 0}, {3, 0}, {0, 7}, {1, 1}}, {{0, 1, 3}, {3, 1, 2}, {0, 3, 2}});
+  const Graph thirds = third.graph({3});
+  CHECK_EQUAL(degree_at(thirds, Exact_rational(18) / 7, 1), std::size_t(3));
+  CHECK_EQUAL(degree_at(thirds, 1, Exact_rational(14) / 3), std::size_t(3));
+  CHECK_EQUAL(thirds.number_of_patches(), std::size_t(4));
+  CHECK_EQUAL(thirds.number_of_cut_patches(), std::size_t(3));
+
+  // A dent, to whose vertex two curves come: between them, the patch has 270 degrees.
+  Flat_mesh dent({{-4, -4}, {4, -4}, {4, 1}, {0, 0}, {1, 4}, {-4, 4}, {0, 2}, {2, 0}},
+                 {{0, 1, 3}, {1, 2, 7}, {7, 2, 3}, {1, 7, 3}, {3, 4, 6}, {6, 4, 5}, {3, 6, 5},
+                  {0, 3, 5}});
+  const Graph around = dent.graph({6, 7});
+  CHECK_EQUAL(degree_at(around, 0, 0), std::size_t(4));
+  std::size_t number = 0; // of patches of an L
+  for(std::size_t p = 0; p < around.number_of_patches(); ++p)
+    number += around.patch_is_cut(p) && around.patch_area(p) == 32 ? 1 : 0;
+  CHECK_EQUAL(number, std::size_t(1));
+}
+
+// Holes in maps: faces around vertices are removed, as far as the holes don't touch anything.
+void make_holes(Grid_map& map, const int number, const unsigned seed)
+{
+  std::mt19937_64 random(seed);
+  const std::vector<Mesh::Vertex_index> vertices(map.mesh.vertices().begin(),
+                                                 map.mesh.vertices().end());
+  for(int k = 0; k < number; ++k) {
+    const auto center = vertices[random() % vertices.size()];
+    if(map.mesh.is_removed(center))
+      continue;
+    std::set<Mesh::Face_index> star;
+    std::set<Mesh::Vertex_index> link;
+    bool is_free = true;
+    for(const auto h : map.mesh.halfedges_around_target(map.mesh.halfedge(center))) {
+      is_free = is_free && !map.mesh.is_border(h) && link.insert(map.mesh.source(h)).second &&
+                map.mesh.source(h) != center && !map.mesh.is_border(map.mesh.source(h), true);
+      if(is_free)
+        star.insert(map.mesh.face(h));
+    }
+    if(is_free && star.size() == link.size() && star.size() < map.mesh.number_of_faces())
+      for(const auto f : star)
+        CGAL::Euler::remove_face(map.mesh.halfedge(f), map.mesh);
+  }
+  map.mesh.collect_garbage();
+}
+
+void test_holes()
+{
+  std::size_t number = 0, cut = 0, not_discs = 0;
+  for(const auto& [name, complex] :
+      {std::pair{"disc", surfaces::disc(2, 2)}, {"box", surfaces::box(1, 1, 1)},
+       {"torus", surfaces::torus(2, 1)}, {"genus 2", surfaces::genus_2()},
+       {"cylinder", surfaces::cylinder(2, 2)}, {"features", with_all_features()},
+       {"double torus", surfaces::double_torus()}, {"cone ring", surfaces::cone_ring(3)}})
+    for(int run = 0; run < 12; ++run) {
+      Grid_map map(complex, 4, 4);
+      if(run % 3 != 0)
+        map.perturb(unsigned(run), 0.4, run % 3 == 1 ? 3 : 30);
+      make_holes(map, 1 + run, unsigned(run));
+      const std::string context = name + std::string(" with holes, run ") + std::to_string(run);
+      const auto np = parameters::edge_is_constrained_map(map.is_feature);
+      const Graph graph = SS::motorcycle_graph(map.mesh, map.uv, np);
+      check_motorcycle_graph(map.mesh, map.uv, map.is_feature, graph, context);
+      check_layout(map.mesh, map.uv, map.is_feature,
+                   SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(&ends_at_random)),
+                   context + ", random policy");
+      check_layout(map.mesh, map.uv, map.is_feature,
+                   SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(SS::Run_to_nodes())),
+                   context + ", base complex");
+      number += graph.number_of_patches();
+      cut += graph.number_of_cut_patches();
+      for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+        not_discs += graph.patch_euler_characteristic(p) != 1 ? 1 : 0;
+    }
+  CHECK(0 < not_discs && not_discs < cut && cut < number);
+  std::cout << "with holes: " << number << " patches, " << cut << " of them cut, " << not_discs
+            << " of these no discs" << std::endl;
+}
+
 // --- integer lengths -----------------------------------------------------------------------------
 
 void test_integer_lengths()
@@ -347,6 +483,42 @@ void test_integer_lengths()
   const auto finer = SS::integer_arc_lengths(SS::motorcycle_graph(map.mesh, map.uv));
   CHECK(finer.unit * 64 == integers.unit);
   CHECK(finer.lengths == integers.lengths);
+}
+
+// Of rectangles: positive multiples of the unit, of which no larger one would do; opposite sides
+// agree.
+void check_integer_lengths(const Graph& graph, const std::string& context)
+{
+  using CGAL::Exact_integer;
+  const SS::Integer_arc_lengths integers = SS::integer_arc_lengths(graph);
+  bool is_any_odd = false;
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    bool bounds_rectangle = false;
+    for(const std::size_t h : {2 * a, 2 * a + 1})
+      bounds_rectangle =
+        bounds_rectangle ||
+        (graph.patch(h) != Graph::null_patch && !graph.patch_is_cut(graph.patch(h)));
+    const Exact_integer& length = integers.lengths[a];
+    CHECK_IN(context, bounds_rectangle
+                        ? length > 0 && graph.arc_length(a) == Exact_rational(length) * integers.unit
+                        : length == 0);
+    is_any_odd = is_any_odd || Exact_integer(length % 2) != 0;
+  }
+  std::size_t rectangles = 0;
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p) {
+    if(graph.patch_is_cut(p))
+      continue;
+    ++rectangles;
+    std::array<Exact_integer, 4> sides;
+    for(std::size_t s = 0; s < 4; ++s) {
+      sides[s] = 0;
+      for(const std::size_t h : graph.patch_side(p, s))
+        sides[s] += integers.lengths[Graph::arc(h)];
+    }
+    CHECK_IN(context, sides[0] == sides[2] && sides[1] == sides[3] && sides[0] > 0 && sides[1] > 0);
+  }
+  CHECK_IN(context, is_any_odd || rectangles == 0);
+  CHECK_IN(context, SS::are_lengths_consistent(graph, integers.lengths));
 }
 
 // --- the same graph for any numbering and mesh data structure ------------------------------------
@@ -409,6 +581,8 @@ void test_numbering()
     check_numbering(map.mesh, map.uv, map.is_feature, "aligned");
     map.perturb(3, 0.3, 20);
     check_numbering(map.mesh, map.uv, map.is_feature, "perturbed");
+    make_holes(map, 12, 4);
+    check_numbering(map.mesh, map.uv, map.is_feature, "with holes");
     const surfaces::Polyhedron_copy<Kernel> copy(map.mesh);
     const auto graph = SS::motorcycle_graph(
       copy.polyhedron, copy.uv, parameters::edge_is_constrained_map(copy.is_feature));
@@ -459,8 +633,13 @@ void test_refusals()
   for(const auto g : bent.mesh.halfedges())
     if(!bent.mesh.is_border(g) && bent.uv[g] == Point_2(8, 3))
       bent.uv[g] = Point_2(8.25, 3);
-  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv), Layout_status::NOT_ALIGNED,
-                "align_border");
+  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv, parameters::align_border(true)),
+                Layout_status::NOT_ALIGNED, "align_border");
+  for(const auto e : bent.mesh.edges())
+    bent.is_feature[e] = bent.mesh.is_border(e);
+  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv,
+                                     parameters::edge_is_constrained_map(bent.is_feature)),
+                Layout_status::NOT_ALIGNED, "on the border");
   Grid_map diagonal(surfaces::disc(2, 2), 4, 4);
   for(const auto e : diagonal.mesh.edges()) {
     auto g = diagonal.mesh.halfedge(e);
@@ -501,26 +680,38 @@ struct File
   File(const File&) = delete;
 };
 
-// Two graphs, with features and without. Returns whether border and features can be aligned.
-bool test_file(const std::string& path, const bool with_features)
+enum class Division { RECTANGLES, CUT_PATCHES, REFUSED };
+
+// Two graphs, with features and without. A border that can't be aligned stays as it is.
+Division test_file(const std::string& path, const bool with_features)
 {
   File file(path);
   if(!with_features)
     for(const auto e : file.mesh.edges())
       file.is_feature[e] = false;
   const auto np = parameters::edge_is_constrained_map(file.is_feature);
-  const auto report =
-    SS::snap_to_seamless(file.mesh, file.uv, np.align_border(true).repair_flips(true));
+  const auto options = np.repair_flips(true);
+  auto report = SS::snap_to_seamless(file.mesh, file.uv, options.align_border(true));
+  const bool is_aligned = report.status != SS::Snapping_status::NOT_ALIGNED;
+  if(!is_aligned)
+    report = SS::snap_to_seamless(file.mesh, file.uv, options);
   if(report.status == SS::Snapping_status::NOT_ALIGNED)
-    return false;
+    return Division::REFUSED; // features on that border
   CHECK_IN(path, bool(report));
   const Graph graph = SS::motorcycle_graph(file.mesh, file.uv, np);
   if(!report.remaining_flips.empty()) {
     CHECK_IN(path, graph.status() == Layout_status::NOT_POSITIVE);
-    return false;
+    CHECK_EQUAL(graph.nonpositive_faces().size(), report.remaining_flips.size());
+    if(with_features)
+      std::cout << path << ": " << graph.message() << std::endl;
+    return Division::REFUSED;
   }
   check_motorcycle_graph(file.mesh, file.uv, file.is_feature, graph, path);
-  return true;
+  CHECK_IN(path, is_aligned == (graph.number_of_cut_patches() == 0));
+  check_integer_lengths(graph, path);
+  if(with_features && file.mesh.number_of_faces() < 5000)
+    check_numbering(file.mesh, file.uv, file.is_feature, path);
+  return is_aligned ? Division::RECTANGLES : Division::CUT_PATCHES;
 }
 
 void test_files()
@@ -528,12 +719,13 @@ void test_files()
   for(const auto& path : test_data::package_files())
     for(const bool with_features : {false, true})
       test_file(path.string(), with_features);
-  std::size_t number = 0, refused = 0;
+  std::map<Division, std::size_t> numbers;
   for(const auto& path : test_data::further_files("uv", ".obj"))
     for(const bool with_features : {false, true})
-      ++(test_file(path.string(), with_features) ? number : refused);
-  std::cout << number << " maps divided, " << refused
-            << " with flips, or a border that is not aligned" << std::endl;
+      ++numbers[test_file(path.string(), with_features)];
+  std::cout << numbers[Division::RECTANGLES] << " maps divided into rectangles, "
+            << numbers[Division::CUT_PATCHES] << " with patches cut by a border, "
+            << numbers[Division::REFUSED] << " with flips or features off isocurves" << std::endl;
 }
 
 void test_cube_file()
@@ -563,6 +755,8 @@ int main()
   test_several_fans();
   test_right_of_way();
   test_given_nodes();
+  test_known_oblique_borders();
+  test_holes();
   test_integer_lengths();
   test_numbering();
   test_refusals();

@@ -28,14 +28,15 @@ The outcome of `motorcycle_graph()`. After any other than `PARTITIONED` the grap
 */
 enum class Layout_status
 {
-  PARTITIONED,        ///< the surface is divided into rectangles, and all checks held
+  PARTITIONED,        ///< the surface is divided, and all checks held
   INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
   INVALID_ARGUMENT,   ///< given rotations that contradict each other, and the like
   NOT_TRIANGULAR,     ///< a face of the input is not a triangle
   NOT_FINITE,         ///< a coordinate is NaN, infinite, or beyond 1e300
   NOT_SEAMLESS,       ///< the map is not exactly seamless
   NOT_POSITIVE,       ///< faces are flipped or degenerate in the domain
-  NOT_ALIGNED,        ///< a border or feature edge does not lie on an isocurve
+  NOT_ALIGNED,        ///< a feature edge does not lie on an isocurve, or a border edge where that
+                      ///< is asked for
   TOO_LARGE,          ///< the curves are longer than allowed
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };

@@ -49,8 +49,10 @@ enum class Layout_node
   CONE,    ///< an interior vertex whose angle in the domain is not 360 degrees
   CORNER,  ///< a vertex at which borders and features end, meet, or turn
   GIVEN,   ///< a vertex that the caller has given
-  SEED,    ///< a vertex chosen in a part of the surface without any other node
-  JUNCTION ///< where a curve ends at another one, or, if these run on, crosses it
+  SEED,    ///< a vertex chosen in a part of the surface without any other node, or on a closed
+           ///< border or feature without any
+  JUNCTION ///< where a curve ends at another one, or, if these run on, crosses it; or where it
+           ///< ends at a border that does not lie on isocurves
 };
 
 /*!
@@ -64,6 +66,10 @@ exactly. Arc `a` consists of the half-arcs `2 a` and `2 a + 1`, which run forwar
 a patch at its left, unless it runs along the border with the surface at its right. A patch is a
 disc with four sides, each of one or more arcs, and opposite sides are of the same length. A node at
 which another curve ends may thus lie inside of a side.
+
+Where a border of the surface does not lie on isocurves, its pieces between nodes are arcs, too.
+The patches there are cut: they have no sides, and can have any number of cycles of half-arcs around
+them. Corners of such a border are no nodes.
 
 The graph refers to the mesh, and stays valid as long as that is neither modified nor destroyed.
 Copies share what they hold.
@@ -107,13 +113,14 @@ public:
   /// \name Outcome
   /// @{
 
-  /// returns `true` if and only if the surface is divided into rectangles.
+  /// returns `true` if and only if the surface is divided into patches.
   explicit operator bool() const { return status() == Layout_status::PARTITIONED; }
 
   /// returns the outcome.
   Layout_status status() const { return m_data->status; }
 
-  /// returns the place, the reason, and the remedy, unless the surface is divided.
+  /// returns the place, the reason, and the remedy, unless the surface is divided; then, what there
+  /// is to say of a border that does not lie on isocurves.
   const std::string& message() const { return m_data->message; }
 
   /// returns the faces that are flipped or degenerate in the domain, in the order of iteration over
@@ -187,11 +194,14 @@ public:
   /// returns the number of arcs.
   std::size_t number_of_arcs() const { return layout().arcs.size(); }
 
-  /// returns the length of an arc in the domain.
+  /// returns the length of an arc in the domain; 0 if it does not lie on an isocurve.
   Exact_rational arc_length(const std::size_t a) const { return layout().arcs[a].length.exact(); }
 
   /// returns whether an arc runs along the border or along features.
   bool arc_is_constrained(const std::size_t a) const { return layout().arcs[a].is_wall; }
+
+  /// returns whether an arc lies on an isocurve: all do, but for those on borders that don't.
+  bool arc_is_isocurve(const std::size_t a) const { return !layout().arcs[a].is_oblique; }
 
   /// returns the course of an arc, from its source to its target: both nodes, and between them the
   /// points where it crosses edges or meets vertices; rounded.
@@ -240,18 +250,51 @@ public:
   /// returns the number of patches.
   std::size_t number_of_patches() const { return layout().patches.size(); }
 
-  /// returns the half-arcs of side 0, 1, 2, or 3 of a patch, counterclockwise.
+  /// returns whether a patch is cut by a border that does not lie on isocurves. Otherwise it is a
+  /// rectangle.
+  bool patch_is_cut(const std::size_t p) const { return layout().patches[p].is_cut; }
+
+  /// returns the number of patches that are cut.
+  std::size_t number_of_cut_patches() const
+  {
+    const auto& patches = layout().patches;
+    return std::size_t(std::count_if(patches.begin(), patches.end(),
+                                     [](const internal::Layout_patch& p) { return p.is_cut; }));
+  }
+
+  /// returns the half-arcs around a patch: one cycle for a rectangle, which starts at a corner; any
+  /// number for a patch that is cut. Each has the patch at its left.
+  std::vector<std::vector<std::size_t> > patch_cycles(const std::size_t p) const
+  {
+    std::vector<std::vector<std::size_t> > result;
+    for(const auto& cycle : layout().patches[p].cycles)
+      result.emplace_back(cycle.begin(), cycle.end());
+    return result;
+  }
+
+  /// returns the Euler characteristic of a patch: 1 if it is a disc, as all rectangles are.
+  std::ptrdiff_t patch_euler_characteristic(const std::size_t p) const
+  { return layout().patches[p].euler_characteristic; }
+
+  /// returns the area of a patch in the domain.
+  Exact_rational patch_area(const std::size_t p) const
+  {
+    return patch_is_cut(p) ? layout().patches[p].area
+                           : Exact_rational(patch_width(p) * patch_height(p));
+  }
+
+  /// returns the half-arcs of side 0, 1, 2, or 3 of a patch, counterclockwise; none if it is cut.
   std::vector<std::size_t> patch_side(const std::size_t p, const std::size_t side) const
   {
     const auto& halves = layout().patches[p].sides[side];
     return std::vector<std::size_t>(halves.begin(), halves.end());
   }
 
-  /// returns the length of sides 0 and 2 of a patch.
+  /// returns the length of sides 0 and 2 of a patch; 0 if it is cut.
   Exact_rational patch_width(const std::size_t p) const
   { return layout().patches[p].width.exact(); }
 
-  /// returns the length of sides 1 and 3 of a patch.
+  /// returns the length of sides 1 and 3 of a patch; 0 if it is cut.
   Exact_rational patch_height(const std::size_t p) const
   { return layout().patches[p].height.exact(); }
 

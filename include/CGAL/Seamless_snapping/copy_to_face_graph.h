@@ -30,6 +30,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +60,12 @@ Point point_at(const TriangleMesh& tmesh, const VertexPointMap& points, const Lo
     sum[2] += w * CGAL::to_double(p.z());
   }
   return Point(FT(sum[0]), FT(sum[1]), FT(sum[2]));
+}
+
+inline bool are_patches_discs(const Layout& layout)
+{
+  return std::all_of(layout.patches.begin(), layout.patches.end(), [](const Layout_patch& patch)
+                     { return patch.cycles.size() == 1 && patch.euler_characteristic == 1; });
 }
 
 template <typename TriangleMesh>
@@ -176,7 +183,8 @@ faces are added in the order of nodes, arcs, and patches.
 \cgalNamedParamsEnd
 
 \return `false` if there is no layout, or if it has loops, several arcs between the same two nodes,
-        or a patch on both sides of an arc, which no valid polygon mesh has. Then nothing is added.
+        or a patch on both sides of an arc, which no valid polygon mesh has; or a patch that is not
+        a disc, which a border can have cut that does not lie on isocurves. Then nothing is added.
         More nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
 */
 template <typename TriangleMesh, typename PolygonMesh,
@@ -188,7 +196,7 @@ bool copy_to_face_graph(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh
 {
   const internal::Protect_exact_arithmetic protect;
   const internal::Cell_complex cells = internal::cells_of_patches(graph);
-  if(!graph || !internal::is_simple(cells))
+  if(!graph || !internal::are_patches_discs(graph.data().layout) || !internal::is_simple(cells))
     return false;
   internal::write_layout(graph.mesh(), cells, patches, internal::strip(np1), internal::strip(np2),
                          [&](const std::size_t n) { return graph.node_location(n); },
@@ -226,7 +234,7 @@ bool refine_along_arcs(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh&
   const internal::Protect_exact_arithmetic protect;
   const internal::Layout_data& data = graph.data();
   const internal::Refined_faces faces(data.domain.mesh, data.race->curves(), data.layout);
-  if(!faces.is_valid())
+  if(!faces.is_covered() || !faces.joined_patches().empty())
     return false;
   internal::write_layout(graph.mesh(), faces.cells(), refined, internal::strip(np1),
                          internal::strip(np2),

@@ -28,6 +28,19 @@
 namespace CGAL {
 namespace Seamless_snapping {
 
+namespace internal {
+
+template <typename TriangleMesh>
+bool bounds_rectangle(const Motorcycle_graph<TriangleMesh>& graph, const std::size_t arc)
+{
+  for(const std::size_t h : {2 * arc, 2 * arc + 1})
+    if(graph.patch(h) != graph.null_patch && !graph.patch_is_cut(graph.patch(h)))
+      return true;
+  return false;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
@@ -35,15 +48,17 @@ The lengths of the arcs of a layout, as integers.
 */
 struct Integer_arc_lengths
 {
-  std::vector<Exact_integer> lengths; ///< per arc, in multiples of the unit
+  std::vector<Exact_integer> lengths; ///< per arc, in multiples of the unit; 0 if it bounds no
+                                      ///< rectangle
   Exact_rational unit{1};             ///< a power of two
 };
 
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
-returns the lengths of all arcs in multiples of a unit: the largest power of two of which all of
-them are integer multiples. There always is one, since coordinates are dyadic numbers. These lengths
+returns the lengths of all arcs that bound rectangles, in multiples of a unit: the largest power of
+two of which all of them are integer multiples. There always is one, since the coordinates of their
+ends are dyadic numbers. (Arcs between patches that are cut can have any length.) These lengths
 solve what a quantization of the layout has to solve, at a scale that is far too fine; see
 `are_lengths_consistent()`.
 
@@ -59,6 +74,8 @@ Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& gr
   bool is_first = true;
   // The unit is the least power of two that any length is an odd multiple of.
   for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
+    if(!internal::bounds_rectangle(graph, a))
+      continue;
     typename Fraction_traits::Decompose()(graph.arc_length(a), numerator, denominator);
     Exact_rational unit(Exact_rational(1) / Exact_rational(denominator));
     for(; Exact_integer(numerator % 2) == 0; numerator = Exact_integer(numerator / 2))
@@ -67,21 +84,23 @@ Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& gr
       result.unit = unit;
     is_first = false;
   }
-  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
-    typename Fraction_traits::Decompose()(Exact_rational(graph.arc_length(a) / result.unit),
-                                          numerator, denominator);
-    result.lengths.push_back(numerator);
-  }
+  result.lengths.assign(graph.number_of_arcs(), Exact_integer(0));
+  for(std::size_t a = 0; a < graph.number_of_arcs(); ++a)
+    if(internal::bounds_rectangle(graph, a)) {
+      typename Fraction_traits::Decompose()(Exact_rational(graph.arc_length(a) / result.unit),
+                                            numerator, denominator);
+      result.lengths[a] = numerator;
+    }
   return result;
 }
 
 /*!
 \ingroup PkgSeamlessSnappingLayout
 
-returns whether other lengths of the arcs also make rectangles of all patches: whether opposite
-sides have the same length. With positive integers, each patch can then be filled by a grid of quads
-that fits those of its neighbors. The number of all quads is the sum of the products of width and
-height.
+returns whether other lengths of the arcs also make rectangles of all patches that are rectangles:
+whether opposite sides have the same length. With positive integers, each of these can then be
+filled by a grid of quads that fits those of its neighbors. The number of all quads is the sum of
+the products of width and height.
 
 \tparam Length a number type with exact sums
 \param graph the layout

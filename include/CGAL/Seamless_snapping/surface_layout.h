@@ -148,7 +148,9 @@ void make_layout(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
       get(vertex_indices, target(numbering.halfedges_of_corners()[std::size_t(h)], tmesh)));
   };
   const Race_options options = race_options(tmesh, numbering, data, np);
-  Layout_maker(std::move(mesh), feature_corners(tmesh, numbering, np),
+  const bool align_border = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::align_border), false);
+  Layout_maker(std::move(mesh), feature_corners(tmesh, numbering, np), align_border,
                constrained_vertices(numbering, np), options, vertex_name, data).run();
 }
 
@@ -175,6 +177,12 @@ of all rectangles make up that of the domain. At a cone of index \f$ i \f$ there
 and equal sides is checked afterwards, exactly. All decisions in between are exact; there are no
 tolerances.
 
+Where a border does not lie on isocurves, curves end at it as well, but none start there, unless at
+given vertices, and where it meets borders and features that do. The patches that it is part of
+are <em>cut</em>: they can have any shape, and need not be discs. All others are rectangles as
+before, and the areas of all patches make up that of the domain. With `align_border(true)` such a
+border is refused, as are features that do not lie on isocurves.
+
 The graph depends on the mesh and its parametrization only, not on the order of faces and vertices,
 which only decides how nodes, arcs, and patches are numbered; and where two vertices of a part
 without nodes have the same coordinates in all charts, which of them is chosen.
@@ -194,11 +202,18 @@ without nodes have the same coordinates in all charts, which of them is chosen.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges, which become arcs. Border edges always do.}
+    \cgalParamDescription{the feature edges, which become arcs and have to lie on isocurves. Border
+                          edges always become arcs.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
     \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{align_border}
+    \cgalParamDescription{whether all border edges have to lie on isocurves. Otherwise, patches that
+                          a border cuts which does not need not be rectangles.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{further vertices that are nodes}

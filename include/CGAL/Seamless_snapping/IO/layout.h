@@ -39,7 +39,8 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Cells by patches, counted from 1.
-inline void write_groups(std::ostream& os, const Refined_faces& faces)
+template <typename IsCut>
+void write_groups(std::ostream& os, const Refined_faces& faces, const IsCut& is_cut)
 {
   const Cell_complex& cells = faces.cells();
   std::vector<std::size_t> darts(cells.number_of_cells);
@@ -53,7 +54,7 @@ inline void write_groups(std::ostream& os, const Refined_faces& faces)
   for(std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t patch = faces.patch_of_cell(order[i]);
     if(i == 0 || faces.patch_of_cell(order[i - 1]) != patch)
-      os << "g patch_" << patch + 1 << "\n";
+      os << "g patch_" << patch + 1 << (is_cut(patch) ? " cut\n" : "\n");
     os << 'f';
     std::size_t d = darts[order[i]];
     do {
@@ -85,8 +86,9 @@ namespace IO {
 \ingroup PkgSeamlessSnappingLayout
 
 writes a layout in the format OBJ: the mesh refined along the arcs, as `refine_along_arcs()` makes
-it, with a group of faces for each patch, named `patch_1` and so on; and an element `l` for each
-arc, with all its points, in the group `arcs`.
+it, with a group of faces for each patch, named `patch_1` and so on, of which those that are no
+rectangles are also in the group `cut`; and an element `l` for each arc, with all its points, in the
+group `arcs`.
 
 \param os the stream
 \param graph the layout
@@ -125,7 +127,7 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
       internal::point_at<Point>(graph.mesh(), points, graph.location(faces.point(v)));
     os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << "\n";
   }
-  internal::write_groups(os, faces);
+  internal::write_groups(os, faces, [&](const std::size_t p) { return graph.patch_is_cut(p); });
   internal::write_lines(os, faces);
   os.precision(precision);
   return bool(os);

@@ -54,10 +54,11 @@ enum class Meeting_kind : char
 {
   CROSSING, // `second` is there before `first`, or has the right of way
   HEAD_ON,  // both come along the same line; the place and their own lengths are not set
-  TRAIL     // `first` comes to where `second` has ended, which came along the same line; likewise
+  TRAIL,    // `first` comes to where `second` has ended, which came along the same line; likewise
+  BORDER    // `first` comes to an oblique border; there is no `second`
 };
 
-// Two curves at one point.
+// Two curves at one point, or a curve at the border.
 struct Meeting
 {
   Meeting_kind kind = Meeting_kind::CROSSING;
@@ -91,7 +92,8 @@ public:
       m_later(Later_meeting{&m_meetings})
   {
     m_limits.is_stop = [&domain](const std::size_t v)
-                       { return domain.is_start(v) || domain.is_on_wall[v]; };
+                       { return domain.is_start(v) || domain.is_on_wall[v] ||
+                                domain.mesh.is_border[v]; };
   }
 
   Curve_race(const Curve_race&) = delete; // its members refer to each other
@@ -165,10 +167,11 @@ private:
   void launch_from(const std::size_t v)
   {
     const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    const std::int32_t first_slot = slots_of_vertex(m_domain, v).first_ray;
     for(std::size_t k = 0; k < rays.size(); ++k) {
       if(is_along_wall(m_domain, rays[k]))
         continue;
-      const Curve_index c = m_curves.add_curve(v, k);
+      const Curve_index c = m_curves.add_curve(v, first_slot + std::int32_t(k));
       m_walkers.resize(m_curves.size() - m_first_trace);
       m_walkers.back() = std::make_unique<Segment_walker>(m_mesh, m_limits, rays[k]);
       m_advances.push({0, c});
@@ -198,6 +201,8 @@ private:
                          { compare_chords(chord, other, f); },
                          [&](const Curve_index other, const Segment_index s)
                          { compare_visits(c, other, s); });
+    if(is_at_oblique_border(segment.exit))
+      add_end_at_border(c, segment);
     if(ends_at_obstacle(segment.exit))
       walker.reset();
     else
@@ -205,11 +210,35 @@ private:
     return true;
   }
 
+  bool is_at_oblique_border(const Segment_end& end) const
+  {
+    return end.place == Isocurve_place::VERTEX
+             ? m_domain.is_inside_oblique_border(m_mesh.vertex(end.halfedge))
+             : m_domain.is_oblique(end.halfedge);
+  }
+
+  void add_end_at_border(const Curve_index c, const Chart_segment& segment)
+  {
+    const Corner_index h = segment.exit.halfedge;
+    const Exact_level running(running_to(m_mesh, segment));
+    Meeting meeting;
+    meeting.kind = Meeting_kind::BORDER;
+    meeting.place.place = segment.exit.place;
+    meeting.place.halfedge = h;
+    meeting.place.uv[constant_component(segment.direction)] = segment.level;
+    meeting.place.uv[running_component(segment.direction)] = running;
+    const Segment_index last = Segment_index(m_curves[c].segments.size() - 1);
+    meeting.first = {c, last, m_curves.chord(c, last).length_up_to(running), segment.direction};
+    meeting.twice_time = meeting.first.length.doubled();
+    add(meeting);
+  }
+
   bool ends_at_obstacle(const Segment_end& exit) const
   {
     return exit.place == Isocurve_place::VERTEX
              ? m_limits.is_stop(m_mesh.vertex(exit.halfedge))
-             : bool(m_domain.is_wall[std::size_t(exit.halfedge)]);
+             : m_mesh.is_border_edge(exit.halfedge) ||
+                 m_domain.is_wall[std::size_t(exit.halfedge)] != 0;
   }
 
   // A lower bound of the length up to the end of a segment.
@@ -261,8 +290,9 @@ private:
     meeting.place.halfedge = 3 * face;
     meeting.place.uv[constant_component(a.direction)] = a.level;
     meeting.place.uv[constant_component(b.direction)] = b.level;
-    if(!locate_in_face(m_mesh, meeting.place) || meeting.place.place == Isocurve_place::VERTEX)
-      return;
+    if(!locate_in_face(m_mesh, meeting.place) || meeting.place.place == Isocurve_place::VERTEX ||
+       (meeting.place.place == Isocurve_place::EDGE && m_domain.is_oblique(meeting.place.halfedge)))
+      return; // on an oblique border both end by themselves
     meeting.first = {a.curve, a.segment, a.length_up_to(b.level), a.direction};
     meeting.second = {b.curve, b.segment, b.length_up_to(a.level), b.direction};
     add_crossing(meeting);
@@ -271,6 +301,8 @@ private:
   void compare_visits(const Curve_index a, const Curve_index b, const Segment_index s)
   {
     const Segment_index last = Segment_index(m_curves[a].segments.size() - 1);
+    if(is_at_oblique_border(m_curves[a].segments.back().exit))
+      return;
     const std::size_t slot_a = slot_behind(a, last), slot_b = slot_behind(b, s);
     if((slot_a + slot_b) % 2 == 0)
       return; // they meet in a face
@@ -330,6 +362,12 @@ private:
     case Meeting_kind::TRAIL:
       if(reaches(meeting.first.curve, meeting.twice_time))
         m_curves[meeting.first.curve].twice_length = meeting.twice_time;
+      return;
+    case Meeting_kind::BORDER:
+      if(reaches(meeting.first.curve, meeting.twice_time)) {
+        m_crossings.push_back(m);
+        m_curves[meeting.first.curve].twice_length = meeting.twice_time;
+      }
     }
   }
 

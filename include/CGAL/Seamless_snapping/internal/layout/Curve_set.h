@@ -56,15 +56,17 @@ struct Curve_segment
 {
   Segment_end entry, exit;
   Corner_index along;
-  std::int32_t chord; // in the chart of the face of entry and exit
+  std::int32_t chord; // in the chart of the face of entry and exit; none on an oblique border
 };
 
 struct Layout_curve
 {
   std::vector<Curve_segment> segments;
   std::size_t start = 0;                 // the vertex that it starts at
-  std::size_t start_slot = 0;            // among the rays from there
+  std::int32_t start_slot = 0;           // there
   bool is_wall = false;
+  bool is_oblique = false;               // a piece of the border on no isocurve: no chords, and its
+                                         // length is counted in edges
   bool is_closed = false;                // it is a wall that ends where it starts, at no corner
   bool is_left_outside = false, is_right_outside = false;
   std::optional<Exact_level> twice_length; // unless it runs on
@@ -106,7 +108,7 @@ public:
   const Chord& chord(const Curve_index c, const Segment_index s) const
   { return chord((*this)[c].segments[std::size_t(s)].chord); }
 
-  Curve_index add_curve(const std::size_t start, const std::size_t slot)
+  Curve_index add_curve(const std::size_t start, const std::int32_t slot)
   {
     m_curves.emplace_back();
     m_curves.back().start = start;
@@ -114,9 +116,18 @@ public:
     return Curve_index(m_curves.size() - 1);
   }
 
+  // Appends a halfedge of an oblique border.
+  void add_border_edge(const Curve_index c, const Corner_index h)
+  {
+    const Segment_end entry{Isocurve_place::VERTEX, Chart_mesh::prev(h)};
+    (*this)[c].segments.push_back({entry, {Isocurve_place::VERTEX, h}, h, no_index});
+  }
+
   // The length of a curve up to the end of a segment at a vertex.
   Exact_level length_at_vertex(const Curve_index c, const Segment_index s) const
   {
+    if((*this)[c].is_oblique)
+      return Exact_level(double(s) + 1);
     const Chord& chord = this->chord(c, s);
     const Segment_end& exit = (*this)[c].segments[std::size_t(s)].exit;
     return chord.length_up_to(

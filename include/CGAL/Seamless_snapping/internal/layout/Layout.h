@@ -14,12 +14,14 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A partition of a surface into rectangles: points, arcs, and patches. Nothing here depends on the
-// mesh data structure.
+// A partition of a surface into rectangles, and what an oblique border leaves of some: points,
+// arcs, and patches. Nothing here depends on the mesh data structure.
 
 #include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_place.h>
+
+#include <CGAL/Exact_rational.h>
 
 #include <array>
 #include <cstddef>
@@ -42,7 +44,8 @@ struct Layout_point
 {
   Layout_place place;            // in its unique description
   Start_kind start = Start_kind::NONE;
-  std::int32_t first_slot = 0;   // one slot for each quarter turn; at the border, for each ray
+  std::int32_t first_slot = 0;   // one slot for each quarter turn; at the border, for each ray and
+                                 // each oblique border edge
   std::int32_t number_of_slots = 0;
   std::int32_t degree = 0;       // the number of arcs
 };
@@ -58,25 +61,30 @@ struct Curve_piece
 struct Layout_arc
 {
   std::array<Point_index, 2> points;
-  Exact_level length;
+  Exact_level length;                // 0 on an oblique border
   std::array<Curve_piece, 2> pieces; // the second one may be empty
-  bool is_wall;
+  bool is_wall, is_oblique;
 };
 
 // The next half around the patch at the left; what lies outside of the surface is no patch.
 struct Half_arc
 {
   Half_arc_index next = no_index;
-  std::int32_t turns = 0; // the angle at its end, in quarter turns
+  std::int32_t turns = 0; // the angle at its end, in quarter turns; 0 next to an oblique border
   Patch_index patch = no_index;
   bool is_outside = false;
 };
 
-// Its sides counterclockwise: the first and the third are of length `width`.
+// A rectangle has one cycle around it, in four sides: the first and the third are of length
+// `width`. A patch that an oblique border has cut has any number of cycles, and no sides.
 struct Layout_patch
 {
+  std::vector<std::vector<Half_arc_index> > cycles; // each counterclockwise
+  bool is_cut = false;
   std::array<std::vector<Half_arc_index>, 4> sides;
   Exact_level width, height;
+  std::ptrdiff_t euler_characteristic = 1;
+  Exact_rational area{0}; // if it is cut
 };
 
 struct Layout

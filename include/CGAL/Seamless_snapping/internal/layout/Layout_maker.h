@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
 #include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
 #include <CGAL/Seamless_snapping/internal/layout/build_layout.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_patches.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
 
@@ -52,13 +53,14 @@ struct Layout_data
 class Layout_maker
 {
 public:
-  // `is_feature` and `is_given` tell of corners and vertices; or are empty. `vertex_name` is for
-  // messages.
-  Layout_maker(Chart_mesh&& mesh, std::vector<char>&& is_feature, std::vector<char>&& is_given,
-               const Race_options& options,
+  // `is_feature` and `is_given` tell of corners and vertices; or are empty. Whether the border has
+  // to lie on isocurves, is `align_border`. `vertex_name` is for messages.
+  Layout_maker(Chart_mesh&& mesh, std::vector<char>&& is_feature, const bool align_border,
+               std::vector<char>&& is_given, const Race_options& options,
                const std::function<std::string(std::size_t)>& vertex_name, Layout_data& data)
-    : m_is_feature(std::move(is_feature)), m_is_given(std::move(is_given)), m_options(options),
-      m_vertex_name(vertex_name), m_data(data), m_domain(data.domain)
+    : m_is_feature(std::move(is_feature)), m_align_border(align_border),
+      m_is_given(std::move(is_given)), m_options(options), m_vertex_name(vertex_name),
+      m_data(data), m_domain(data.domain)
   {
     m_domain.mesh = std::move(mesh);
   }
@@ -97,7 +99,7 @@ private:
   {
     split_fans();
     const Chart_mesh& mesh = m_domain.mesh;
-    mark_walls(m_is_feature, m_domain);
+    mark_walls(m_is_feature, m_align_border, m_domain);
     std::size_t number = 0;
     Corner_index first = no_index;
     for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -111,9 +113,7 @@ private:
     return fail(Layout_status::NOT_ALIGNED,
                 std::to_string(number) + (number == 1 ? " border or feature edge does"
                                                       : " border or feature edges do") +
-                  " not lie on isocurves, the first is that from vertex " +
-                  m_vertex_name(mesh.source(first)) + " to vertex " +
-                  m_vertex_name(mesh.vertex(first)) +
+                  " not lie on isocurves, the first is " + name_of_edge(first) +
                   (is_border_edge
                      ? ", on the border; call snap_to_seamless() with align_border(true)"
                      : "; call snap_to_seamless() with the same edge_is_constrained_map") +
@@ -151,13 +151,42 @@ private:
   bool build()
   {
     Layout_builder builder(m_domain, *m_data.race);
-    if(!builder.run() || !has_right_euler_characteristic(m_domain.mesh, builder.layout()))
+    if(!builder.run() ||
+       !Patch_maker(m_domain, m_data.race->curves(), builder.layout()).run())
       return fail(Layout_status::INTERNAL_ERROR, "the curves do not bound rectangles");
     m_data.layout = std::move(builder.layout());
+    note_cut_patches();
     return true;
   }
 
-  std::vector<char> m_is_feature, m_is_given;
+  void note_cut_patches()
+  {
+    const Chart_mesh& mesh = m_domain.mesh;
+    std::size_t edges = 0, cut = 0;
+    Corner_index first = no_index;
+    for(Corner_index h = mesh.number_of_halfedges(); h-- > 0;)
+      if(m_domain.is_oblique(h)) {
+        first = h;
+        ++edges;
+      }
+    for(const Layout_patch& patch : m_data.layout.patches)
+      cut += patch.is_cut ? 1 : 0;
+    if(edges > 0)
+      m_data.message = std::to_string(edges) + (edges == 1 ? " border edge does" : " border edges do")
+                       + " not lie on isocurves, the first is " + name_of_edge(first) +
+                       "; there, " + std::to_string(cut) +
+                       (cut == 1 ? " patch is not a rectangle" : " patches are not rectangles");
+  }
+
+  std::string name_of_edge(const Corner_index h) const
+  {
+    return "that from vertex " + m_vertex_name(m_domain.mesh.source(h)) + " to vertex " +
+           m_vertex_name(m_domain.mesh.vertex(h));
+  }
+
+  std::vector<char> m_is_feature;
+  bool m_align_border;
+  std::vector<char> m_is_given;
   const Race_options& m_options;
   std::function<std::string(std::size_t)> m_vertex_name;
   Layout_data& m_data;

@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -104,11 +105,14 @@ public:
     for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
       cut_face(f);
     link_border();
-    m_is_valid = spread_patches();
+    m_is_covered = spread_patches();
   }
 
-  // Whether the patches found from arcs agree with each other, as they must.
-  bool is_valid() const { return m_is_valid; }
+  // Whether all cells belong to a patch, as they must.
+  bool is_covered() const { return m_is_covered; }
+  // Two and two patches that no arc separates: cycles around the same one.
+  const std::vector<std::pair<Patch_index, Patch_index> >& joined_patches() const
+  { return m_joined; }
 
   const Cell_complex& cells() const { return m_cells; }
   const Face_point& point(const std::size_t v) const { return m_points[v]; }
@@ -118,6 +122,54 @@ public:
   const std::vector<Arc_step>& steps() const { return m_steps; }
 
   bool is_on_arc(const std::size_t edge) const { return m_half_arcs[edge] != no_index; }
+
+  // Where the cells lie in the charts: on halfedges, and along steps through faces; the edge of a
+  // step along an edge is no_index.
+  std::int32_t number_on_edge(const Corner_index h) const
+  {
+    const std::size_t key = std::size_t(m_mesh.edge_key(h));
+    return m_first_on_edge[key + 1] - m_first_on_edge[key];
+  }
+
+  // The dart from point i on a halfedge to the next one.
+  std::int32_t dart_on_halfedge(const Corner_index h, const std::int32_t i) const
+  {
+    const Corner_index key = m_mesh.edge_key(h);
+    const std::int32_t first = m_first_part[std::size_t(key)];
+    return h == key ? 2 * (first + i) : 2 * (first + number_on_edge(h) - i) + 1;
+  }
+
+  Exact_uv uv_on_halfedge(const Corner_index h, const std::int32_t i) const
+  {
+    const Uv &a = m_mesh.uv(Chart_mesh::prev(h)), &b = m_mesh.uv(h);
+    if(i == 0 || i > number_on_edge(h))
+      return {Exact_level((i == 0 ? a : b)[0]), Exact_level((i == 0 ? a : b)[1])};
+    const Edge_point& point = edge_point_on(h, i);
+    const Exact_rational t(point.parameter(m_mesh));
+    const Exact_rational s(h == point.key ? t : Exact_rational(1 - t));
+    const auto at = [&](const std::size_t c) {
+      const Exact_rational from(a[c]);
+      return Exact_level(Exact_rational(from + s * (Exact_rational(b[c]) - from)));
+    };
+    return {at(0), at(1)};
+  }
+
+  std::int32_t edge_of_step(const std::size_t i) const { return m_edge_of_step[i]; }
+
+  Exact_rational running_coordinate_of_step(const Arc_step& step, const bool at_target) const
+  {
+    const Chord& chord = m_curves.chord(step.curve, step.segment);
+    const std::int32_t point = at_target ? step.target : step.source;
+    const std::int32_t node = m_inner_nodes[std::size_t(point)];
+    const std::size_t r = running_component(chord.direction);
+    if(node != no_index)
+      return m_layout.points[std::size_t(node)].place.uv[r].exact();
+    const Curve_segment& segment = segment_of(step);
+    const Segment_end& end = at_target != step.is_reversed ? segment.exit : segment.entry;
+    return end.place == Isocurve_place::VERTEX
+             ? Exact_rational(m_mesh.uv(end.halfedge)[r])
+             : running_on_edge(m_mesh, end.halfedge, chord.direction, chord.level);
+  }
 
 private:
   void add_vertices_and_nodes()
@@ -142,10 +194,10 @@ private:
 
   void mark_inner_points()
   {
-    m_is_inner.assign(m_points.size(), false);
+    m_inner_nodes.assign(m_points.size(), no_index);
     for(std::size_t n = 0; n < m_layout.points.size(); ++n)
-      m_is_inner[std::size_t(m_points_of_nodes[n])] =
-        m_layout.points[n].place.place == Isocurve_place::FACE;
+      if(m_layout.points[n].place.place == Isocurve_place::FACE)
+        m_inner_nodes[std::size_t(m_points_of_nodes[n])] = std::int32_t(n);
   }
 
   std::int32_t add_exit(const Curve_index c, const Segment_index s)
@@ -210,35 +262,26 @@ private:
       m_first_on_edge[h + 1] += m_first_on_edge[h];
   }
 
-  std::int32_t number_on_edge(const Corner_index h) const
-  {
-    const std::size_t key = std::size_t(m_mesh.edge_key(h));
-    return m_first_on_edge[key + 1] - m_first_on_edge[key];
-  }
-
   // The points on a halfedge from its source on, counted from 0; the last one is the target.
   std::int32_t point_on_halfedge(const Corner_index h, const std::int32_t i) const
   {
     const std::int32_t n = number_on_edge(h);
     if(i == 0 || i == n + 1)
       return std::int32_t(i == 0 ? m_mesh.source(h) : m_mesh.vertex(h));
+    return edge_point_on(h, i).point;
+  }
+
+  const Edge_point& edge_point_on(const Corner_index h, const std::int32_t i) const
+  {
     const Corner_index key = m_mesh.edge_key(h);
-    const std::int32_t rank = h == key ? i - 1 : n - i;
-    return m_edge_points[std::size_t(m_first_on_edge[std::size_t(key)] + rank)].point;
+    const std::int32_t rank = h == key ? i - 1 : number_on_edge(h) - i;
+    return m_edge_points[std::size_t(m_first_on_edge[std::size_t(key)] + rank)];
   }
 
   std::int32_t rank_on_halfedge(const Corner_index h, const std::int32_t point) const
   {
     const std::int32_t rank = m_ranks[std::size_t(point)];
     return h == m_mesh.edge_key(h) ? rank + 1 : number_on_edge(h) - rank;
-  }
-
-  // The dart from point i on a halfedge to the next one.
-  std::int32_t dart_on_halfedge(const Corner_index h, const std::int32_t i) const
-  {
-    const Corner_index key = m_mesh.edge_key(h);
-    const std::int32_t first = m_first_part[std::size_t(key)];
-    return h == key ? 2 * (first + i) : 2 * (first + number_on_edge(h) - i) + 1;
   }
 
   // Those of the edges of the mesh, and those through faces.
@@ -350,7 +393,8 @@ private:
     return first[std::size_t(end.halfedge % 3)] + rank_on_halfedge(end.halfedge, point);
   }
 
-  bool is_inner(const std::int32_t point) const { return m_is_inner[std::size_t(point)] != 0; }
+  bool is_inner(const std::int32_t point) const
+  { return m_inner_nodes[std::size_t(point)] != no_index; }
 
   void add_step(const std::size_t i, const std::array<std::int32_t, 3>& first)
   {
@@ -433,18 +477,19 @@ private:
     }
   }
 
-  // From both sides of all arcs to what no arc separates from them.
+  // From both sides of all arcs to what no arc separates from them. Returns whether all was found.
   bool spread_patches()
   {
     m_patches.assign(m_cells.number_of_cells, no_index);
     std::vector<std::int32_t> found; // a dart of each cell
-    bool is_consistent = true;
     const auto set = [&](const std::int32_t dart, const Patch_index patch) {
       Patch_index& of_cell = m_patches[std::size_t(m_cells.cells[std::size_t(dart)])];
-      is_consistent = is_consistent && (of_cell == no_index || of_cell == patch);
-      if(of_cell == no_index)
+      if(of_cell == no_index) {
         found.push_back(dart);
-      of_cell = patch;
+        of_cell = patch;
+      } else if(of_cell != patch) {
+        m_joined.emplace_back(of_cell, patch);
+      }
     };
     for(std::size_t d = 0; d < m_cells.number_of_darts(); ++d) {
       const Half_arc_index half = m_half_arcs[d / 2];
@@ -461,7 +506,7 @@ private:
         d = m_cells.nexts[std::size_t(d)];
       } while(d != first);
     }
-    return is_consistent && found.size() == m_cells.number_of_cells;
+    return found.size() == m_cells.number_of_cells;
   }
 
   struct Local_dart
@@ -474,7 +519,7 @@ private:
   const Layout& m_layout;
   Cell_complex m_cells;
   std::vector<Face_point> m_points;           // per vertex of the cells
-  std::vector<char> m_is_inner;               // likewise: whether it lies inside of a face
+  std::vector<std::int32_t> m_inner_nodes;    // likewise: the node inside of a face, if it is one
   std::vector<std::int32_t> m_ranks;          // likewise: on its edge, if it lies on one
   std::vector<std::int32_t> m_points_of_nodes;
   std::vector<Edge_point> m_edge_points;      // sorted
@@ -485,7 +530,8 @@ private:
   std::vector<std::int32_t> m_edge_of_step, m_next_step, m_first_step; // lists of steps, per face
   std::vector<Flat_face_index> m_faces;       // per cell
   std::vector<Patch_index> m_patches;         // per cell
-  bool m_is_valid = false;
+  std::vector<std::pair<Patch_index, Patch_index> > m_joined;
+  bool m_is_covered = false;
 
   // Of the face that is being cut.
   std::vector<Star> m_stars;

@@ -58,6 +58,21 @@ inline std::vector<Uv> coordinates_around(const Chart_mesh& mesh, const std::siz
   return result;
 }
 
+inline std::size_t vertex_with_least_coordinates(const Chart_mesh& mesh,
+                                                 const std::vector<std::size_t>& vertices)
+{
+  std::size_t best = vertices.front();
+  std::vector<Uv> least = coordinates_around(mesh, best);
+  for(const std::size_t v : vertices) {
+    std::vector<Uv> coordinates = coordinates_around(mesh, v);
+    if(coordinates < least) {
+      least = std::move(coordinates);
+      best = v;
+    }
+  }
+  return best;
+}
+
 // A vertex of a wall if the part has one, as its curves make fewer patches; among these the one
 // with the least coordinates.
 inline std::size_t choose_seed(const Layout_domain& domain, std::vector<std::size_t>& vertices)
@@ -67,16 +82,7 @@ inline std::size_t choose_seed(const Layout_domain& domain, std::vector<std::siz
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [&](const std::size_t v)
                                   { return domain.is_on_wall[v] == 0; }),
                    vertices.end());
-  std::size_t best = vertices.front();
-  std::vector<Uv> least = coordinates_around(domain.mesh, best);
-  for(const std::size_t v : vertices) {
-    std::vector<Uv> coordinates = coordinates_around(domain.mesh, v);
-    if(coordinates < least) {
-      least = std::move(coordinates);
-      best = v;
-    }
-  }
-  return best;
+  return vertex_with_least_coordinates(domain.mesh, vertices);
 }
 
 // \pre all other starts are marked

@@ -14,7 +14,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Walls as curves: from corner to corner, or closed.
+// Walls as curves, from corner to corner, or closed; and oblique borders likewise.
 
 #include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +47,8 @@ public:
     for(std::size_t i = 0; i < m_mesh.corners.size(); ++i)
       if(m_domain.is_wall[i] && !m_is_done[i])
         add_walls_from(m_mesh.vertex(Corner_index(i)));
+    if(m_domain.has_oblique_border)
+      add_oblique_borders();
   }
 
 private:
@@ -55,11 +58,11 @@ private:
     for(std::size_t k = 0; k < rays.size(); ++k) {
       const Corner_index h = edge_of_ray(rays[k]);
       if(h != no_index && m_domain.is_wall[std::size_t(h)] && !m_is_done[std::size_t(h)])
-        add_wall(v, k, rays[k]);
+        add_wall(v, slots_of_vertex(m_domain, v).first_ray + std::int32_t(k), rays[k]);
     }
   }
 
-  void add_wall(const std::size_t v, const std::size_t slot, const Vertex_ray& ray)
+  void add_wall(const std::size_t v, const std::int32_t slot, const Vertex_ray& ray)
   {
     const Curve_index c = m_curves.add_curve(v, slot);
     Segment_walker walker(m_mesh, m_limits, ray);
@@ -81,6 +84,34 @@ private:
     wall.is_left_outside = is_border && last.exit.halfedge != last.along;
     wall.twice_length =
       m_curves.length_at_vertex(c, Segment_index(wall.segments.size() - 1)).doubled();
+  }
+
+  // Those that begin at starts come first: what is left then is closed.
+  void add_oblique_borders()
+  {
+    for(const bool is_closed : {false, true})
+      for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+        if(m_domain.is_oblique(h) && !m_is_done[std::size_t(h)] &&
+           (is_closed || m_domain.is_start(m_mesh.source(h))))
+          add_oblique_border(h, is_closed);
+  }
+
+  // With the surface at the left.
+  void add_oblique_border(const Corner_index first, const bool is_closed)
+  {
+    const Curve_index c = m_curves.add_curve(m_mesh.source(first), 0);
+    Corner_index h = first;
+    std::size_t end = 0;
+    do {
+      m_is_done[std::size_t(h)] = true;
+      m_curves.add_border_edge(c, h);
+      end = m_mesh.vertex(h);
+      h = border_edge_from(m_mesh, end);
+    } while(!m_domain.is_start(end) && h != first);
+    Layout_curve& border = m_curves[c];
+    border.is_wall = border.is_oblique = border.is_right_outside = true;
+    border.is_closed = is_closed;
+    border.twice_length = Exact_level(2 * double(border.segments.size()));
   }
 
   const Layout_domain& m_domain;

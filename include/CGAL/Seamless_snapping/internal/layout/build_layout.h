@@ -14,16 +14,20 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From curves that have run their course to points, arcs, and patches.
+// From curves that have run their course to points, arcs, and the order of arcs around patches.
 
 #include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
+#include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+
+#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,6 +42,7 @@ struct Curve_point
   Exact_level length; // of the curve up to there
   Point_index point;
   std::int32_t slot;  // in which the curve goes on
+  std::int32_t back;  // and that of the way back
   Segment_index begin, end;
 };
 
@@ -53,21 +58,22 @@ public:
   {
     add_starts();
     add_crossings();
-    return add_arcs() && link() && add_patches();
+    add_points_of_loops();
+    return add_arcs() && link();
   }
 
   Layout& layout() { return m_layout; }
 
 private:
-  void add_point(const Layout_place& place, const Start_kind start, const std::size_t slots)
+  void add_point(const Layout_place& place, const Start_kind start, const std::int32_t slots)
   {
     Layout_point point;
     point.place = place;
     point.start = start;
     point.first_slot = std::int32_t(m_layout.slots.size());
-    point.number_of_slots = std::int32_t(slots);
+    point.number_of_slots = slots;
     m_layout.points.push_back(point);
-    m_layout.slots.resize(m_layout.slots.size() + slots, no_index);
+    m_layout.slots.resize(m_layout.slots.size() + std::size_t(slots), no_index);
   }
 
   void add_starts()
@@ -76,32 +82,46 @@ private:
     for(std::size_t v = 0; v < m_mesh.number_of_vertices(); ++v) {
       if(!m_domain.is_start(v))
         continue;
-      Layout_place place;
-      place.place = Isocurve_place::VERTEX;
-      place.halfedge = m_mesh.corner_at_vertex[v];
-      make_unique(m_mesh, place);
       m_points_of_vertices[v] = Point_index(m_layout.points.size());
-      add_point(place, m_domain.starts[v], rays_from_vertex(m_mesh, v).size());
+      add_point(place_of_vertex(v), m_domain.starts[v], slots_of_vertex(m_domain, v).number);
     }
     for(Curve_index c = 0; c < Curve_index(m_curves.size()); ++c) {
       const Layout_curve& curve = m_curves[c];
       if(!curve.is_closed)
         m_on_curves.push_back({c, Exact_level(0.), m_points_of_vertices[curve.start],
-                               std::int32_t(curve.start_slot), 0, 0});
+                               curve.start_slot, no_index, 0, 0});
       if(curve.is_wall && !curve.is_closed)
         add_end_of_wall(c);
     }
   }
 
+  Layout_place place_of_vertex(const std::size_t v) const
+  {
+    Layout_place place;
+    place.place = Isocurve_place::VERTEX;
+    place.halfedge = m_mesh.corner_at_vertex[v];
+    make_unique(m_mesh, place);
+    return place;
+  }
+
   // Walls end where others start, in a slot which no curve goes on in.
   void add_end_of_wall(const Curve_index c)
   {
-    const Curve_segment& last = m_curves[c].segments.back();
     const Segment_index n = Segment_index(m_curves[c].segments.size());
-    const std::size_t slot = slot_of_arrival(m_mesh, last, m_curves.chord(c, n - 1).direction);
-    const std::size_t v = m_mesh.vertex(last.exit.halfedge);
+    const std::size_t v = m_mesh.vertex(m_curves[c].segments.back().exit.halfedge);
     m_on_curves.push_back({c, m_curves.length_at_vertex(c, n - 1), m_points_of_vertices[v],
-                           std::int32_t(slot), n, n - 1});
+                           no_index, slot_of_way_back(c, n - 1), n, n - 1});
+  }
+
+  // At the vertex that a segment ends at.
+  std::int32_t slot_of_way_back(const Curve_index c, const Segment_index s) const
+  {
+    const Curve_segment& segment = m_curves[c].segments[std::size_t(s)];
+    const Vertex_slots slots = slots_of_vertex(m_domain, m_mesh.vertex(segment.exit.halfedge));
+    return m_curves[c].is_oblique
+             ? slots.number - 1
+             : slots.first_ray + std::int32_t(slot_of_arrival(m_mesh, segment,
+                                                              m_curves.chord(c, s).direction));
   }
 
   void add_crossings()
@@ -119,11 +139,96 @@ private:
               { return compare(places[a], places[b]) < 0; });
     for(std::size_t i = 0; i < order.size(); ++i) {
       const std::size_t m = order[i];
-      if(i == 0 || compare(places[order[i - 1]], places[m]) != 0)
+      const bool is_new = i == 0 || compare(places[order[i - 1]], places[m]) != 0;
+      if(meetings[m]->kind == Meeting_kind::BORDER) {
+        if(is_new)
+          add_point_on_border(places[m]);
+        add_end_at_border(*meetings[m]);
+        continue;
+      }
+      if(is_new)
         add_point(places[m], Start_kind::NONE, 4);
       add_on_curve(meetings[m]->first, meetings[m]->place, turns[m]);
       add_on_curve(meetings[m]->second, meetings[m]->place, turns[m]);
     }
+  }
+
+  // A new point on an oblique border. Inside of an edge, two rays lead into the face.
+  void add_point_on_border(const Layout_place& place)
+  {
+    const bool is_vertex = place.place == Isocurve_place::VERTEX;
+    const std::size_t v = m_mesh.vertex(place.halfedge);
+    const std::int32_t n = is_vertex ? slots_of_vertex(m_domain, v).number : 4;
+    const Corner_index h = is_vertex ? border_edge_to(m_mesh, v) : place.halfedge;
+    const auto [curve, segment] = segment_on_border(h);
+    add_point(place, Start_kind::NONE, n);
+    const Exact_rational length(Exact_rational(segment) +
+                                (is_vertex ? Exact_rational(1) : parameter_on_edge(h, place.uv)));
+    m_on_curves.push_back({curve, Exact_level(length), Point_index(m_layout.points.size() - 1), 0,
+                           n - 1, segment + (is_vertex ? 1 : 0), segment});
+  }
+
+  Exact_rational parameter_on_edge(const Corner_index h, const Exact_uv& uv) const
+  {
+    const Exact_rational a(m_mesh.uv(Chart_mesh::prev(h))[0]), b(m_mesh.uv(h)[0]);
+    return Exact_rational((uv[0].exact() - a) / (b - a));
+  }
+
+  std::pair<Curve_index, Segment_index> segment_on_border(const Corner_index h)
+  {
+    if(m_on_border.empty())
+      for(Curve_index c = 0; c < Curve_index(m_curves.size()); ++c)
+        for(std::size_t s = 0; m_curves[c].is_oblique && s < m_curves[c].segments.size(); ++s)
+          m_on_border[m_curves[c].segments[s].along] = {c, Segment_index(s)};
+    return m_on_border.at(h);
+  }
+
+  // At the last point that was added.
+  void add_end_at_border(const Meeting& meeting)
+  {
+    const auto [curve, segment] = std::make_pair(meeting.first.curve, meeting.first.segment);
+    std::int32_t back = 0;
+    if(meeting.place.place == Isocurve_place::VERTEX) {
+      back = slot_of_way_back(curve, segment);
+    } else {
+      const Corner_index h = meeting.place.halfedge;
+      const Direction first = turned(quadrant(m_mesh.uv(Chart_mesh::prev(h)), m_mesh.uv(h)),
+                                     Quarter_turns::element(1)); // of the rays into the face
+      back = 1 + Quarter_turns::turns(turned(reversed(meeting.first.direction),
+                                             Quarter_turns::inverse(first)));
+    }
+    m_on_curves.push_back({curve, meeting.first.length, Point_index(m_layout.points.size() - 1),
+                           no_index, back, segment + 1, segment});
+  }
+
+  // Closed walls and borders that nothing has come to: each gets a point that no curve starts at.
+  void add_points_of_loops()
+  {
+    std::vector<char> has_point(m_curves.size(), false);
+    for(const Curve_point& p : m_on_curves)
+      has_point[std::size_t(p.curve)] = true;
+    for(Curve_index c = 0; c < Curve_index(m_curves.size()); ++c)
+      if(m_curves[c].is_closed && !has_point[std::size_t(c)])
+        add_point_of_loop(c);
+  }
+
+  void add_point_of_loop(const Curve_index c)
+  {
+    std::map<std::size_t, Segment_index> segments; // that end at each vertex
+    std::vector<std::size_t> vertices;
+    for(const Curve_segment& segment : m_curves[c].segments) {
+      const std::size_t v = m_mesh.vertex(segment.exit.halfedge);
+      segments[v] = Segment_index(vertices.size());
+      vertices.push_back(v);
+    }
+    const std::size_t v = vertex_with_least_coordinates(m_mesh, vertices);
+    const Segment_index s = segments[v];
+    const std::int32_t back = slot_of_way_back(c, s);
+    add_point(place_of_vertex(v), Start_kind::SEED,
+              m_curves[c].is_oblique ? slots_of_vertex(m_domain, v).number : 4);
+    m_on_curves.push_back({c, m_curves.length_at_vertex(c, s),
+                           Point_index(m_layout.points.size() - 1),
+                           m_curves[c].is_oblique ? 0 : (back + 2) % 4, back, s + 1, s});
   }
 
   // The last point that was added.
@@ -134,10 +239,10 @@ private:
     const Curve_segment& segment = m_curves[position.curve].segments[std::size_t(s)];
     const bool is_at_exit = is_at(position, place, segment.exit);
     const bool is_at_entry = !is_at_exit && is_at(position, place, segment.entry);
+    const Direction slot = turned(position.direction, turn);
     m_on_curves.push_back({position.curve, position.length,
-                           Point_index(m_layout.points.size() - 1),
-                           turned(position.direction, turn), s + (is_at_exit ? 1 : 0),
-                           s - (is_at_entry ? 1 : 0)});
+                           Point_index(m_layout.points.size() - 1), slot, reversed(slot),
+                           s + (is_at_exit ? 1 : 0), s - (is_at_entry ? 1 : 0)});
   }
 
   // Whether a point of a segment is this end of it. On a mesh where both ends of a segment may lie
@@ -186,11 +291,8 @@ private:
 
   bool add_arc(const Curve_point& a, const Curve_point& b)
   {
-    const Layout_curve& curve = m_curves[a.curve];
-    const bool is_end =
-      curve.is_wall && !curve.is_closed && *curve.twice_length == b.length.doubled();
-    return add_arc(a, b, is_end ? b.slot : behind(b), b.length.minus(a.length),
-                   {a.curve, a.begin, b.end, false}, {a.curve, 0, 0, false});
+    return add_arc(a, b, b.back, b.length.minus(a.length), {a.curve, a.begin, b.end, false},
+                   {a.curve, 0, 0, false});
   }
 
   // From the last point of a closed wall to the first.
@@ -199,7 +301,7 @@ private:
     const Layout_curve& curve = m_curves[a.curve];
     const Segment_index n = Segment_index(curve.segments.size());
     const Exact_level length = m_curves.length_at_vertex(a.curve, n - 1);
-    return add_arc(a, b, behind(b), length.minus(a.length).minus(b.length.negated()),
+    return add_arc(a, b, b.back, length.minus(a.length).minus(b.length.negated()),
                    {a.curve, a.begin, n, false}, {a.curve, 0, b.end, false});
   }
 
@@ -223,25 +325,23 @@ private:
                    {a.curve, a.begin, curve.last, false}, {b.curve, b.begin, partner.last, true});
   }
 
-  // The slot of the way back, where a curve runs straight on.
-  static std::int32_t behind(const Curve_point& p) { return (p.slot + 2) % 4; }
-
   bool add_arc(const Curve_point& a, const Curve_point& b, const std::int32_t slot_of_b,
                const Exact_level& length, const Curve_piece& first, const Curve_piece& second)
   {
     const Half_arc_index h = Half_arc_index(2 * m_layout.arcs.size());
-    m_layout.arcs.push_back(
-      {{a.point, b.point}, length, {first, second}, m_curves[a.curve].is_wall});
+    const Layout_curve& curve = m_curves[a.curve];
+    m_layout.arcs.push_back({{a.point, b.point}, curve.is_oblique ? Exact_level(0.) : length,
+                             {first, second}, curve.is_wall, curve.is_oblique});
     m_layout.half_arcs.resize(std::size_t(h) + 2);
-    m_layout.half_arcs[std::size_t(h)].is_outside = m_curves[a.curve].is_left_outside;
-    m_layout.half_arcs[std::size_t(h) + 1].is_outside = m_curves[a.curve].is_right_outside;
+    m_layout.half_arcs[std::size_t(h)].is_outside = curve.is_left_outside;
+    m_layout.half_arcs[std::size_t(h) + 1].is_outside = curve.is_right_outside;
     return occupy(a.point, a.slot, h) && occupy(b.point, slot_of_b, twin(h));
   }
 
   bool occupy(const Point_index p, const std::int32_t slot, const Half_arc_index h)
   {
     Layout_point& point = m_layout.points[std::size_t(p)];
-    if(slot >= point.number_of_slots || slot_of(point, slot) != no_index)
+    if(slot < 0 || slot >= point.number_of_slots || slot_of(point, slot) != no_index)
       return false;
     slot_of(point, slot) = h;
     ++point.degree;
@@ -264,7 +364,8 @@ private:
           continue;
         Half_arc& arriving = m_layout.half_arcs[std::size_t(twin(h))];
         arriving.next = slot_of(point, previous);
-        arriving.turns = (s - previous + n - 1) % n + 1;
+        if(!m_layout.arc(h).is_oblique && !m_layout.arc(arriving.next).is_oblique)
+          arriving.turns = (s - previous + n - 1) % n + 1;
         previous = s;
       }
     }
@@ -279,51 +380,6 @@ private:
     return s;
   }
 
-  bool add_patches()
-  {
-    for(Half_arc_index h = 0; h < Half_arc_index(m_layout.half_arcs.size()); ++h) {
-      const Half_arc& half = m_layout.half(h);
-      if(half.patch == no_index && !half.is_outside && !add_patch(h))
-        return false;
-    }
-    return true;
-  }
-
-  bool add_patch(const Half_arc_index any)
-  {
-    Half_arc_index first = any, h = any;
-    while(m_layout.half(first).turns != 1) { // the next half starts at a corner
-      first = m_layout.half(first).next;
-      if(first == any)
-        return false;
-    }
-    Layout_patch patch;
-    std::size_t side = 0;
-    h = first = m_layout.half(first).next;
-    do {
-      Half_arc& half = m_layout.half_arcs[std::size_t(h)];
-      if(half.turns > 2 || half.is_outside || side == 4)
-        return false;
-      half.patch = Patch_index(m_layout.patches.size());
-      patch.sides[side].push_back(h);
-      side += half.turns == 1 ? 1 : 0;
-      h = half.next;
-    } while(h != first);
-    patch.width = length(patch.sides[0]);
-    patch.height = length(patch.sides[1]);
-    m_layout.patches.push_back(patch);
-    return side == 4 && patch.width == length(patch.sides[2]) &&
-           patch.height == length(patch.sides[3]);
-  }
-
-  Exact_level length(const std::vector<Half_arc_index>& side) const
-  {
-    Exact_level sum(0.);
-    for(const Half_arc_index h : side)
-      sum = sum.minus(m_layout.arc(h).length.negated());
-    return sum;
-  }
-
   const Layout_domain& m_domain;
   const Chart_mesh& m_mesh;
   const Curve_race& m_race;
@@ -331,19 +387,8 @@ private:
   Layout m_layout;
   std::vector<Point_index> m_points_of_vertices;
   std::vector<Curve_point> m_on_curves;
+  std::map<Corner_index, std::pair<Curve_index, Segment_index> > m_on_border; // by halfedges
 };
-
-// Of a closed cell complex, the Euler characteristic is that of the surface if and only if all
-// patches are discs, as none of them has no border.
-inline bool has_right_euler_characteristic(const Chart_mesh& mesh, const Layout& layout)
-{
-  std::ptrdiff_t expected = std::ptrdiff_t(mesh.number_of_vertices()) +
-                            std::ptrdiff_t(mesh.number_of_faces());
-  for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-    expected -= mesh.represents_edge(h) ? 1 : 0;
-  return expected == std::ptrdiff_t(layout.points.size()) - std::ptrdiff_t(layout.arcs.size()) +
-                       std::ptrdiff_t(layout.patches.size());
-}
 
 } // namespace internal
 } // namespace Seamless_snapping
