@@ -29,12 +29,13 @@ struct Layout_options
   bool parse(const Arguments& arguments)
   {
     Options options("layout IN OUT",
-                    "Makes a parametrization exactly seamless, with its border aligned, and divides\n"
-                    "the surface into rectangles: curves start at all cones and corners, and end\n"
-                    "where they meet one that has been there before. IN is a .obj file, a .ply file\n"
-                    "with a list 'texcoord' for each face, or - for the standard input; OUT is a\n"
-                    ".obj file with a group of faces for each rectangle, and an element 'l' for\n"
-                    "each arc.\n");
+                    "Makes a parametrization exactly seamless, with its border aligned where it is\n"
+                    "nearly so, and divides the surface into rectangles: curves start at all cones\n"
+                    "and corners, and end where they meet one that has been there before. Where the\n"
+                    "border is not aligned, patches can have any shape. IN is a .obj file, a .ply\n"
+                    "file with a list 'texcoord' for each face, or - for the standard input; OUT is\n"
+                    "a .obj file with a group of faces for each patch, those that are no rectangles\n"
+                    "also in the group 'cut', and an element 'l' for each arc.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
@@ -93,10 +94,13 @@ void layout(const Arguments& arguments)
     write_file(options.picture, picture.str());
   }
   std::size_t junctions = 0;
+  const std::size_t cut = graph.number_of_cut_patches();
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
     junctions += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 1 : 0;
   summary_stream({options.output, options.picture})
-    << graph.number_of_patches() << " rectangles, " << graph.number_of_arcs() << " arcs between "
+    << graph.number_of_patches() - cut << " rectangles, "
+    << (cut > 0 ? std::to_string(cut) + (cut == 1 ? " patch" : " patches") + " cut by the border, "
+                : "") << graph.number_of_arcs() << " arcs between "
     << graph.number_of_nodes() - junctions << " cones and corners and " << junctions
     << " points at which curves meet\n";
 }

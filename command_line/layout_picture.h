@@ -117,8 +117,8 @@ private:
     m_colors.assign(graph.number_of_patches(), n);
     for(std::size_t p = 0; p < m_colors.size(); ++p) {
       std::set<std::size_t> taken;
-      for(std::size_t side = 0; side < 4; ++side)
-        for(const std::size_t h : graph.patch_side(p, side)) {
+      for(const auto& cycle : graph.patch_cycles(p))
+        for(const std::size_t h : cycle) {
           const std::size_t q = graph.patch(graph.opposite(h));
           if(q != graph.null_patch)
             taken.insert(m_colors[q]);

@@ -54,6 +54,7 @@ enum class Meeting_kind : char
 {
   CROSSING, // `second` is there before `first`, or has the right of way
   HEAD_ON,  // both come along the same line; the place and their own lengths are not set
+  HEAD_ON_AT_VERTEX, // likewise, at the same time, and both wait there
   TRAIL,    // `first` comes to where `second` has ended, which came along the same line; likewise
   BORDER    // `first` comes to an oblique border; there is no `second`
 };
@@ -174,6 +175,7 @@ private:
       const Curve_index c = m_curves.add_curve(v, first_slot + std::int32_t(k));
       m_walkers.resize(m_curves.size() - m_first_trace);
       m_walkers.back() = std::make_unique<Segment_walker>(m_mesh, m_limits, rays[k]);
+      m_is_waiting.push_back(false);
       m_advances.push({0, c});
     }
   }
@@ -189,6 +191,8 @@ private:
   bool advance(const Curve_index c)
   {
     std::unique_ptr<Segment_walker>& walker = m_walkers[std::size_t(c) - m_first_trace];
+    if(is_waiting(c))
+      return true;
     if(m_curves[c].twice_length || walker->advance() != Isocurve_status::CONTINUES) {
       walker.reset();
       return true;
@@ -205,7 +209,7 @@ private:
       add_end_at_border(c, segment);
     if(ends_at_obstacle(segment.exit))
       walker.reset();
-    else
+    else if(!is_waiting(c))
       m_advances.push({time_at_exit(segment), c});
     return true;
   }
@@ -263,6 +267,8 @@ private:
 
   bool is_wall(const Curve_index c) const { return std::size_t(c) < m_first_trace; }
 
+  char& is_waiting(const Curve_index c) { return m_is_waiting[std::size_t(c) - m_first_trace]; }
+
   void compare_chords(const Chord& a, const Chord& b, const Flat_face_index face)
   {
     if(constant_component(a.direction) != constant_component(b.direction))
@@ -305,13 +311,34 @@ private:
       return;
     const std::size_t slot_a = slot_behind(a, last), slot_b = slot_behind(b, s);
     if((slot_a + slot_b) % 2 == 0)
-      return; // they meet in a face
+      return slot_a == slot_b ? void() : wait_for_each_other(a, b, s);
     Meeting meeting;
     meeting.place.place = Isocurve_place::VERTEX;
     meeting.place.halfedge = m_curves[a].segments.back().exit.halfedge;
     meeting.first = {a, last, m_curves.length_at_vertex(a, last), Direction(slot_a)};
     meeting.second = {b, s, m_curves.length_at_vertex(b, s), Direction(slot_b)};
     add_crossing(meeting);
+  }
+
+  // Who comes to a vertex from opposite sides at the same time does not walk on beside the other
+  // one. If they don't come at the same time, they meet in a face.
+  void wait_for_each_other(Curve_index a, Curve_index b, const Segment_index s)
+  {
+    const Segment_index last_a = Segment_index(m_curves[a].segments.size() - 1);
+    const Segment_index last_b = Segment_index(m_curves[b].segments.size() - 1);
+    if(is_wall(b) || last_b != s)
+      return;
+    const Exact_level length = m_curves.length_at_vertex(a, last_a);
+    if(!(length == m_curves.length_at_vertex(b, s)))
+      return;
+    is_waiting(a) = is_waiting(b) = true;
+    Meeting meeting;
+    meeting.kind = Meeting_kind::HEAD_ON_AT_VERTEX;
+    meeting.twice_time = length.doubled();
+    // the arc of both comes to the vertex by the segment of that with the lower number
+    meeting.first = {a, last_a + (a < b ? 0 : 1), Exact_level(), Quarter_turns::identity()};
+    meeting.second = {b, last_b + (b < a ? 0 : 1), Exact_level(), Quarter_turns::identity()};
+    add(meeting);
   }
 
   // At a vertex that is no start, in quarter turns from its first ray.
@@ -359,6 +386,8 @@ private:
       return cross(m, meeting);
     case Meeting_kind::HEAD_ON:
       return meet_head_on(Meeting(meeting));
+    case Meeting_kind::HEAD_ON_AT_VERTEX:
+      return meet_at_vertex(meeting);
     case Meeting_kind::TRAIL:
       if(reaches(meeting.first.curve, meeting.twice_time))
         m_curves[meeting.first.curve].twice_length = meeting.twice_time;
@@ -389,8 +418,8 @@ private:
     const bool comes_first = reaches(meeting.first.curve, meeting.twice_time);
     const bool comes_second = reaches(meeting.second.curve, meeting.twice_time);
     if(comes_first && comes_second) {
-      end_head_on(meeting.first, meeting.second, meeting.twice_time);
-      end_head_on(meeting.second, meeting.first, meeting.twice_time);
+      end_head_on(meeting.first, meeting.second.curve, meeting.twice_time);
+      end_head_on(meeting.second, meeting.first.curve, meeting.twice_time);
     } else if(comes_first || comes_second) {
       if(comes_second)
         std::swap(meeting.first, meeting.second);
@@ -401,16 +430,29 @@ private:
     }
   }
 
-  void end_head_on(const Curve_position& position, const Curve_position& other,
+  // Where one of them has ended before, the other one runs on.
+  void meet_at_vertex(const Meeting& meeting)
+  {
+    const Curve_index a = meeting.first.curve, b = meeting.second.curve;
+    const bool comes_a = reaches(a, meeting.twice_time), comes_b = reaches(b, meeting.twice_time);
+    if(comes_a && comes_b) {
+      end_head_on(meeting.first, b, meeting.twice_time);
+      end_head_on(meeting.second, a, meeting.twice_time);
+    } else if(comes_a || comes_b) {
+      is_waiting(comes_a ? a : b) = false;
+      m_advances.push({lower_bound(meeting.twice_time) / 2, comes_a ? a : b});
+    }
+  }
+
+  void end_head_on(const Curve_position& position, const Curve_index other,
                    const Exact_level& twice_time)
   {
     Layout_curve& curve = m_curves[position.curve];
     curve.twice_length = twice_time;
     if(curve.partner != no_index)
       return;
-    curve.partner = other.curve;
+    curve.partner = other;
     curve.last = position.segment;
-    curve.last_of_partner = other.segment;
   }
 
   // The same meeting, found in another face.
@@ -427,6 +469,7 @@ private:
   Walk_limits m_limits;
   std::size_t m_first_trace = 0;
   std::vector<std::unique_ptr<Segment_walker> > m_walkers; // of traces that run on
+  std::vector<char> m_is_waiting;                          // per trace: at a vertex
   std::priority_queue<Advance> m_advances;
   std::vector<Meeting> m_meetings;
   Later_meeting m_later;

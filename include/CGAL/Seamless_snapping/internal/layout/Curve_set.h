@@ -70,8 +70,8 @@ struct Layout_curve
   bool is_closed = false;                // it is a wall that ends where it starts, at no corner
   bool is_left_outside = false, is_right_outside = false;
   std::optional<Exact_level> twice_length; // unless it runs on
-  Curve_index partner = no_index;        // that it meets head on, at the end of both, in these
-  Segment_index last = no_index, last_of_partner = no_index; // segments
+  Curve_index partner = no_index;        // that it meets head on, at the end of both
+  Segment_index last = no_index;         // in which it does
 };
 
 // Which of the rays around the vertex that a segment ends at leads back along it.
