@@ -17,6 +17,7 @@
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/Rotational_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -595,6 +596,114 @@ void test_large_system(const unsigned int times, const double closeness = 1.01)
             << std::endl;
 }
 
+// --- integer-grid maps ---------------------------------------------------------------------------
+
+bool is_integer(const Rational& x)
+{
+  return x == Rational(std::round(CGAL::to_double(x)));
+}
+
+// Whether translations and cones are points of the lattice, and given edges on its lines.
+template <int N>
+bool is_integer_grid(const Mesh& mesh, const UV_map uv,
+                     const std::map<Mesh::Edge_index, int>& lines)
+{
+  for(const Halfedge h : mesh.halfedges()) {
+    const Exact_vector u = lattice_walk::exact_point(uv[h]);
+    const Vertex v = mesh.target(h);
+    if(!mesh.is_border(h) && !mesh.is_border(v) && mesh.degree(v) != 6 &&
+       !(is_integer(u[0]) && is_integer(u[1])))
+      return false;
+    if(!is_interior(mesh, h))
+      continue;
+    const Halfedge o = mesh.opposite(h);
+    const Exact_vector here = exact_vector(uv[mesh.prev(h)], uv[h]);
+    const Exact_vector there = exact_vector(uv[o], uv[mesh.prev(o)]);
+    bool is_some = false;
+    for(int k = 0; k < N; ++k) {
+      const Exact_vector t =
+        lattice_walk::sum(lattice_walk::exact_point(uv[mesh.prev(o)]), Rational(-1),
+                          turned<N>(k, u));
+      is_some = is_some || (turned<N>(k, here) == there && is_integer(t[0]) && is_integer(t[1]));
+    }
+    if(!is_some)
+      return false;
+  }
+  for(const auto& [e, f] : lines) {
+    const Halfedge h = mesh.is_border(mesh.halfedge(e)) ? mesh.opposite(mesh.halfedge(e))
+                                                        : mesh.halfedge(e);
+    for(const Halfedge end : {h, mesh.prev(h)})
+      if(!is_integer(random_complexes::value(f, lattice_walk::exact_point(uv[end]))))
+        return false;
+  }
+  return true;
+}
+
+// With noise, and much larger, so that all integers are others; some edges on lines of the lattice.
+template <int N>
+void test_integer_grid(Mesh mesh, const std::string& name)
+{
+  const UV_map uv = uv_map(mesh);
+  auto is_aligned = mesh.add_property_map<Mesh::Edge_index, bool>("e:aligned", false).first;
+  for(const double scale : {1., 2.3, 3.1})
+    for(const bool aligns : {false, true}) {
+      const std::string context = "integer grid, " + name + ", N = " + std::to_string(N) +
+                                  ", scale " + std::to_string(scale) +
+                                  (aligns ? ", aligned" : "");
+      unfold(mesh, uv);
+      std::mt19937 random(4);
+      std::map<Mesh::Edge_index, int> lines;
+      for(const auto e : mesh.edges()) {
+        is_aligned[e] = aligns && (random() % 8 == 0 || mesh.is_border(e));
+        const Halfedge h = mesh.is_border(mesh.halfedge(e)) ? mesh.opposite(mesh.halfedge(e))
+                                                            : mesh.halfedge(e);
+        const Vector v = vector(uv[mesh.prev(h)], uv[h]);
+        if(is_aligned[e])
+          lines[e] = v[0] == 0 ? 0 : v[1] == 0 ? 1 : 2;
+      }
+      CHECK_IN(context, is_integer_grid<N>(mesh, uv, lines));
+      const auto symmetric = symmetry<N>().edge_is_constrained_map(is_aligned);
+      CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetric));
+      perturb(mesh, uv, std::ldexp(1., -20), random);
+      const std::vector<int> before = signs(mesh, uv);
+      const auto report = SS::snap_to_seamless(
+        mesh, uv, symmetric.integer_grid(true).grid_scale(scale).rounding_tolerance(10));
+      CHECK_IN(context + ": " + report.message, bool(report));
+      // roundings of several units may turn faces, which are told
+      CHECK_IN(context, report.lost_faces.empty() || report.largest_rounding > 3);
+      CHECK_IN(context, report.lost_faces.empty() == (signs(mesh, uv) == before));
+      CHECK_IN(context, is_exact<N>(mesh, uv) && is_integer_grid<N>(mesh, uv, lines));
+      const auto measure = SS::measure_integer_grid(mesh, uv, symmetric);
+      CHECK_IN(context, bool(measure) && measure.translation_distance == 0 &&
+                          measure.cone_distance == 0 && measure.alignment_distance == 0 &&
+                          measure.number_of_aligned_edges == lines.size() &&
+                          measure.number_of_nonpositive_faces == report.lost_faces.size());
+      // as large as asked for, up to the rounding
+      const double area = scale * scale * double(mesh.number_of_faces()) / 2;
+      CHECK_IN(context, std::abs(measure.area / area - 1) < (scale == 1 ? 1e-5 : 0.5));
+      std::cout << context << ": rounded by " << report.largest_rounding << ", area "
+                << measure.area / area << std::endl;
+    }
+}
+
+// What is beside the lattice is counted, by however little.
+void test_integer_grid_measure()
+{
+  Mesh mesh = subdivided(icosahedron(), 1);
+  const UV_map uv = uv_map(mesh);
+  unfold(mesh, uv);
+  const auto np = symmetry<6>();
+  for(const Halfedge h : mesh.halfedges())
+    uv[h] = moved(uv[h], {{0.25, std::ldexp(1., -40)}}); // in all charts alike, unlike rotations
+  const auto measure = SS::measure_integer_grid(mesh, uv, np);
+  CHECK(measure.is_exactly_seamless && !measure);
+  CHECK(measure.number_of_cones == 12 && measure.number_of_noninteger_cones == 12);
+  CHECK(measure.cone_distance == 0.25 && measure.translation_distance > 0.2);
+  CHECK(!SS::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
+  const auto refused = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
+  CHECK_IN(refused.message, refused.status == SS::Snapping_status::NOT_INTEGER);
+}
+
 // --- isocurves -----------------------------------------------------------------------------------
 
 using Start = SS::Isocurve_start<Mesh>;
@@ -613,6 +722,22 @@ void scatter(const Mesh& mesh, UV_map uv, const double size, std::mt19937& rando
       for(const Halfedge h : CGAL::halfedges_around_target(v, mesh))
         if(!mesh.is_border(h))
           uv[h] = moved(uv[h], d);
+  }
+}
+
+// Moves vertices at no cut off the axes, so little that u + v is rounded to what it was.
+void nudge(const Mesh& mesh, UV_map uv, std::mt19937& random)
+{
+  for(const Vertex v : mesh.vertices()) {
+    const double by = std::ldexp(int(random() % 5) - 2, -70);
+    const auto nudged = [&](const double x) { return x == 0 ? by : x; };
+    bool is_at_cut = false;
+    for(const Halfedge h : CGAL::halfedges_around_target(v, mesh))
+      is_at_cut = is_at_cut || !is_interior(mesh, h) || is_cut(mesh, uv, h) ||
+                  is_cut(mesh, uv, mesh.opposite(h));
+    if(!is_at_cut)
+      for(const Halfedge h : CGAL::halfedges_around_target(v, mesh))
+        uv[h] = Kernel::Point_2(nudged(uv[h].x()), nudged(uv[h].y()));
   }
 }
 
@@ -715,8 +840,10 @@ void test_isocurves(Mesh mesh, const std::string& name)
   std::mt19937 random(1);
   const UV_map uv = uv_map(mesh);
   unfold(mesh, uv);
-  for(const std::string kind : {"lattice", "warped", "snapped", "scattered"}) {
+  for(const std::string kind : {"lattice", "nudged", "warped", "snapped", "scattered"}) {
     const std::string context = "isocurves, " + name + ", N = " + std::to_string(N) + ", " + kind;
+    if(kind == "nudged")
+      nudge(mesh, uv, random);
     if(kind == "warped")
       warp<N>(mesh, uv, 0.125, random);
     if(kind == "snapped") {
@@ -875,8 +1002,6 @@ void test_wrong_symmetries()
   CHECK(report.status == SS::Snapping_status::NOT_SEAMLESS);
   CHECK(report.message.find("N = ") == std::string::npos);
   CHECK(report.message.find("tolerance") != std::string::npos);
-  const auto refused = SS::snap_to_seamless(six, six_uv, symmetry<3>().integer_grid(true));
-  CHECK(refused.status == SS::Snapping_status::INVALID_ARGUMENT);
 }
 
 // --- a real map ----------------------------------------------------------------------------------
@@ -933,8 +1058,12 @@ int main()
   test_closeness<3>();
   test_closeness<4>();
   test_closeness<6>();
-  for(const Case& c : meshes_of_six_directions())
+  for(const Case& c : meshes_of_six_directions()) {
+    test_integer_grid<6>(c.mesh, c.name);
     test_isocurves<6>(c.mesh, c.name);
+  }
+  test_integer_grid<3>(subdivided(octahedron(), 2), "octahedron");
+  test_integer_grid_measure();
   test_isocurves<3>(subdivided(octahedron(), 1), "octahedron");
   test_isocurves_of_both_kinds();
   test_isocurve_constraints();

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -58,7 +59,8 @@ struct Integer_grid_measure
   double cone_distance = 0; ///< the largest distance of a coordinate of a cone from an integer
   /// the largest distance of an aligned edge from a line of the grid
   double alignment_distance = 0;
-  double area = 0; ///< in units of one quad
+  /// in units of one quad; in lattice coordinates, of two triangles of the lattice
+  double area = 0;
 
   /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
   /// looked at.
@@ -71,7 +73,8 @@ struct Integer_grid_measure
 
 namespace internal {
 
-inline void measure_cuts_and_cones(const Chart_mesh& mesh, Integer_grid_measure& measure)
+template <typename Group>
+void measure_cuts_and_cones(const Basic_chart_mesh<Group>& mesh, Integer_grid_measure& measure)
 {
   for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
     const std::int32_t t = mesh.corners[i].transition;
@@ -96,15 +99,19 @@ inline void measure_cuts_and_cones(const Chart_mesh& mesh, Integer_grid_measure&
 }
 
 // Of the component that changes less.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double distance_to_grid_line(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
 {
   if(is_border(h, tmesh))
     h = opposite(h, tmesh);
   const Uv a = get_uv(uv_map, prev(h, tmesh)), b = get_uv(uv_map, h);
-  const Uv distances{(std::max)(distance_to_integer(a[0]), std::abs(b[0] - a[0])),
-                     (std::max)(distance_to_integer(a[1]), std::abs(b[1] - a[1]))};
-  return (std::min)(distances[0], distances[1]);
+  const auto distance = [](const auto& component, const double change)
+  { return (std::max)(distance_to_integer(component), std::abs(change)); };
+  const double result = (std::min)(distance(a[0], b[0] - a[0]), distance(a[1], b[1] - a[1]));
+  if constexpr(Group::is_signed_permutation)
+    return result;
+  else
+    return (std::min)(result, distance(component<Group>(a, 2), change_of_sum(a, b)));
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -117,13 +124,14 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
     return measure;
   measure.is_seamless_up_to_tolerance = true;
   measure.is_exactly_seamless = seams.is_exact();
-  const Chart_mesh mesh =
+  using Group = Ray_group<decltype(seams)::order>;
+  const Basic_chart_mesh<Group> mesh =
     build_chart_mesh(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = area(mesh);
   for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    const double distance = distance_to_grid_line(tmesh, uv_map, h);
+    const double distance = distance_to_grid_line<Group>(tmesh, uv_map, h);
     ++measure.number_of_aligned_edges;
     measure.number_of_unaligned_edges += distance != 0 ? 1 : 0;
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
@@ -139,7 +147,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
 
 measures how far a parametrization is from an integer-grid map: an exactly seamless one whose
 translations and cones have integer coordinates, and in which the edges that are asked for lie on
-isocurves of integer coordinates.
+isocurves of integer coordinates. With `rotational_symmetry` of order 3 and 6, coordinates are those
+of the triangular lattice, and \f$ u + v \f$ is one for the latter.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

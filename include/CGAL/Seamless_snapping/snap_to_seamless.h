@@ -161,10 +161,10 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
                           levels of aligned edges become integers, the nearest ones up to what they
                           have to agree on. Where they are farther away than noise would be, the
-                          change is spread over the surface. See `extract_quad_mesh()`.}
+                          change is spread over the surface. See `extract_quad_mesh()`. With
+                          \f$ N = 3, 6 \f$, these are points and lines of the triangular lattice.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{With \f$ N = 3, 6 \f$, this is refused as `INVALID_ARGUMENT`.}
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
     \cgalParamDescription{a positive number that the coordinates are multiplied by first}

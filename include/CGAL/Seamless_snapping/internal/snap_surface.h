@@ -56,8 +56,7 @@ namespace internal {
 constexpr double negligible_rounding = 1e-4;
 
 // \tparam Given see Given_transitions
-// \tparam may_round whether rounding to an integer-grid map is compiled. Lattice coordinates are
-//         not rounded one by one.
+// \tparam may_round whether rounding to an integer-grid map is compiled
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
           typename Given, bool may_round>
 class Surface_snapper
@@ -85,10 +84,6 @@ private:
   {
     if(faces(m_tmesh).size() == 0)
       return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
-    if(m_options.rounds && !Group::is_signed_permutation)
-      return Refusal{Snapping_status::INVALID_ARGUMENT, "integer_grid needs a rotational symmetry "
-                     "of order 1, 2, or 4; leave it out, or state the integers as corner "
-                     "constraints", {}};
     const auto transitions =
       read_transitions<Group>(m_tmesh, m_uv_map, m_vertex_indices, m_options.has_given_indices,
                               m_given, m_options.tolerance);
@@ -316,7 +311,7 @@ template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typenam
 Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                              const NamedParameters& np)
 {
-  constexpr bool may_round = Group::is_signed_permutation &&
+  constexpr bool may_round =
     !CGAL::parameters::is_default_parameter<NamedParameters,
                                             CGAL::internal_np::integer_grid_t>::value;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);

@@ -61,7 +61,6 @@ class Integer_rounding
   using Vector = typename Complex::Vector;
   using Element = typename Group::Element;
   static constexpr std::size_t dimension = Group::dimension;
-  static_assert(Group::is_signed_permutation, "coordinates are rounded one by one");
 
 public:
   // \param is_cone per vertex of the complex
@@ -112,14 +111,13 @@ private:
   {
     std::vector<std::pair<Sector_index, Element> > sectors(1, {root, Group::identity()});
     is_reached[std::size_t(root - first)] = true;
-    std::array<bool, dimension> is_free;
-    is_free.fill(true);
+    std::array<bool, std::size_t(Group::number_of_functionals)> is_fixed{};
     for(std::size_t i = 0; i < sectors.size(); ++i) {
       const auto [s, g] = sectors[i];
       for(const int* f = m_links.functionals_begin(s); f != m_links.functionals_end(s); ++f)
-        is_free[turned_coordinate(Group::inverse(g), std::size_t(*f))] = false;
+        is_fixed[std::size_t(Group::act(Group::inverse(g), *f).index)] = true;
       if(m_links.is_pinned(s))
-        is_free.fill(false);
+        is_fixed.fill(true);
       for(auto link = m_links.begin(s); link != m_links.end(s); ++link)
         if(link->sector >= first && link->sector < end &&
            !is_reached[std::size_t(link->sector - first)]) {
@@ -127,12 +125,7 @@ private:
           sectors.emplace_back(link->sector, Group::compose(link->element, g));
         }
     }
-    Vector origin = m_complex.coordinates[std::size_t(root)];
-    for(std::size_t c = 0; c < dimension; ++c)
-      if(!is_free[c])
-        origin[c] = 0;
-      else
-        m_shifted.equations.push_back({{{root, int(c), Exact_rational(1)}}, Exact_rational(0)});
+    const Vector origin = add_origin(root, is_fixed);
     for(const auto& [s, g] : sectors) {
       const Vector shift = Group::apply(g, origin);
       for(std::size_t c = 0; c < dimension; ++c)
@@ -140,10 +133,27 @@ private:
     }
   }
 
-  // Which coordinate `c` becomes.
-  static std::size_t turned_coordinate(const Element g, const std::size_t c)
+  // By what the sector is moved, so that coordinates become 0 and the fixed functionals stay. Adds
+  // the equations of the former.
+  template <typename IsFixed>
+  Vector add_origin(const Sector_index s, const IsFixed& is_fixed)
   {
-    return Group::matrix(g)[0][c] != 0 ? 0 : 1;
+    const Vector& u = m_complex.coordinates[std::size_t(s)];
+    Vector origin{};
+    const auto move = [&](const std::size_t c) {
+      origin[c] = u[c];
+      m_shifted.equations.push_back({{{s, int(c), Exact_rational(1)}}, Exact_rational(0)});
+    };
+    const auto number = std::count(is_fixed.begin(), is_fixed.end(), true);
+    if(number > 1)
+      return origin;
+    if(!is_fixed[0])
+      move(0);
+    if(is_fixed[0] || number == 0)
+      move(1);
+    if(number == 1 && !is_fixed[0] && !is_fixed[1]) // u + v stays
+      origin[1] = -origin[0];
+    return origin;
   }
 
   void collect(const Reduced_system<Group>& system, const Linear_solver& solver,
@@ -180,13 +190,18 @@ private:
         roundings.push_back(translation_is(b, c, rounded));
       }
     for(std::size_t i = 0; i < m_complex.number_of_chains(); ++i) {
-      const std::size_t c = std::size_t(m_complex.functional[i]);
+      const int f = m_complex.functional[i];
       const Sector_index s = *m_complex.links_begin(i);
-      const double rounded = value(system.level(i) >= 0 ? system.level(i)
-                                                        : system.unknown(s) + Column_index(c));
-      roundings.push_back({Rounding<Group>::CHAIN, i, rounded,
-                           std::abs(rounded - m_complex.coordinates[std::size_t(s)][c]),
-                           {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
+      const Vector at_node{value(system.unknown(s)), value(system.unknown(s) + 1)};
+      const double rounded =
+        system.level(i) >= 0 ? value(system.level(i)) : Group::value(f, at_node);
+      typename Complex::Equation equation{{}, Exact_rational(rounded)};
+      for(std::size_t c = 0; c < dimension; ++c)
+        if(Group::functional(f)[c] != 0)
+          equation.terms.push_back({s, int(c), Exact_rational(Group::functional(f)[c])});
+      const double level = Group::value(f, m_complex.coordinates[std::size_t(s)]);
+      roundings.push_back({Rounding<Group>::CHAIN, i, rounded, std::abs(rounded - level),
+                           std::move(equation)});
     }
   }
 

@@ -51,12 +51,28 @@ class Rounding_spreader
   using Vector = typename Cut_complex<Group>::Vector;
   using Element = typename Group::Element;
   static constexpr std::size_t dimension = Group::dimension;
+  static constexpr std::size_t number_of_functionals = std::size_t(Group::number_of_functionals);
 
   struct Place
   {
     std::size_t vertex;
     Element element;
     Vector offset;
+  };
+
+  // Unknowns times their signs, and a number.
+  struct Form
+  {
+    std::array<std::pair<std::size_t, int>, 4> terms;
+    std::size_t size = 0;
+    double constant = 0;
+
+    void add(const Form& other, const int sign)
+    {
+      for(std::size_t i = 0; i < other.size; ++i)
+        terms[size++] = {other.terms[i].first, sign * other.terms[i].second};
+      constant += sign * other.constant;
+    }
   };
 
   // u(sector) = g u(here) + t, after the rounding.
@@ -73,7 +89,7 @@ public:
                     const std::vector<Rounding<Group> >& roundings)
     : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_cuts(cuts),
       m_complex(cuts.complex), m_places(m_complex.number_of_sectors()),
-      m_fixed(dimension * num_vertices(tmesh)), m_is_fixed(dimension * num_vertices(tmesh), false)
+      m_fixed(number_of_functionals * num_vertices(tmesh)), m_is_fixed(m_fixed.size(), false)
   {
     link_sectors(roundings);
     for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v)
@@ -166,27 +182,51 @@ private:
     for(const Rounding<Group>& r : roundings) {
       const auto& term = r.equation.terms.front();
       if(r.kind == Rounding<Group>::CONE)
-        fix(term.sector, std::size_t(term.coordinate), r.rounded);
+        fix(term.sector, term.coordinate, r.rounded);
       else if(r.kind == Rounding<Group>::CHAIN)
         for(auto s = m_complex.links_begin(r.index); s != m_complex.links_end(r.index); ++s)
-          fix(*s, std::size_t(term.coordinate), r.rounded);
+          fix(*s, m_complex.functional[r.index], r.rounded);
     }
   }
 
-  void fix(const Sector_index s, const std::size_t c, const double value)
+  void fix(const Sector_index s, const int f, const double value)
   {
     const Place& p = m_places[std::size_t(s)];
-    const auto [unknown, sign] = variable(p, c);
-    m_is_fixed[unknown] = true;
-    m_fixed[unknown] = sign * (value - m_complex.coordinates[std::size_t(s)][c] - p.offset[c]);
+    const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
+    const std::size_t i = number_of_functionals * p.vertex + std::size_t(of_vertex.index);
+    m_is_fixed[i] = true;
+    m_fixed[i] =
+      of_vertex.sign *
+      (value - Group::value(f, m_complex.coordinates[std::size_t(s)]) - Group::value(f, p.offset));
   }
 
-  // Coordinate c of g x is a coordinate of x, up to the sign.
-  std::pair<std::size_t, int> variable(const Place& p, const std::size_t c) const
+  // f(g x) is a functional of x, up to the sign.
+  Form form(const Place& p, const int f) const
   {
-    const auto& row = Group::matrix(p.element)[c];
-    const std::size_t d = row[0] != 0 ? 0 : 1;
-    return {dimension * p.vertex + d, row[d]};
+    const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
+    Form result;
+    result.add(form_of_vertex(p.vertex, of_vertex.index), of_vertex.sign);
+    return result;
+  }
+
+  // Where u + v is fixed, but not both, u is the unknown.
+  Form form_of_vertex(const std::size_t vertex, const int f) const
+  {
+    const std::size_t first = number_of_functionals * vertex;
+    const bool has_fixed_sum = number_of_functionals > dimension && m_is_fixed[first + dimension];
+    Form result;
+    if(m_is_fixed[first + std::size_t(f)]) {
+      result.constant = m_fixed[first + std::size_t(f)];
+    } else if(f == 2) {
+      result.add(form_of_vertex(vertex, 0), 1);
+      result.add(form_of_vertex(vertex, 1), 1);
+    } else if(has_fixed_sum && (f == 1 || m_is_fixed[first + 1])) {
+      result.constant = m_fixed[first + dimension];
+      result.add(form_of_vertex(vertex, 1 - f), -1);
+    } else {
+      result.terms[result.size++] = {dimension * vertex + std::size_t(f), 1};
+    }
+    return result;
   }
 
   Place place(const Halfedge h) const
@@ -200,7 +240,7 @@ private:
   // 1/2 cot |d - d'|^2 for each edge of each face, the cotangent taken in the domain.
   void add_energy()
   {
-    m_rhs.assign(m_fixed.size(), 0);
+    m_rhs.assign(dimension * num_vertices(m_tmesh), 0);
     for(const auto f : faces(m_tmesh)) {
       const Halfedge h = halfedge(f, m_tmesh);
       for(const Halfedge g : {h, next(h, m_tmesh), prev(h, m_tmesh)}) {
@@ -208,8 +248,12 @@ private:
         const double weight = cotangent(get_uv(m_uv_map, g), get_uv(m_uv_map, a),
                                         get_uv(m_uv_map, b));
         const Place p = place(a), q = place(b);
-        for(std::size_t c = 0; c < dimension; ++c)
-          add_difference(weight, variable(p, c), variable(q, c), p.offset[c] - q.offset[c]);
+        for(int f = 0; f < Group::number_of_functionals; ++f) {
+          Form difference = form(p, f);
+          difference.constant += Group::value(f, p.offset) - Group::value(f, q.offset);
+          difference.add(form(q, f), -1);
+          add_square(weight, difference);
+        }
       }
     }
   }
@@ -217,54 +261,50 @@ private:
   // The same for faces of either orientation; that of nearly degenerate ones is bounded.
   static double cotangent(const Uv& p, const Uv& a, const Uv& b)
   {
-    const Uv u{a[0] - p[0], a[1] - p[1]}, v{b[0] - p[0], b[1] - p[1]};
+    const Uv u = Group::to_cartesian({a[0] - p[0], a[1] - p[1]}),
+             v = Group::to_cartesian({b[0] - p[0], b[1] - p[1]});
     const double dot = u[0] * v[0] + u[1] * v[1], cross = std::abs(u[0] * v[1] - u[1] * v[0]);
     const double squares = u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1];
     return squares > 0 ? dot / (std::max)(cross, 1e-9 * squares) : 0;
   }
 
-  // weight / 2 (s x - t y + c)^2
-  void add_difference(const double weight, const std::pair<std::size_t, int>& x,
-                      const std::pair<std::size_t, int>& y, const double c)
+  // weight / 2 times the square of a form
+  void add_square(const double weight, const Form& form)
   {
-    double constant = c;
-    for(const auto& [v, sign] : {x, std::make_pair(y.first, -y.second)})
-      if(m_is_fixed[v])
-        constant += sign * m_fixed[v];
-    for(const auto& [v, s] : {x, std::make_pair(y.first, -y.second)}) {
-      if(m_is_fixed[v])
-        continue;
-      m_rhs[v] -= weight * s * constant;
-      for(const auto& [w, t] : {x, std::make_pair(y.first, -y.second)})
-        if(!m_is_fixed[w])
-          m_triplets.emplace_back(int(v), int(w), weight * s * t);
+    for(std::size_t i = 0; i < form.size; ++i) {
+      const auto [v, s] = form.terms[i];
+      m_rhs[v] -= weight * s * form.constant;
+      for(std::size_t j = 0; j < form.size; ++j)
+        m_triplets.emplace_back(int(v), int(form.terms[j].first),
+                                weight * s * form.terms[j].second);
     }
   }
 
   bool solve()
   {
-    const int n = int(m_fixed.size());
+    const int n = int(m_rhs.size());
     double largest = 0;
     for(const auto& t : m_triplets)
       largest = (std::max)(largest, std::abs(t.value()));
     for(int i = 0; i < n; ++i) // the displacement of a part may be free otherwise
-      m_triplets.emplace_back(i, i, m_is_fixed[std::size_t(i)] ? (std::max)(largest, 1.)
-                                                               : 1e-12 * (std::max)(largest, 1.));
+      m_triplets.emplace_back(i, i, 1e-12 * (std::max)(largest, 1.));
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(m_triplets.begin(), m_triplets.end());
     m_triplets.clear();
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
     m_solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(m_rhs.data(), n));
-    for(int i = 0; i < n; ++i)
-      if(m_is_fixed[std::size_t(i)])
-        m_solution[i] = m_fixed[std::size_t(i)];
     return solver.info() == Eigen::Success && m_solution.allFinite();
   }
 
   Vector displacement(const Place& p) const
   {
-    const auto x = [&](const std::size_t d)
-      { return m_solution[Eigen::Index(dimension * p.vertex + d)]; };
+    const auto x = [&](const int f) {
+      const Form form = form_of_vertex(p.vertex, f);
+      double result = form.constant;
+      for(std::size_t i = 0; i < form.size; ++i)
+        result += form.terms[i].second * m_solution[Eigen::Index(form.terms[i].first)];
+      return result;
+    };
     const Vector turned = Group::apply(p.element, Vector{x(0), x(1)});
     return {turned[0] + p.offset[0], turned[1] + p.offset[1]};
   }
@@ -276,7 +316,7 @@ private:
   const Cut_complex<Group>& m_complex;
   std::vector<std::vector<Link> > m_links; // per sector
   std::vector<Place> m_places;             // per sector
-  std::vector<double> m_fixed;             // per unknown
+  std::vector<double> m_fixed;             // per functional of each vertex
   std::vector<char> m_is_fixed;
   std::unordered_map<Halfedge, Sector_index> m_sector_of_corner;
   std::vector<Eigen::Triplet<double> > m_triplets;

@@ -44,6 +44,16 @@ inline double distance_to_integer(const Exact_difference& d)
   return std::abs((d.rounded - std::round(d.rounded)) + d.error);
 }
 
+inline bool is_integer(const Exact_level& x)
+{
+  return x.is_double() && x.approximation() == std::round(x.approximation());
+}
+
+inline double distance_to_integer(const Exact_level& x)
+{
+  return std::abs(x.minus(Exact_level(std::round(x.approximation()))).approximation());
+}
+
 enum class Cone_place { ON_POINT, ON_LINE, IN_CELL };
 
 // The coordinates of a cone are integers or not in all charts alike, where these differ by
@@ -62,7 +72,8 @@ inline bool is_half_integer(const Uv& u)
 }
 
 // In floating point.
-inline double area(const Chart_mesh& mesh)
+template <typename Group>
+double area(const Basic_chart_mesh<Group>& mesh)
 {
   double result = 0;
   for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f) {
