@@ -500,7 +500,8 @@ void check_integer_lengths(const Graph& graph, const std::string& context)
         (graph.patch(h) != Graph::null_patch && !graph.patch_is_cut(graph.patch(h)));
     const Exact_integer& length = integers.lengths[a];
     CHECK_IN(context, bounds_rectangle
-                        ? length > 0 && graph.arc_length(a) == Exact_rational(length) * integers.unit
+                        ? length > 0 &&
+                            graph.arc_length(a) == Exact_rational(length) * integers.unit
                         : length == 0);
     is_any_odd = is_any_odd || Exact_integer(length % 2) != 0;
   }

@@ -146,9 +146,10 @@ inline bool is_straight_wall(const Layout_domain& domain, const std::size_t v)
       ++walls;
       sum += k;
     }
-  if(domain.mesh.is_border[v])
-    return rays.size() == 3 && walls == 2 && !domain.is_oblique(border_edge_from(domain.mesh, v)) &&
-           !domain.is_oblique(border_edge_to(domain.mesh, v));
+  const Chart_mesh& mesh = domain.mesh;
+  if(mesh.is_border[v])
+    return rays.size() == 3 && walls == 2 && !domain.is_oblique(border_edge_from(mesh, v)) &&
+           !domain.is_oblique(border_edge_to(mesh, v));
   return rays.size() == 4 && walls == 2 && sum % 2 == 0;
 }
 
