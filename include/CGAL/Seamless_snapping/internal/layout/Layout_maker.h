@@ -174,7 +174,8 @@ private:
     if(edges > 0)
       m_data.message = std::to_string(edges) +
                        (edges == 1 ? " border edge does" : " border edges do") +
-                       " not lie on isocurves, the first is " + name_of_edge(first) + "; there, " + std::to_string(cut) +
+                       " not lie on isocurves, the first is " + name_of_edge(first) + "; there, " +
+                       std::to_string(cut) +
                        (cut == 1 ? " patch is not a rectangle" : " patches are not rectangles");
   }
 
