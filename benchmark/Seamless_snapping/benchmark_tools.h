@@ -1,4 +1,5 @@
-// What the benchmarks share: times of steps as the minimum over several runs, and growth exponents.
+// What the benchmarks share: times of steps as the minimum over several runs, growth exponents, and
+// the memory that a process occupies.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_BENCHMARK_TOOLS_H
 #define SEAMLESS_SNAPPING_BENCHMARK_BENCHMARK_TOOLS_H
@@ -7,9 +8,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <malloc.h>
 
 namespace benchmark {
 
@@ -61,6 +65,23 @@ private:
   Step_times m_steps;
   double m_total = 0;
 };
+
+// What the system says of this process: "VmRSS:" is the memory it occupies, "VmHWM:" the most of it.
+inline double kilobytes(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for(std::string line; std::getline(status, line);)
+    if(line.compare(0, key.size(), key) == 0)
+      return std::stod(line.substr(key.size() + 1));
+  return 0;
+}
+
+// From here on VmHWM is the peak since now.
+inline void reset_memory_peak()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5" << std::flush;
+}
 
 // The slope of the line that fits log(value) over log(size) best.
 inline double growth_exponent(const std::vector<std::pair<double, double> >& sizes_and_values)

@@ -24,15 +24,12 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <malloc.h>
 
 namespace options = benchmark::options;
 
@@ -60,22 +57,6 @@ std::size_t count_mismatches(const Mesh& mesh, const UV_map& uv)
     result += uv[h] != uv[mesh.prev(o)] || uv[o] != uv[mesh.prev(h)] ? 1 : 0;
   }
   return result;
-}
-
-double kilobytes(const std::string& key)
-{
-  std::ifstream status("/proc/self/status");
-  for(std::string line; std::getline(status, line);)
-    if(line.compare(0, key.size(), key) == 0)
-      return std::stod(line.substr(key.size() + 1));
-  return 0;
-}
-
-// From here on VmHWM is the peak since now.
-void reset_memory_peak()
-{
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5" << std::flush;
 }
 
 struct Measurement
@@ -113,8 +94,8 @@ Measurement measure(std::size_t faces, const Settings& settings)
   result.pass = time_of_pass(mesh, uv, (std::max)(5, settings.repeats));
 
   const std::vector<Kernel::Point_2> input(uv.begin(), uv.end());
-  reset_memory_peak();
-  const double before = kilobytes("VmRSS:");
+  benchmark::reset_memory_peak();
+  const double before = benchmark::kilobytes("VmRSS:");
   for(int i = 0; i < settings.repeats; ++i) {
     std::copy(input.begin(), input.end(), uv.begin());
     const double start = benchmark::seconds_now();
@@ -122,7 +103,7 @@ Measurement measure(std::size_t faces, const Settings& settings)
     result.run.add(report.run.step_times, benchmark::seconds_now() - start);
     result.nodes = double(report.run.number_of_nodes);
     if(i == 0)
-      result.bytes_per_face = 1024 * (kilobytes("VmHWM:") - before) / result.faces;
+      result.bytes_per_face = 1024 * (benchmark::kilobytes("VmHWM:") - before) / result.faces;
     if(!report)
       std::cerr << report << std::endl;
   }

@@ -68,9 +68,9 @@ struct Wish
 };
 
 // Fills an empty mesh and its uv map "h:uv", which is exactly seamless. One square has sides of
-// length 1 or a little less, cut into n steps of a power of two.
+// length 1 or a little less, cut into n steps of a power of two. Returns that length.
 template <typename Mesh>
-void make_surface(const Wish& wish, Mesh& mesh)
+double make_surface(const Wish& wish, Mesh& mesh)
 {
   // Measured: size^2 columns give about 1.4 size^2 nodes, somewhat less if they are few.
   const int size = 2 + int(std::lround(std::sqrt(double(wish.nodes) / 1.4)));
@@ -79,6 +79,7 @@ void make_surface(const Wish& wish, Mesh& mesh)
   const int n = (std::max)(1, int(std::lround(std::sqrt(faces_per_square / 2))));
   const double step = std::ldexp(1., -int(std::ceil(std::log2(double(n)))));
   square_complex::build_mesh(complex, n, step, mesh);
+  return n * step;
 }
 
 // Adds noise of the given size relative to the extent of the uv map: one move per sector, so that

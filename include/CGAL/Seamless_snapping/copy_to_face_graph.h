@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/layout/Cell_complex.h>
 #include <CGAL/Seamless_snapping/internal/layout/Refined_faces.h>
+#include <CGAL/Seamless_snapping/internal/mesh/write_cells.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -102,16 +103,18 @@ void write_layout(const TriangleMesh& tmesh, const Cell_complex& cells, PolygonM
   const auto locations = get_parameter(np2, np_tags::vertex_location);
   const auto arcs = get_parameter(np2, np_tags::edge_is_constrained);
   const auto patches = get_parameter(np2, np_tags::face_patch);
-  write_cells(
-    cells, output,
-    [&](const auto v, const std::size_t i) {
-      put(new_points, v, point_at<Point>(tmesh, points, location(i)));
-      if constexpr(is_given_parameter(locations))
-        put(locations, v, location(i));
-    },
-    [&](const auto e, const std::size_t i) {
+  const Cells_to_write cells_to_write{cells};
+  Cell_writer<PolygonMesh, Cells_to_write> writer(cells_to_write, output);
+  for(std::size_t i = 0; i < cells.number_of_vertices; ++i) {
+    const auto v = writer.new_vertex();
+    put(new_points, v, point_at<Point>(tmesh, points, location(i)));
+    if constexpr(is_given_parameter(locations))
+      put(locations, v, location(i));
+  }
+  writer.add_edges_and_faces(
+    [&](const auto e, const std::size_t dart) {
       if constexpr(is_given_parameter(arcs))
-        put(arcs, e, is_arc(i));
+        put(arcs, e, is_arc(dart / 2));
     },
     [&](const auto f, const std::size_t i) {
       if constexpr(is_given_parameter(patches))

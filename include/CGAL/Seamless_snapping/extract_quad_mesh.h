@@ -18,7 +18,7 @@
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
+#include <CGAL/Seamless_snapping/internal/quads/quad_outputs.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -26,19 +26,16 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <boost/container/small_vector.hpp>
-#include <boost/graph/graph_traits.hpp>
-
-#include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
 template <typename NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)
 {
@@ -52,124 +49,52 @@ Extraction_options extraction_options(const NamedParameters& np)
   return options;
 }
 
-// Reads the map, makes the cells, and has them written: by write(extractor, embedding), which may
-// refuse that in the extractor's report.
+// For messages. A corner is given by its face, in the order of faces(tmesh), and its place there.
+template <typename TriangleMesh, typename NamedParameters>
+std::string vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, const Corner_index h)
+{
+  auto corner = halfedge(*std::next(faces(tmesh).begin(), h / 3), tmesh);
+  for(int k = h % 3; k > 0; --k)
+    corner = next(corner, tmesh);
+  return std::to_string(
+    get(CGAL::get_initialized_vertex_index_map(tmesh, np), target(corner, tmesh)));
+}
+
+// Reads the map, makes the cells, and has them written: by output.locate(extractor, embedding) and
+// output.write(extractor), which may refuse that in the extractor's report.
 template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters, typename Write>
+          typename NamedParameters, typename Output>
 Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                const NamedParameters& np, const Write& write)
+                                const NamedParameters& np, Output&& output)
 {
   const Protect_exact_arithmetic protect;
-  const Flat_numbering<TriangleMesh> numbering(tmesh);
   Chart_mesh mesh;
-  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
-    Extraction_report report;
-    report.status = input_status<Extraction_status>(refusal->status);
-    report.message = refusal->message;
-    return report;
+  std::vector<char> is_feature;
+  {
+    const Flat_numbering<TriangleMesh> numbering(tmesh);
+    if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+      Extraction_report report;
+      report.status = input_status<Extraction_status>(refusal->status);
+      report.message = refusal->message;
+      return report;
+    }
+    is_feature = feature_corners(tmesh, numbering, np);
   }
-  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto vertex_name = [&](const std::size_t v)
-    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
-  Quad_extractor extractor(std::move(mesh), feature_corners(tmesh, numbering, np),
-                           extraction_options(np), vertex_name);
-  if(extractor.template run<ConcurrencyTag>()) {
+  Quad_extractor extractor(std::move(mesh), std::move(is_feature), extraction_options(np),
+                           [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
+  const auto locate = [&] {
     const auto point_map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    const auto locate = [&](const Lattice_point& p)
+    const auto locate_point = [&](const Lattice_point& p)
       { return Surface_location{extractor.original_face(face_of(p.corner)),
                                 weights(extractor.mesh(), p)}; };
-    write(extractor, make_embedding(tmesh, point_map, numbering, locate));
-  }
+    output.template locate<ConcurrencyTag>(extractor,
+                                           make_embedding(tmesh, point_map, locate_point));
+  };
+  if(extractor.template run<ConcurrencyTag>(locate))
+    output.template write<ConcurrencyTag>(extractor);
   return extractor.report();
-}
-
-inline bool is_face_graph(Quad_extractor& extractor, const Cell_vertices& vertices)
-{
-  const std::size_t v = vertex_with_double_edges(extractor.complex(), vertices);
-  if(v == vertices.size())
-    return true;
-  extractor.report().status = Extraction_status::NO_FACE_GRAPH;
-  extractor.report().message =
-    "the quads around point " + std::to_string(v) + " of the grid meet themselves, or each other "
-    "twice, which no face graph can hold; scale the map up by grid_scale, or call "
-    "extract_quad_soup()";
-  return false;
-}
-
-// Adds the quads to a graph, and fills the maps that are given; or refuses.
-template <typename Embedding, typename QuadMesh, typename NamedParameters>
-void write_quad_mesh(Quad_extractor& extractor, const Embedding& embedding, QuadMesh& quads,
-                     const NamedParameters& np)
-{
-  using CGAL::parameters::get_parameter;
-  namespace np_tags = CGAL::internal_np;
-  auto point_map = CGAL::parameters::choose_parameter(
-    get_parameter(np, np_tags::vertex_point), CGAL::get_property_map(CGAL::vertex_point, quads));
-  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
-  const auto location_map = get_parameter(np, np_tags::vertex_location);
-  const auto cone_map = get_parameter(np, np_tags::cone_index);
-  const auto feature_map = get_parameter(np, np_tags::edge_is_constrained);
-  const Quad_complex& complex = extractor.complex();
-  const Cell_vertices vertices(complex.points, complex.darts, complex.cells);
-  if(!is_face_graph(extractor, vertices))
-    return;
-  extractor.report().number_of_vertices = vertices.size();
-  Quad_writer<QuadMesh>(complex, vertices, quads).run(
-    [&](const auto v, const std::size_t i) {
-      const Lattice_point& p = complex.points[vertices.point(i)];
-      put(point_map, v, embedding.template point<Point>(p));
-      if constexpr(is_given_parameter(location_map))
-        put(location_map, v, embedding.location(p));
-      if constexpr(is_given_parameter(cone_map))
-        put(cone_map, v, cone_index(extractor.mesh(), complex, vertices.point(i)));
-    },
-    [&](const auto e, const std::size_t d) {
-      if constexpr(is_given_parameter(feature_map))
-        put(feature_map, e, complex.darts.are_features[d] || !complex.has_cell(d) ||
-                              !complex.has_cell(complex.twin(d)));
-    });
-}
-
-template <typename Polygon>
-struct Is_array : public std::false_type
-{ };
-
-template <typename Index, std::size_t n>
-struct Is_array<std::array<Index, n> > : public std::true_type
-{
-  static_assert(n == 4, "quads have four corners");
-};
-
-// The corners of a cell, from the index of the first vertex on.
-template <typename Polygon>
-Polygon polygon(const Quad_complex& complex, const Cell_vertices& vertices, const std::size_t cell,
-                const std::size_t first)
-{
-  boost::container::small_vector<std::size_t, 16> corners;
-  complex.cells.for_darts(cell, [&](const std::size_t d)
-                          { corners.push_back(first + vertices.vertex(d)); });
-  if constexpr(Is_array<Polygon>::value) {
-    using Index = typename Polygon::value_type;
-    return {Index(corners[0]), Index(corners[1]), Index(corners[2]), Index(corners[3])};
-  } else {
-    return Polygon(corners.begin(), corners.end());
-  }
-}
-
-// Whether all cells can be stored as polygons of this type.
-template <typename Polygon>
-bool fits(Extraction_report& report)
-{
-  if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
-    return true;
-  report.status = Extraction_status::NOT_INTEGER;
-  report.message = std::to_string(report.number_of_other_polygons) +
-                   " cells around cones are no quads, which arrays of four indices can't hold; "
-                   "double the map, grid_scale(2), if the cones are half-integers, or use "
-                   "std::vector<std::size_t> for polygons";
-  return false;
 }
 
 } // namespace internal
@@ -318,8 +243,7 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 {
   return internal::extract_quads<ConcurrencyTag>(
     tmesh, uv_map, internal::strip(np1),
-    [&](internal::Quad_extractor& extractor, const auto& embedding)
-    { internal::write_quad_mesh(extractor, embedding, quads, internal::strip(np2)); });
+    internal::quad_mesh_output(tmesh, quads, internal::strip(np2)));
 }
 
 /*!
@@ -352,22 +276,9 @@ Extraction_report extract_quad_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_
                                     PointRange& points, PolygonRange& polygons,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using Point = typename PointRange::value_type;
   return internal::extract_quads<ConcurrencyTag>(
-    tmesh, uv_map, internal::strip(np), [&](internal::Quad_extractor& extractor,
-                                            const auto& embedding) {
-      const internal::Quad_complex& complex = extractor.complex();
-      const internal::Cell_vertices vertices(complex.points, complex.darts, complex.cells);
-      if(!internal::fits<typename PolygonRange::value_type>(extractor.report()))
-        return;
-      extractor.report().number_of_vertices = vertices.size();
-      const std::size_t first = points.size();
-      for(std::size_t i = 0; i < vertices.size(); ++i)
-        points.push_back(embedding.template point<Point>(complex.points[vertices.point(i)]));
-      for(std::size_t c = 0; c < complex.cells.size(); ++c)
-        polygons.push_back(
-          internal::polygon<typename PolygonRange::value_type>(complex, vertices, c, first));
-    });
+    tmesh, uv_map, internal::strip(np),
+    internal::Quad_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
 } // namespace Seamless_snapping

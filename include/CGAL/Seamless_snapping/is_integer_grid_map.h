@@ -129,7 +129,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
     build_chart_mesh(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
-  measure.area = area(mesh);
+  measure.area = grid_size(mesh, 0, mesh.corners.size() / 3).area;
   for_each_edge_to_align(tmesh, np, [&](const auto h) {
     const double distance = distance_to_grid_line<Group>(tmesh, uv_map, h);
     ++measure.number_of_aligned_edges;

@@ -218,8 +218,7 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
   const internal::Protect_exact_arithmetic protect;
   const auto& input = internal::strip(np1);
   const internal::Quantized_surface& surface = quantization.surface();
-  const internal::Flat_numbering<TriangleMesh> numbering(tmesh);
-  if(numbering.halfedges_of_corners().size() != surface.input.corners.size()) {
+  if(3 * faces(tmesh).size() != surface.input.corners.size()) {
     refusal.status = Extraction_status::INVALID_ARGUMENT;
     refusal.message = "the mesh is not the one that has been quantized";
     return refusal;
@@ -231,17 +230,21 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
   options.scale = 1;
   internal::Quad_extractor extractor(
     internal::make_chart_mesh(surface.complex), std::move(is_feature), options,
-    [](const std::size_t v) { return std::to_string(v) + " of the coarse triangulation"; });
-  if(!extractor.template run<ConcurrencyTag>())
-    return extractor.report();
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  const internal::Point_locator locator(surface.input, surface.complex, extractor.mesh());
-  const auto locate = [&](const internal::Lattice_point& p) { return locator.locate(p); };
-  internal::write_quad_mesh(extractor,
-                            internal::make_embedding(tmesh, point_map, numbering, locate), quads,
-                            internal::strip(np2));
+    [&](const internal::Corner_index h) {
+      return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
+    });
+  auto output = internal::quad_mesh_output(tmesh, quads, internal::strip(np2));
+  const auto locate = [&] {
+    const auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const internal::Point_locator locator(surface.input, surface.complex, extractor.mesh());
+    const auto locate_point = [&](const internal::Lattice_point& p) { return locator.locate(p); };
+    output.template locate<ConcurrencyTag>(
+      extractor, internal::make_embedding(tmesh, point_map, locate_point));
+  };
+  if(extractor.template run<ConcurrencyTag>(locate))
+    output.template write<ConcurrencyTag>(extractor);
   return extractor.report();
 }
 

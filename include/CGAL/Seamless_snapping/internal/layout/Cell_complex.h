@@ -14,9 +14,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Polygons glued along edges, as plain arrays; and their way into a face graph.
-
-#include <boost/graph/graph_traits.hpp>
+// Polygons glued along edges, as plain arrays.
 
 #include <algorithm>
 #include <cstddef>
@@ -53,50 +51,20 @@ inline bool is_simple(const Cell_complex& complex)
   return std::adjacent_find(ends.begin(), ends.end()) == ends.end();
 }
 
-// Adds the cells to a graph. Calls at_vertex(descriptor, vertex), at_edge(descriptor, edge), and
-// at_face(descriptor, cell) for what is new.
-template <typename Graph, typename AtVertex, typename AtEdge, typename AtFace>
-void write_cells(const Cell_complex& complex, Graph& graph, const AtVertex& at_vertex,
-                 const AtEdge& at_edge, const AtFace& at_face)
+// The same for `Cell_writer`.
+struct Cells_to_write
 {
-  using Graph_traits = boost::graph_traits<Graph>;
-  using size_type = typename Graph_traits::vertices_size_type;
-  const std::size_t n = complex.number_of_darts();
-  reserve(graph, size_type(num_vertices(graph) + complex.number_of_vertices),
-          size_type(num_edges(graph) + n / 2),
-          size_type(num_faces(graph) + complex.number_of_cells));
-  std::vector<typename Graph_traits::vertex_descriptor> vertices;
-  for(std::size_t v = 0; v < complex.number_of_vertices; ++v) {
-    vertices.push_back(add_vertex(graph));
-    at_vertex(vertices.back(), v);
-  }
-  std::vector<typename Graph_traits::halfedge_descriptor> halfedges;
-  for(std::size_t e = 0; e < n / 2; ++e) {
-    const auto edge = add_edge(graph);
-    halfedges.push_back(halfedge(edge, graph));
-    halfedges.push_back(opposite(halfedges.back(), graph));
-    at_edge(edge, e);
-  }
-  std::vector<typename Graph_traits::face_descriptor> faces;
-  for(std::size_t c = 0; c < complex.number_of_cells; ++c) {
-    faces.push_back(add_face(graph));
-    at_face(faces.back(), c);
-  }
-  for(const bool is_outside : {false, true}) // the halfedge of a border vertex is one of the border
-    for(std::size_t d = 0; d < n; ++d) {
-      if((complex.cells[d] < 0) != is_outside)
-        continue;
-      const auto h = halfedges[d];
-      const auto v = vertices[std::size_t(complex.targets[d])];
-      const auto f = is_outside ? Graph_traits::null_face() : faces[std::size_t(complex.cells[d])];
-      set_next(h, halfedges[std::size_t(complex.nexts[d])], graph);
-      set_target(h, v, graph);
-      set_halfedge(v, h, graph);
-      set_face(h, f, graph);
-      if(!is_outside)
-        set_halfedge(f, h, graph);
-    }
-}
+  const Cell_complex& complex;
+
+  std::size_t number_of_vertices() const { return complex.number_of_vertices; }
+  std::size_t number_of_cells() const { return complex.number_of_cells; }
+  std::size_t number_of_darts() const { return complex.number_of_darts(); }
+  static bool is_edge(std::size_t) { return true; }
+  static std::size_t twin(const std::size_t d) { return d ^ 1; }
+  std::size_t next(const std::size_t d) const { return std::size_t(complex.nexts[d]); }
+  std::size_t target(const std::size_t d) const { return std::size_t(complex.targets[d]); }
+  std::int32_t cell(const std::size_t d) const { return complex.cells[d]; }
+};
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -44,10 +44,8 @@ public:
   Dart_tracer& operator=(const Dart_tracer&) = delete;
 
   // The twin, `open_dart`, or `untraced_dart`: then the dart meets a vertex that it can't pass.
-  Dart_index trace(const std::size_t dart)
+  Dart_index trace(const std::size_t p, const int k)
   {
-    const std::size_t p = m_darts.origin(dart);
-    const int k = int(dart - m_darts.first(p));
     switch(m_points[p].place) {
     case Lattice_place::VERTEX: return trace_from_vertex(m_points[p], k);
     case Lattice_place::EDGE:   return trace_from_edge(m_points[p], k);

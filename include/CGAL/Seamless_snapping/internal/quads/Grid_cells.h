@@ -33,51 +33,35 @@ constexpr Cell_index no_cell = -1;
 class Grid_cells
 {
 public:
-  Grid_cells(const Chart_mesh& mesh, const Lattice_points& points, const Grid_darts& darts)
-    : m_mesh(mesh), m_points(points), m_darts(darts), m_cells(darts.size(), no_cell)
+  // Empty until find() is called, once the twins are known.
+  explicit Grid_cells(const Grid_darts& darts) : m_darts(darts) { }
+
+  void find()
   {
     constexpr Cell_index cut = -2; // no cell, and looked at
-    for(std::size_t d = 0; d < darts.size(); ++d) {
-      if(m_cells[d] != no_cell || !has_corner(d))
+    m_cells.assign(m_darts.size(), no_cell);
+    for(std::size_t d = 0; d < m_darts.size(); ++d) {
+      if(m_cells[d] != no_cell || !m_darts.has_corner(d))
         continue;
-      const bool is_closed = label_orbit(d, Cell_index(m_first_darts.size()));
-      if(is_closed)
+      const std::size_t degree = label_orbit(d, Cell_index(m_first_darts.size()));
+      m_number_of_corners += degree;
+      if(degree > 0)
         m_first_darts.push_back(Dart_index(d));
       else
         label_orbit(d, cut);
     }
-    for(Cell_index& cell : m_cells)
-      if(cell == cut)
-        cell = no_cell;
+    if(has_gaps())
+      for(Cell_index& cell : m_cells)
+        if(cell == cut)
+          cell = no_cell;
   }
 
-  // Whether the dart and the next one counterclockwise enclose a corner: not at the border's end.
-  bool has_corner(const std::size_t d) const
-  {
-    const std::size_t p = m_darts.origin(d);
-    return d + 1 < m_darts.first(p + 1) || is_surrounded(p);
-  }
+  // Whether there is a dart without a cell.
+  bool has_gaps() const { return m_number_of_corners < m_cells.size(); }
 
-  // Whether the point lies inside of the surface.
-  bool is_surrounded(const std::size_t p) const
-  {
-    const Lattice_point& point = m_points[p];
-    switch(point.place) {
-    case Lattice_place::VERTEX: return !m_mesh.is_border[m_mesh.vertex(point.corner)];
-    case Lattice_place::EDGE:   return m_mesh.opposite(point.corner) != no_index;
-    case Lattice_place::FACE:   break;
-    }
-    return true;
-  }
-
-  // The next dart around the cell at the left, or -1 where the border comes in between.
-  Dart_index next(const std::size_t d) const
-  {
-    if(m_darts.twins[d] < 0)
-      return -1;
-    const std::size_t e = m_darts.clockwise(std::size_t(m_darts.twins[d]));
-    return has_corner(e) ? Dart_index(e) : -1;
-  }
+  // The next dart around the cell of a dart that has one.
+  std::size_t next(const std::size_t d) const
+  { return m_darts.clockwise(std::size_t(m_darts.twins[d])); }
 
   std::size_t size() const { return m_first_darts.size(); }
   Cell_index cell(const std::size_t d) const { return m_cells[d]; }
@@ -97,7 +81,7 @@ public:
     std::size_t d = first_dart(cell);
     do {
       f(d);
-      d = std::size_t(next(d));
+      d = next(d);
     } while(d != first_dart(cell));
   }
 
@@ -105,10 +89,10 @@ public:
   std::size_t number_of_cut_cells() const
   {
     std::size_t n = 0;
-    for(std::size_t d = 0; d < m_darts.size(); ++d)
-      if(has_corner(d) && m_cells[d] == no_cell) {
+    for(std::size_t d = 0; has_gaps() && d < m_darts.size(); ++d)
+      if(m_darts.has_corner(d) && m_cells[d] == no_cell) {
         const Dart_index before = m_darts.twins[m_darts.counterclockwise(d)];
-        n += before < 0 || !has_corner(std::size_t(before)) ? 1 : 0;
+        n += before < 0 || !m_darts.has_corner(std::size_t(before)) ? 1 : 0;
       }
     return n;
   }
@@ -124,29 +108,37 @@ public:
         m_first_darts[n++] = m_first_darts[c];
       }
     m_first_darts.resize(n);
+    m_number_of_corners = 0;
     for(Cell_index& cell : m_cells)
-      if(cell != no_cell)
+      if(cell != no_cell) {
         cell = number[std::size_t(cell)];
+        m_number_of_corners += cell != no_cell ? 1 : 0;
+      }
   }
 
 private:
-  // Labels the darts from d on until one comes again, or there is none. Since no two darts have the
-  // same next one, the first that comes again is d.
-  bool label_orbit(const std::size_t d, const Cell_index label)
+  // Labels the darts from d on until one comes again, and returns their number; or until the border
+  // comes in between, and returns 0. Since no two darts have the same next one, the first that
+  // comes again is d.
+  std::size_t label_orbit(const std::size_t d, const Cell_index label)
   {
-    Dart_index e = Dart_index(d);
+    std::size_t degree = 0, e = d;
     do {
-      m_cells[std::size_t(e)] = label;
-      e = next(std::size_t(e));
-    } while(e >= 0 && std::size_t(e) != d);
-    return e >= 0;
+      m_cells[e] = label;
+      ++degree;
+      if(m_darts.twins[e] < 0)
+        return 0;
+      e = next(e);
+      if(!m_darts.has_corner(e))
+        return 0;
+    } while(e != d);
+    return degree;
   }
 
-  const Chart_mesh& m_mesh;
-  const Lattice_points& m_points;
   const Grid_darts& m_darts;
   std::vector<Cell_index> m_cells;        // per dart
   std::vector<Dart_index> m_first_darts;  // per cell
+  std::size_t m_number_of_corners = 0;    // of all cells
 };
 
 // The vertices of the cells: one for each point, but where cells around a point leave gaps, one for
@@ -154,10 +146,11 @@ private:
 class Cell_vertices
 {
 public:
-  Cell_vertices(const Lattice_points& points, const Grid_darts& darts, const Grid_cells& cells)
+  Cell_vertices(const std::size_t number_of_points, const Grid_darts& darts,
+                const Grid_cells& cells)
     : m_vertices(darts.size(), -1)
   {
-    for(std::size_t p = 0; p < points.size(); ++p)
+    for(std::size_t p = 0; p < number_of_points; ++p)
       add_fans(p, darts, cells);
   }
 

@@ -50,6 +50,7 @@ struct Edge_directions
   }
 };
 
+// The darts of point p are first(p), ..., first(p + 1) - 1, counterclockwise.
 class Grid_darts
 {
 public:
@@ -65,38 +66,49 @@ public:
     });
     for(std::size_t p = 0; p < points.size(); ++p)
       result.m_first[p + 1] += result.m_first[p];
-    result.m_origin.resize(std::size_t(result.m_first.back()));
-    result.twins.assign(result.m_origin.size(), untraced_dart);
-    result.are_features.assign(result.m_origin.size(), false);
+    result.twins.assign(std::size_t(result.m_first.back()), untraced_dart);
+    result.m_marks.assign(result.twins.size(), 0);
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
       for(std::size_t p = chunk.begin; p < chunk.end; ++p)
-        for(Dart_index d = result.m_first[p]; d < result.m_first[p + 1]; ++d)
-          result.m_origin[std::size_t(d)] = Point_index(p);
+        result.mark(p, is_surrounded(mesh, points[p]));
     });
     return result;
   }
 
-  std::size_t size() const { return m_origin.size(); }
-  std::size_t origin(const std::size_t d) const { return std::size_t(m_origin[d]); }
+  std::size_t size() const { return twins.size(); }
   std::size_t first(const std::size_t point) const { return std::size_t(m_first[point]); }
   std::size_t degree(const std::size_t point) const { return first(point + 1) - first(point); }
 
   // The next darts around the same point, as if there were no border.
-  std::size_t counterclockwise(const std::size_t d) const
+  std::size_t counterclockwise(std::size_t d) const
   {
-    const std::size_t p = origin(d);
-    return d + 1 == first(p + 1) ? first(p) : d + 1;
+    if(!has(d, LAST))
+      return d + 1;
+    while(!has(d, FIRST))
+      --d;
+    return d;
   }
-  std::size_t clockwise(const std::size_t d) const
+  std::size_t clockwise(std::size_t d) const
   {
-    const std::size_t p = origin(d);
-    return d == first(p) ? first(p + 1) - 1 : d - 1;
+    if(!has(d, FIRST))
+      return d - 1;
+    while(!has(d, LAST))
+      ++d;
+    return d;
   }
+
+  // Whether the dart and the next one counterclockwise enclose a corner: not at the border's end.
+  bool has_corner(const std::size_t d) const { return !has(d, BEFORE_BORDER); }
+
+  // Whether the dart runs along a feature edge.
+  bool is_feature(const std::size_t d) const { return has(d, FEATURE); }
+  void mark_feature(const std::size_t d) { m_marks[d] = static_cast<char>(m_marks[d] | FEATURE); }
 
   std::vector<Dart_index> twins;
-  std::vector<char> are_features; // per dart: whether it runs along a feature edge
 
 private:
+  enum Mark { FIRST = 1, LAST = 2, BEFORE_BORDER = 4, FEATURE = 8 };
+
   static Dart_index number_at(const Chart_mesh& mesh, const Lattice_point& p)
   {
     switch(p.place) {
@@ -110,8 +122,30 @@ private:
     return 4;
   }
 
+  // Whether the point lies inside of the surface.
+  static bool is_surrounded(const Chart_mesh& mesh, const Lattice_point& p)
+  {
+    switch(p.place) {
+    case Lattice_place::VERTEX: return !mesh.is_border[mesh.vertex(p.corner)];
+    case Lattice_place::EDGE:   return mesh.opposite(p.corner) != no_index;
+    case Lattice_place::FACE:   break;
+    }
+    return true;
+  }
+
+  bool has(const std::size_t d, const Mark mark) const { return (m_marks[d] & mark) != 0; }
+
+  void mark(const std::size_t p, const bool is_inside)
+  {
+    if(degree(p) == 0)
+      return;
+    const std::size_t last = first(p + 1) - 1;
+    m_marks[first(p)] = FIRST;
+    m_marks[last] = static_cast<char>(m_marks[last] | LAST | (is_inside ? 0 : BEFORE_BORDER));
+  }
+
   std::vector<Dart_index> m_first; // per point, and one more
-  std::vector<Point_index> m_origin;
+  std::vector<char> m_marks;       // per dart
 };
 
 } // namespace internal

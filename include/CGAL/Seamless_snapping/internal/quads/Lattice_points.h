@@ -54,30 +54,19 @@ inline bool is_before(const Uv& a, const Uv& b)
 class Lattice_points
 {
 public:
-  // The coordinates must be at most `largest_grid_coordinate`, and all faces positive.
+  // The coordinates must be at most `largest_grid_coordinate`, and all faces positive. Memory is
+  // reserved for the expected number of points.
   template <typename ConcurrencyTag>
-  static Lattice_points make(const Chart_mesh& mesh)
+  static Lattice_points make(const Chart_mesh& mesh, const std::size_t expected_number)
   {
     Lattice_points result;
     const std::size_t number_of_faces = mesh.corners.size() / 3;
-    const std::vector<Chunk> chunks = chunks_of(number_of_faces);
-    std::vector<std::vector<Lattice_point> > points(chunks.size());
+    constexpr std::size_t block = std::size_t(1) << 18; // of faces whose points are kept twice
+    result.m_points.reserve(expected_number);
     result.m_first.assign(number_of_faces + 1, 0);
-    for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
-      for(std::size_t face = chunk.begin; face < chunk.end; ++face) {
-        const std::size_t before = points[chunk.index].size();
-        add_points_of_face(mesh, face, points[chunk.index]);
-        result.m_first[face + 1] = Point_index(points[chunk.index].size() - before);
-      }
-    });
-    for(std::size_t face = 0; face < number_of_faces; ++face)
-      result.m_first[face + 1] += result.m_first[face];
-    result.m_points.resize(std::size_t(result.m_first.back()));
-    for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
-      std::copy(points[chunk.index].begin(), points[chunk.index].end(),
-                result.m_points.begin() + result.m_first[chunk.begin]);
-      std::vector<Lattice_point>().swap(points[chunk.index]);
-    });
+    for(std::size_t begin = 0; begin < number_of_faces; begin += block)
+      result.add_points_of_faces<ConcurrencyTag>(mesh, begin,
+                                                 (std::min)(begin + block, number_of_faces));
     return result;
   }
 
@@ -94,6 +83,25 @@ public:
   }
 
 private:
+  template <typename ConcurrencyTag>
+  void add_points_of_faces(const Chart_mesh& mesh, const std::size_t begin, const std::size_t end)
+  {
+    const auto points = results_of_chunks<std::vector<Lattice_point>, ConcurrencyTag>(
+      end - begin, [&](const Chunk& chunk) {
+        std::vector<Lattice_point> result;
+        for(std::size_t face = begin + chunk.begin; face < begin + chunk.end; ++face) {
+          const std::size_t before = result.size();
+          add_points_of_face(mesh, face, result);
+          m_first[face + 1] = Point_index(result.size() - before);
+        }
+        return result;
+      });
+    for(std::size_t face = begin; face < end; ++face)
+      m_first[face + 1] += m_first[face];
+    for(const std::vector<Lattice_point>& of_chunk : points)
+      m_points.insert(m_points.end(), of_chunk.begin(), of_chunk.end());
+  }
+
   static void add_points_of_face(const Chart_mesh& mesh, const std::size_t face,
                                  std::vector<Lattice_point>& points)
   {

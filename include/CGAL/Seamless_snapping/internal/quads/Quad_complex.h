@@ -31,14 +31,14 @@ namespace internal {
 class Quad_complex
 {
 public:
-  Quad_complex(const Chart_mesh& mesh, Lattice_points&& points_, Grid_darts&& darts_)
-    : points(std::move(points_)), darts(std::move(darts_)), cells(mesh, points, darts)
+  Quad_complex(Lattice_points&& points_, Grid_darts&& darts_)
+    : points(std::move(points_)), darts(std::move(darts_)), cells(darts)
   { }
 
   Quad_complex(const Quad_complex&) = delete; // members refer to each other
   Quad_complex& operator=(const Quad_complex&) = delete;
 
-  std::size_t next(const std::size_t d) const { return std::size_t(cells.next(d)); }
+  std::size_t next(const std::size_t d) const { return cells.next(d); }
   std::size_t twin(const std::size_t d) const { return std::size_t(darts.twins[d]); }
   bool has_cell(const std::size_t d) const { return cells.cell(d) != no_cell; }
 
@@ -57,22 +57,19 @@ public:
 
 // A vertex that has an edge to itself, or two edges to another one, or one edge in all, so that its
 // face has a vertex twice; or the number of vertices.
-inline std::size_t vertex_with_double_edges(const Quad_complex& complex,
-                                            const Cell_vertices& vertices)
+template <typename ConcurrencyTag>
+std::size_t vertex_with_double_edges(const Quad_complex& complex, const Cell_vertices& vertices)
 {
-  boost::container::small_vector<std::size_t, 16> neighbors;
-  for(std::size_t v = 0; v < vertices.size(); ++v) {
+  return find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t v) {
+    boost::container::small_vector<std::size_t, 16> neighbors(1, v);
     const std::size_t p = vertices.point(v);
-    neighbors.assign(1, v);
     for(std::size_t d = complex.darts.first(p); d < complex.darts.first(p + 1); ++d)
       if(complex.is_edge(d) && complex.origin(vertices, d) == v)
         neighbors.push_back(complex.origin(vertices, complex.twin(d)));
     std::sort(neighbors.begin(), neighbors.end());
-    if(neighbors.size() == 2 ||
-       std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end())
-      return v;
-  }
-  return vertices.size();
+    return neighbors.size() == 2 ||
+           std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end();
+  });
 }
 
 } // namespace internal

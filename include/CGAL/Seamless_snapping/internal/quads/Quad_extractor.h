@@ -55,19 +55,28 @@ class Quad_extractor
 {
 public:
   // `is_feature` tells of corners whether their edge is one; or is empty. `vertex_name` is for
-  // messages.
+  // messages: it is called with a corner of the mesh.
   Quad_extractor(Chart_mesh&& mesh, std::vector<char>&& is_feature,
                  const Extraction_options& options,
-                 const std::function<std::string(std::size_t)>& vertex_name)
+                 const std::function<std::string(Corner_index)>& vertex_name)
     : m_mesh(std::move(mesh)), m_is_feature(std::move(is_feature)), m_options(options),
       m_vertex_name(vertex_name)
   { }
 
-  template <typename ConcurrencyTag>
-  bool run()
+  // Calls locate() as soon as the points are known, the last time at which the mesh is.
+  template <typename ConcurrencyTag, typename Locate>
+  bool run(const Locate& locate)
   {
-    return scale() && check_faces() && check_integers() && check_size() && measure_parts() &&
-           make_cells<ConcurrencyTag>() && check_cells();
+    const bool has_darts = scale<ConcurrencyTag>() && check_faces<ConcurrencyTag>() &&
+                           check_integers() && check_size<ConcurrencyTag>() &&
+                           measure_parts<ConcurrencyTag>() && make_darts<ConcurrencyTag>();
+    if(!has_darts)
+      return false;
+    locate();
+    if(m_report.number_of_unaligned_border_edges == 0)
+      m_mesh = Chart_mesh(); // the largest of all that is in memory
+    m_complex->cells.find();
+    return check_cells<ConcurrencyTag>();
   }
 
   Extraction_report& report() { return m_report; }
@@ -86,37 +95,60 @@ private:
     return false;
   }
 
+  std::string vertex_name(const Corner_index h) const
+  {
+    return m_vertex_name(Corner_index(3 * original_face(face_of(h)) + std::size_t(h) % 3));
+  }
+
   std::string edge_name(const Corner_index h) const
   {
-    return "the edge from vertex " + m_vertex_name(m_mesh.source(h)) +
-           " to vertex " + m_vertex_name(m_mesh.vertex(h));
+    return "the edge from vertex " + vertex_name(Chart_mesh::prev(h)) + " to vertex " +
+           vertex_name(h);
   }
 
   // Exactly, or not at all.
+  template <typename ConcurrencyTag>
   bool scale()
   {
     const double k = m_options.scale;
     if(!(k > 0 && std::isfinite(k)))
       return fail(Extraction_status::INVALID_ARGUMENT, "grid_scale must be positive and finite");
-    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i)
-      for(double& u : m_mesh.corners[i].uv) {
-        const double product = u * k;
-        if(std::abs(product) > largest_grid_coordinate)
-          return fail(Extraction_status::TOO_LARGE,
-                      "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
-                        " is beyond 2^46, where units can't be counted safely; move or shrink the "
-                        "map");
-        if(k != 1 && (std::fma(u, k, -product) != 0 || (u != 0 && std::abs(product) < 1e-200)))
-          return fail(Extraction_status::INVALID_ARGUMENT,
-                      "a coordinate of vertex " + m_vertex_name(m_mesh.vertex(Corner_index(i))) +
-                        " can't be multiplied by grid_scale exactly; scale by a power of two, or "
-                        "scale before the map is made exact, by snap_to_seamless() with "
-                        "grid_scale");
-        u = product;
-      }
-    if(k != 1)
-      scale_transitions();
+    const auto is_bad = [&](const std::size_t i) {
+      const Uv& u = m_mesh.corners[i].uv;
+      return is_beyond_limit(u[0] * k) || is_beyond_limit(u[1] * k) ||
+             !is_product_exact(u[0], k) || !is_product_exact(u[1], k);
+    };
+    const std::size_t i = find_first<ConcurrencyTag>(m_mesh.corners.size(), is_bad);
+    if(i < m_mesh.corners.size())
+      return refuse_scale(Corner_index(i));
+    if(k == 1)
+      return true;
+    for(Chart_corner& corner : m_mesh.corners)
+      corner.uv = {corner.uv[0] * k, corner.uv[1] * k};
+    scale_transitions();
     return true;
+  }
+
+  static bool is_beyond_limit(const double u) { return std::abs(u) > largest_grid_coordinate; }
+
+  static bool is_product_exact(const double u, const double k)
+  {
+    const double product = u * k;
+    return k == 1 || (std::fma(u, k, -product) == 0 && (u == 0 || std::abs(product) >= 1e-200));
+  }
+
+  bool refuse_scale(const Corner_index h)
+  {
+    const Uv& u = m_mesh.uv(h);
+    const std::string coordinate = "a coordinate of vertex " + vertex_name(h);
+    if(is_beyond_limit(u[0] * m_options.scale) || is_beyond_limit(u[1] * m_options.scale))
+      return fail(Extraction_status::TOO_LARGE,
+                  coordinate + " is beyond 2^46, where units can't be counted safely; move or "
+                               "shrink the map");
+    return fail(Extraction_status::INVALID_ARGUMENT,
+                coordinate + " can't be multiplied by grid_scale exactly; scale by a power of two, "
+                             "or scale before the map is made exact, by snap_to_seamless() with "
+                             "grid_scale");
   }
 
   void scale_transitions()
@@ -134,17 +166,8 @@ private:
 
   bool check_integers()
   {
-    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i) {
-      const std::int32_t t = m_mesh.corners[i].transition;
-      if(t == no_index)
-        continue;
-      for(const Exact_difference& d : m_mesh.transitions[std::size_t(t)].translation)
-        if(!is_integer(d))
-          return fail(Extraction_status::NOT_INTEGER,
-                      "the translation across " + edge_name(Corner_index(i)) + " is " +
-                        short_number(distance_to_integer(d)) + " off an integer" +
-                        make_integer());
-    }
+    if(!check_translations())
+      return false;
     for(std::size_t v = 0; v < m_mesh.is_singular.size(); ++v)
       if(m_mesh.is_singular[v] && !check_cone(v))
         return false;
@@ -152,6 +175,26 @@ private:
       const Corner_index h = Corner_index(i);
       m_report.number_of_unaligned_features +=
         m_is_feature[i] && m_mesh.edge_key(h) == h && !is_on_grid_line(m_mesh, h) ? 1 : 0;
+    }
+    return true;
+  }
+
+  bool check_translations()
+  {
+    const auto is_bad = [](const Chart_transition& t)
+                        { return !is_integer(t.translation[0]) || !is_integer(t.translation[1]); };
+    if(std::none_of(m_mesh.transitions.begin(), m_mesh.transitions.end(), is_bad))
+      return true;
+    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i) {
+      const std::int32_t t = m_mesh.corners[i].transition; // those of holes belong to no corner
+      if(t == no_index || !is_bad(m_mesh.transitions[std::size_t(t)]))
+        continue;
+      const auto& translation = m_mesh.transitions[std::size_t(t)].translation;
+      return fail(Extraction_status::NOT_INTEGER,
+                  "the translation across " + edge_name(Corner_index(i)) + " is " +
+                    short_number((std::max)(distance_to_integer(translation[0]),
+                                            distance_to_integer(translation[1]))) +
+                    " off an integer" + make_integer());
     }
     return true;
   }
@@ -168,13 +211,14 @@ private:
     m_report.number_of_cones_in_cells += place == Cone_place::IN_CELL ? 1 : 0;
     return place != Cone_place::ON_LINE ||
            fail(Extraction_status::NOT_INTEGER,
-                "the cone at vertex " + m_vertex_name(v) + " lies on a line of the grid, but on no "
-                "point of it" + make_integer() + ", or double the map: grid_scale(2)");
+                "the cone at vertex " + vertex_name(m_mesh.corner_at_vertex[v]) +
+                  " lies on a line of the grid, but on no point of it" + make_integer() + ", or double the map: grid_scale(2)");
   }
 
+  template <typename ConcurrencyTag>
   bool check_faces()
   {
-    m_report.nonpositive_faces = nonpositive_faces(m_mesh);
+    find_nonpositive_faces<ConcurrencyTag>();
     const std::vector<std::size_t>& faces = m_report.nonpositive_faces;
     if(faces.empty()) {
       const std::vector<char>& is_border = m_mesh.is_border;
@@ -198,14 +242,33 @@ private:
     return true;
   }
 
+  template <typename ConcurrencyTag>
+  void find_nonpositive_faces()
+  {
+    const auto faces = results_of_chunks<std::vector<std::size_t>, ConcurrencyTag>(
+      m_mesh.corners.size() / 3, [&](const Chunk& chunk) {
+        std::vector<std::size_t> result;
+        for(std::size_t f = chunk.begin; f < chunk.end; ++f)
+          if(orientation(triangle(m_mesh, f)) != CGAL::POSITIVE)
+            result.push_back(f);
+        return result;
+      });
+    for(const std::vector<std::size_t>& of_chunk : faces)
+      m_report.nonpositive_faces.insert(m_report.nonpositive_faces.end(), of_chunk.begin(),
+                                        of_chunk.end());
+  }
+
   // Lines of the grid are counted where they cross edges: slivers can be long without any area.
+  template <typename ConcurrencyTag>
   bool check_size()
   {
-    m_report.area = area(m_mesh);
+    const auto sizes = results_of_chunks<Grid_size, ConcurrencyTag>(
+      m_mesh.corners.size() / 3,
+      [&](const Chunk& faces) { return grid_size(m_mesh, faces.begin, faces.end); });
     double crossings = 0;
-    for(std::size_t i = 0; i < m_mesh.corners.size(); ++i) {
-      const Uv &a = m_mesh.uv(Chart_mesh::prev(Corner_index(i))), &b = m_mesh.uv(Corner_index(i));
-      crossings += std::abs(b[0] - a[0]) + std::abs(b[1] - a[1]);
+    for(const Grid_size& size : sizes) {
+      m_report.area += size.area;
+      crossings += size.crossings;
     }
     const double largest = double((std::min)(m_options.maximum_number, largest_number_of_quads));
     const bool has_too_many_quads = m_report.area > largest;
@@ -219,9 +282,10 @@ private:
                     std::to_string(crossings / 2) + " times; shrink the map by grid_scale");
   }
 
+  template <typename ConcurrencyTag>
   bool measure_parts()
   {
-    m_parts = std::make_unique<Surface_parts>(m_mesh);
+    m_parts = std::make_unique<Surface_parts>(m_mesh, ConcurrencyTag());
     Exact_rational twice_area{0};
     for(std::size_t i = 0; i < m_parts->size(); ++i) {
       twice_area += (*m_parts)[i].twice_area;
@@ -232,27 +296,32 @@ private:
   }
 
   template <typename ConcurrencyTag>
-  bool make_cells()
+  bool make_darts()
   {
-    Lattice_points points = Lattice_points::make<ConcurrencyTag>(m_mesh);
+    const double expected = 1.01 * m_report.area + 0.01 * double(m_mesh.is_border.size());
+    Lattice_points points = Lattice_points::make<ConcurrencyTag>(m_mesh, std::size_t(expected));
     Grid_darts darts = Grid_darts::make<ConcurrencyTag>(m_mesh, points);
     const Dart_failure failure = pair_darts<ConcurrencyTag>(m_mesh, points, m_is_feature, darts);
     if(failure.is_obstacle)
       return fail(Extraction_status::NOT_INTEGER,
-                  "a line of the grid meets vertex " + m_vertex_name(failure.vertex) +
+                  "a line of the grid meets vertex " +
+                    vertex_name(m_mesh.corner_at_vertex[failure.vertex]) +
                     ", which is a cone or a corner of the border, between two points of the grid" +
                     make_integer());
     if(failure)
       return fail(Extraction_status::INTERNAL_ERROR, "two darts have the same twin");
-    m_complex = std::make_unique<Quad_complex>(m_mesh, std::move(points), std::move(darts));
-    return true;
+    m_complex = std::make_unique<Quad_complex>(std::move(points), std::move(darts));
+    return find_first<ConcurrencyTag>(m_complex->points.size(), [&](const std::size_t p)
+                                      { return !is_valence_right(p); }) == m_complex->points.size()
+             || fail(Extraction_status::INTERNAL_ERROR, "a vertex has a wrong number of darts");
   }
 
+  template <typename ConcurrencyTag>
   bool check_cells()
   {
     leave_out_cut_cells();
     const std::vector<Cell_counts> counts =
-      count_cells(m_complex->points, m_complex->darts, m_complex->cells, *m_parts);
+      count_cells<ConcurrencyTag>(m_complex->points, m_complex->darts, m_complex->cells, *m_parts);
     bool is_area_right = true;
     const std::size_t part = first_bad_part(*m_parts, counts, is_area_right);
     if(part < m_parts->size()) {
@@ -263,11 +332,10 @@ private:
                     (may_be_coarse ? "is too small for the grid; scale the map up by grid_scale"
                                    : "has cells of the wrong area"));
     }
-    if(!check_valences())
-      return fail(Extraction_status::INTERNAL_ERROR, "a vertex has a wrong number of darts");
-    for(std::size_t c = 0; c < m_complex->cells.size(); ++c)
-      m_report.number_of_other_polygons += m_complex->cells.degree(c) != 4 ? 1 : 0;
     m_report.number_of_faces = m_complex->cells.size();
+    for(const std::size_t n : results_of_chunks<std::size_t, ConcurrencyTag>(
+          m_report.number_of_faces, [&](const Chunk& cells) { return other_polygons(cells); }))
+      m_report.number_of_other_polygons += n;
     return m_report.number_of_faces > 0 ||
            fail(Extraction_status::TOO_COARSE,
                 "the surface holds no whole cell of the grid; scale the map up by grid_scale");
@@ -275,36 +343,42 @@ private:
 
   // Four darts at a regular vertex; at others, their number is that of quarter turns, of which the
   // rotations around the vertex know the number modulo 4.
-  bool check_valences() const
+  bool is_valence_right(const std::size_t p) const
   {
-    for(std::size_t p = 0; p < m_complex->points.size(); ++p) {
-      const Lattice_point& point = m_complex->points[p];
-      const std::size_t n = m_complex->darts.degree(p), v = m_mesh.vertex(point.corner);
-      if(point.place != Lattice_place::VERTEX || m_mesh.is_border[v])
-        continue;
-      Quarter_turns::Element turns = Quarter_turns::element(int(n));
-      for_each_corner(m_mesh, v, [&](const Corner_index c)
-                      { turns = Quarter_turns::compose(m_mesh.rotation(c), turns); });
-      if((n == 4) == bool(m_mesh.is_singular[v]) || turns != Quarter_turns::identity())
-        return false;
-    }
-    return true;
+    const Lattice_point& point = m_complex->points[p];
+    if(point.place != Lattice_place::VERTEX)
+      return true;
+    const std::size_t n = m_complex->darts.degree(p), v = m_mesh.vertex(point.corner);
+    if(m_mesh.is_border[v])
+      return true;
+    Quarter_turns::Element turns = Quarter_turns::element(int(n));
+    for_each_corner(m_mesh, v, [&](const Corner_index c)
+                    { turns = Quarter_turns::compose(m_mesh.rotation(c), turns); });
+    return (n == 4) != bool(m_mesh.is_singular[v]) && turns == Quarter_turns::identity();
+  }
+
+  std::size_t other_polygons(const Chunk& cells) const
+  {
+    std::size_t n = 0;
+    for(std::size_t c = cells.begin; c < cells.end; ++c)
+      n += m_complex->cells.degree(c) != 4 ? 1 : 0;
+    return n;
   }
 
   void leave_out_cut_cells()
   {
     m_report.number_of_cut_cells = m_complex->cells.number_of_cut_cells();
-    if(m_report.number_of_unaligned_border_edges == 0)
-      return;
-    const std::vector<char> is_cut = Border_cells(m_mesh, *m_complex).find();
-    m_report.number_of_cut_cells += std::size_t(std::count(is_cut.begin(), is_cut.end(), true));
-    m_complex->cells.remove(is_cut);
+    if(m_report.number_of_unaligned_border_edges > 0) {
+      const std::vector<char> is_cut = Border_cells(m_mesh, *m_complex).find();
+      m_report.number_of_cut_cells += std::size_t(std::count(is_cut.begin(), is_cut.end(), true));
+      m_complex->cells.remove(is_cut);
+    }
   }
 
   Chart_mesh m_mesh;
   std::vector<char> m_is_feature;
   Extraction_options m_options;
-  std::function<std::string(std::size_t)> m_vertex_name;
+  std::function<std::string(Corner_index)> m_vertex_name;
   Extraction_report m_report;
   std::vector<std::int32_t> m_kept_faces; // empty: all
   std::unique_ptr<Surface_parts> m_parts;

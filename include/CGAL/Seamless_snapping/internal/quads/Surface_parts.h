@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/tags.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -62,7 +63,31 @@ inline std::array<Exact_rational, 2> exact(const Uv& u)
 class Surface_parts
 {
 public:
-  explicit Surface_parts(const Chart_mesh& mesh)
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
+  explicit Surface_parts(const Chart_mesh& mesh, ConcurrencyTag = ConcurrencyTag())
+  {
+    number_parts(mesh);
+    const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
+      mesh.corners.size() / 3, [&](const Chunk& faces) { return measure(mesh, faces); });
+    for(const std::vector<Run>& of_chunk : runs)
+      for(const Run& run : of_chunk)
+        add(run.data, m_data[run.part]);
+  }
+
+  std::size_t size() const { return m_data.size(); }
+  const Surface_part& operator[](const std::size_t i) const { return m_data[i]; }
+  std::size_t part_of_face(const std::size_t f) const
+  { return m_parts.empty() ? 0 : std::size_t(m_parts[f]); }
+
+private:
+  // What successive faces of a part add to it.
+  struct Run
+  {
+    std::size_t part;
+    Surface_part data;
+  };
+
+  void number_parts(const Chart_mesh& mesh)
   {
     const std::size_t n = mesh.corners.size() / 3;
     std::vector<std::int32_t> ranks(n, 0), parents(n);
@@ -81,18 +106,32 @@ public:
       }
       m_parts[f] = part;
     }
-    for(std::size_t i = 0; i < mesh.corners.size(); ++i)
-      add_corner(mesh, Corner_index(i));
+    if(m_data.size() == 1)
+      std::vector<std::int32_t>().swap(m_parts);
   }
 
-  std::size_t size() const { return m_data.size(); }
-  const Surface_part& operator[](const std::size_t i) const { return m_data[i]; }
-  std::size_t part_of_face(const std::size_t f) const { return std::size_t(m_parts[f]); }
-
-private:
-  void add_corner(const Chart_mesh& mesh, const Corner_index h)
+  std::vector<Run> measure(const Chart_mesh& mesh, const Chunk& faces) const
   {
-    Surface_part& part = m_data[part_of_face(face_of(h))];
+    std::vector<Run> runs;
+    for(std::size_t f = faces.begin; f < faces.end; ++f) {
+      const std::size_t part = part_of_face(f);
+      if(runs.empty() || runs.back().part != part)
+        runs.push_back({part, {}});
+      for(std::size_t i = 3 * f; i < 3 * f + 3; ++i)
+        add_corner(mesh, Corner_index(i), runs.back().data);
+    }
+    return runs;
+  }
+
+  static void add(const Surface_part& more, Surface_part& part)
+  {
+    part.euler_characteristic += more.euler_characteristic;
+    part.number_of_unaligned_edges += more.number_of_unaligned_edges;
+    part.twice_area += more.twice_area;
+  }
+
+  static void add_corner(const Chart_mesh& mesh, const Corner_index h, Surface_part& part)
+  {
     part.euler_characteristic += (h % 3 == 0 ? 1 : 0) - (mesh.edge_key(h) == h ? 1 : 0) +
                                  (mesh.corner_at_vertex[mesh.vertex(h)] == h ? 1 : 0);
     const Corner_index p = Chart_mesh::prev(h), g = mesh.opposite(h);
@@ -117,7 +156,7 @@ private:
                                      {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])});
   }
 
-  std::vector<std::int32_t> m_parts; // per face
+  std::vector<std::int32_t> m_parts; // per face; empty if there is one part only
   std::vector<Surface_part> m_data;
 };
 

@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,24 +35,53 @@ struct Cell_counts
   std::size_t corners = 0, open_darts = 0; // corners of cells
 
   std::ptrdiff_t euler_characteristic() const { return points - darts / 2 + cells; }
+
+  Cell_counts& operator+=(const Cell_counts& more)
+  {
+    points += more.points;
+    darts += more.darts;
+    cells += more.cells;
+    corners += more.corners;
+    open_darts += more.open_darts;
+    return *this;
+  }
 };
 
-inline std::vector<Cell_counts> count_cells(const Lattice_points& points, const Grid_darts& darts,
-                                            const Grid_cells& cells, const Surface_parts& parts)
+inline void add_point(const Grid_darts& darts, const Grid_cells& cells, const std::size_t p,
+                      Cell_counts& c)
 {
-  std::vector<Cell_counts> counts(parts.size());
-  for(std::size_t p = 0; p < points.size(); ++p) {
-    Cell_counts& c = counts[parts.part_of_face(face_of(points[p].corner))];
-    ++c.points;
-    for(std::size_t d = darts.first(p); d < darts.first(p + 1); ++d) {
-      ++c.darts;
-      c.open_darts += darts.twins[d] < 0 ? 1 : 0;
-      if(cells.cell(d) == no_cell)
-        continue;
-      ++c.corners;
-      c.cells += cells.first_dart(std::size_t(cells.cell(d))) == d ? 1 : 0;
-    }
+  ++c.points;
+  for(std::size_t d = darts.first(p); d < darts.first(p + 1); ++d) {
+    ++c.darts;
+    c.open_darts += darts.twins[d] < 0 ? 1 : 0;
+    if(cells.cell(d) == no_cell)
+      continue;
+    ++c.corners;
+    c.cells += cells.first_dart(std::size_t(cells.cell(d))) == d ? 1 : 0;
   }
+}
+
+// Per part. Summed up in chunks of points, in which parts change rarely.
+template <typename ConcurrencyTag>
+std::vector<Cell_counts> count_cells(const Lattice_points& points, const Grid_darts& darts,
+                                     const Grid_cells& cells, const Surface_parts& parts)
+{
+  using Run = std::pair<std::size_t, Cell_counts>; // successive points of a part
+  const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
+    points.size(), [&](const Chunk& chunk) {
+      std::vector<Run> result;
+      for(std::size_t p = chunk.begin; p < chunk.end; ++p) {
+        const std::size_t part = parts.part_of_face(face_of(points[p].corner));
+        if(result.empty() || result.back().first != part)
+          result.push_back({part, {}});
+        add_point(darts, cells, p, result.back().second);
+      }
+      return result;
+    });
+  std::vector<Cell_counts> counts(parts.size());
+  for(const std::vector<Run>& of_chunk : runs)
+    for(const Run& run : of_chunk)
+      counts[run.first] += run.second;
   return counts;
 }
 

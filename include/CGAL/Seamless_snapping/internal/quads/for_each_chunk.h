@@ -51,6 +51,33 @@ void for_each_chunk(std::vector<Chunk> chunks, const Function& f)
   });
 }
 
+// What f(chunk) returns for the chunks of 0, ..., n - 1, in their order.
+template <typename Result, typename ConcurrencyTag, typename Function>
+std::vector<Result> results_of_chunks(const std::size_t n, const Function& f)
+{
+  const std::vector<Chunk> chunks = chunks_of(n);
+  std::vector<Result> results(chunks.size());
+  for_each_chunk<ConcurrencyTag>(chunks,
+                                 [&](const Chunk& chunk) { results[chunk.index] = f(chunk); });
+  return results;
+}
+
+// The first i below n for which f(i) is true, or n.
+template <typename ConcurrencyTag, typename Function>
+std::size_t find_first(const std::size_t n, const Function& f)
+{
+  const auto first_of_chunk = [&](const Chunk& chunk) {
+    for(std::size_t i = chunk.begin; i < chunk.end; ++i)
+      if(f(i))
+        return i;
+    return n;
+  };
+  for(const std::size_t i : results_of_chunks<std::size_t, ConcurrencyTag>(n, first_of_chunk))
+    if(i < n)
+      return i;
+  return n;
+}
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

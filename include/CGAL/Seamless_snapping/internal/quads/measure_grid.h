@@ -71,15 +71,25 @@ inline bool is_half_integer(const Uv& u)
   return std::abs(u[0] - std::floor(u[0])) == 0.5 && std::abs(u[1] - std::floor(u[1])) == 0.5;
 }
 
-// In floating point.
-template <typename Group>
-double area(const Basic_chart_mesh<Group>& mesh)
+// Of some faces, in units and in floating point: their area, and how often lines of the grid cross
+// their edges, about.
+struct Grid_size
 {
-  double result = 0;
-  for(std::size_t f = 0; f < mesh.corners.size() / 3; ++f) {
+  double area = 0, crossings = 0;
+};
+
+template <typename Group>
+Grid_size grid_size(const Basic_chart_mesh<Group>& mesh, const std::size_t begin,
+                    const std::size_t end)
+{
+  Grid_size result;
+  for(std::size_t f = begin; f < end; ++f) {
     const Uv_triangle t = triangle(mesh, f);
-    result += ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
-               (t[1][1] - t[0][1]) * (t[2][0] - t[0][0])) / 2;
+    result.area += ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
+                    (t[1][1] - t[0][1]) * (t[2][0] - t[0][0])) / 2;
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 2; ++c)
+        result.crossings += std::abs(t[k][c] - t[(k + 1) % 3][c]);
   }
   return result;
 }

@@ -47,7 +47,8 @@ inline bool complete_twins(Grid_darts& darts)
     const std::size_t t = std::size_t(darts.twins[d]);
     if(darts.twins[t] == untraced_dart) {
       darts.twins[t] = Dart_index(d);
-      darts.are_features[t] = darts.are_features[d];
+      if(darts.is_feature(d))
+        darts.mark_feature(t);
     } else if(darts.twins[t] != Dart_index(d)) {
       return false;
     }
@@ -59,19 +60,22 @@ template <typename ConcurrencyTag>
 Dart_failure pair_darts(const Chart_mesh& mesh, const Lattice_points& points,
                         const std::vector<char>& is_feature, Grid_darts& darts)
 {
-  const std::vector<Chunk> chunks = chunks_of(darts.size());
+  const std::vector<Chunk> chunks = chunks_of(points.size());
   std::vector<Dart_failure> failures(chunks.size());
   for(const bool is_first_round : {true, false}) {
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
       Dart_tracer tracer(mesh, points, darts, is_feature);
-      for(std::size_t d = chunk.begin; d < chunk.end; ++d) {
-        if(is_first_round ? d - darts.first(darts.origin(d)) > 1 : darts.twins[d] != untraced_dart)
-          continue;
-        darts.twins[d] = tracer.trace(d);
-        darts.are_features[d] = tracer.ran_along_feature();
-        if(darts.twins[d] == untraced_dart && !failures[chunk.index])
-          failures[chunk.index] = {true, false, tracer.obstacle()};
-      }
+      for(std::size_t p = chunk.begin; p < chunk.end; ++p)
+        for(std::size_t k = 0; k < darts.degree(p); ++k) {
+          const std::size_t d = darts.first(p) + k;
+          if(is_first_round ? k > 1 : darts.twins[d] != untraced_dart)
+            continue;
+          darts.twins[d] = tracer.trace(p, int(k));
+          if(tracer.ran_along_feature())
+            darts.mark_feature(d);
+          if(darts.twins[d] == untraced_dart && !failures[chunk.index])
+            failures[chunk.index] = {true, false, tracer.obstacle()};
+        }
     });
     for(const Dart_failure& failure : failures)
       if(failure)

@@ -14,8 +14,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Writes the cells: into a halfedge data structure, or as points and lists of their indices.
+// Where the points of the grid lie in space, and the cells as they are written.
 
+#include <CGAL/Seamless_snapping/internal/mesh/write_cells.h>
 #include <CGAL/Seamless_snapping/internal/quads/place_on_surface.h>
 #include <CGAL/Seamless_snapping/internal/quads/Quad_extractor.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
@@ -23,17 +24,30 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+using Place = std::array<double, 3>; // in space
+
+template <typename Point>
+Point point_at(const Place& place)
+{
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  return Point(FT(place[0]), FT(place[1]), FT(place[2]));
+}
 
 // The points of the grid in space, and on the input mesh. locate(point) gives a Surface_location.
 template <typename TriangleMesh, typename VertexPointMap, typename Locate>
@@ -43,9 +57,9 @@ public:
   using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
                              std::array<double, 3> >;
 
-  Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                 const Flat_numbering<TriangleMesh>& numbering, const Locate& locate)
-    : m_tmesh(tmesh), m_point_map(point_map), m_numbering(numbering), m_locate(locate)
+  Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map, const Locate& locate)
+    : m_tmesh(tmesh), m_faces(faces(tmesh).begin(), faces(tmesh).end()), m_point_map(point_map),
+      m_locate(locate)
   { }
 
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
@@ -53,42 +67,56 @@ public:
   {
     const Surface_location at = m_locate(p);
     const Weights& w = at.weights;
-    return {face(corner(at, 0), m_tmesh), {w[2], w[0], w[1]}};
+    return {m_faces[at.face], {w[2], w[0], w[1]}};
   }
 
-  template <typename Point>
-  Point point(const Lattice_point& p) const
+  // Of all points in space. They are computed concurrently only if coordinates are no objects that
+  // threads may share.
+  template <typename ConcurrencyTag>
+  std::vector<Place> places(const Lattice_points& points) const
   {
+    using Point = typename boost::property_traits<VertexPointMap>::value_type;
     using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    const Surface_location at = m_locate(p);
-    const Weights& w = at.weights;
-    std::array<double, 3> sum{};
-    for(std::size_t k = 0; k < 3; ++k) {
-      if(w[k] == 0)
-        continue;
-      const auto& q = get(m_point_map, target(corner(at, k), m_tmesh));
-      sum[0] += w[k] * CGAL::to_double(q.x());
-      sum[1] += w[k] * CGAL::to_double(q.y());
-      sum[2] += w[k] * CGAL::to_double(q.z());
-    }
-    return Point(FT(sum[0]), FT(sum[1]), FT(sum[2]));
+    using Tag =
+      std::conditional_t<std::is_floating_point_v<FT>, ConcurrencyTag, CGAL::Sequential_tag>;
+    std::vector<Place> result(points.size());
+    for_each_chunk<Tag>(chunks_of(points.size()), [&](const Chunk& chunk) {
+      for(std::size_t i = chunk.begin; i < chunk.end; ++i)
+        result[i] = place(m_locate(points[i]));
+    });
+    return result;
   }
 
 private:
-  auto corner(const Surface_location& at, const std::size_t k) const
-  { return m_numbering.halfedges_of_corners()[3 * at.face + k]; }
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  Place place(const Surface_location& at) const
+  {
+    Place sum{};
+    auto h = halfedge(m_faces[at.face], m_tmesh);
+    for(const double w : at.weights) {
+      if(w != 0) {
+        const auto& q = get(m_point_map, target(h, m_tmesh));
+        sum[0] += w * CGAL::to_double(q.x());
+        sum[1] += w * CGAL::to_double(q.y());
+        sum[2] += w * CGAL::to_double(q.z());
+      }
+      h = next(h, m_tmesh);
+    }
+    return sum;
+  }
 
   const TriangleMesh& m_tmesh;
+  std::vector<Face> m_faces; // in their order
   const VertexPointMap& m_point_map;
-  const Flat_numbering<TriangleMesh>& m_numbering;
   const Locate& m_locate;
 };
 
 template <typename TriangleMesh, typename VertexPointMap, typename Locate>
 auto make_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                    const Flat_numbering<TriangleMesh>& numbering, const Locate& locate)
+                    const Locate& locate)
 {
-  return Grid_embedding<TriangleMesh, VertexPointMap, Locate>(tmesh, point_map, numbering, locate);
+  return Grid_embedding<TriangleMesh, VertexPointMap, Locate>(tmesh, point_map, locate);
 }
 
 // The index of the cone at a point, in quarter turns; 0 where there is none.
@@ -99,97 +127,38 @@ inline int cone_index(const Chart_mesh& mesh, const Quad_complex& complex, const
            ? 4 - int(complex.darts.degree(p)) : 0;
 }
 
-// Adds the cells to a graph.
-template <typename Graph>
-class Quad_writer
+// The cells for `Cell_writer`.
+class Quads_to_write
 {
-  using Graph_traits = boost::graph_traits<Graph>;
-  using Halfedge = typename Graph_traits::halfedge_descriptor;
-  using Vertex = typename Graph_traits::vertex_descriptor;
-  using Face = typename Graph_traits::face_descriptor;
-
 public:
-  Quad_writer(const Quad_complex& complex, const Cell_vertices& vertices, Graph& graph)
-    : m_complex(complex), m_vertices(vertices), m_graph(graph)
+  Quads_to_write(const Quad_complex& complex, const Cell_vertices& vertices)
+    : m_complex(complex), m_vertices(vertices)
   { }
 
-  // Calls at_vertex(descriptor, index) for each vertex and at_edge(descriptor, dart) for each edge.
-  template <typename At_vertex, typename At_edge>
-  void run(const At_vertex& at_vertex, const At_edge& at_edge)
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  std::size_t number_of_cells() const { return m_complex.cells.size(); }
+  std::size_t number_of_darts() const { return m_complex.darts.size(); }
+  bool is_edge(const std::size_t d) const { return m_complex.is_edge(d); }
+  std::size_t twin(const std::size_t d) const { return m_complex.twin(d); }
+  Cell_index cell(const std::size_t d) const { return m_complex.cells.cell(d); }
+
+  // A dart of the border is followed by the one at the other end of the fan around its target.
+  std::size_t next(const std::size_t d) const
   {
-    using size_type = typename Graph_traits::vertices_size_type;
-    reserve(m_graph, size_type(num_vertices(m_graph) + m_vertices.size()),
-            size_type(num_edges(m_graph) + number_of_edges()),
-            size_type(num_faces(m_graph) + m_complex.cells.size()));
-    for(std::size_t v = 0; v < m_vertices.size(); ++v) {
-      m_new_vertices.push_back(add_vertex(m_graph));
-      at_vertex(m_new_vertices.back(), v);
-    }
-    add_edges(at_edge);
-    for(std::size_t c = 0; c < m_complex.cells.size(); ++c)
-      add_cell(c);
-    link_border();
+    if(m_complex.has_cell(d))
+      return m_complex.next(d);
+    std::size_t last = twin(d);
+    while(m_complex.has_cell(last))
+      last = m_complex.darts.counterclockwise(last);
+    return last;
   }
+
+  std::size_t target(const std::size_t d) const
+  { return m_vertices.vertex(m_complex.has_cell(d) ? m_complex.next(d) : twin(d)); }
 
 private:
-  std::size_t number_of_edges() const
-  {
-    std::size_t n = 0;
-    for(std::size_t d = 0; d < m_complex.darts.size(); ++d)
-      n += m_complex.is_edge(d) && d < m_complex.twin(d) ? 1 : 0;
-    return n;
-  }
-
-  template <typename At_edge>
-  void add_edges(const At_edge& at_edge)
-  {
-    m_halfedges.resize(m_complex.darts.size());
-    for(std::size_t d = 0; d < m_complex.darts.size(); ++d) {
-      if(!m_complex.is_edge(d) || m_complex.twin(d) < d)
-        continue;
-      const auto e = add_edge(m_graph);
-      m_halfedges[d] = halfedge(e, m_graph);
-      m_halfedges[m_complex.twin(d)] = opposite(m_halfedges[d], m_graph);
-      at_edge(e, d);
-    }
-  }
-
-  void add_cell(const std::size_t cell)
-  {
-    const Face f = add_face(m_graph);
-    set_halfedge(f, m_halfedges[m_complex.cells.first_dart(cell)], m_graph);
-    m_complex.cells.for_darts(cell, [&](const std::size_t d) {
-      const std::size_t next = m_complex.next(d);
-      const Vertex v = m_new_vertices[m_vertices.vertex(next)];
-      set_face(m_halfedges[d], f, m_graph);
-      set_next(m_halfedges[d], m_halfedges[next], m_graph);
-      set_target(m_halfedges[d], v, m_graph);
-      set_halfedge(v, m_halfedges[d], m_graph);
-    });
-  }
-
-  // A border halfedge d is followed by the one at the other end of the fan around its target.
-  void link_border()
-  {
-    for(std::size_t d = 0; d < m_complex.darts.size(); ++d) {
-      if(!m_complex.is_edge(d) || m_complex.has_cell(d))
-        continue;
-      std::size_t last = m_complex.twin(d);
-      const Vertex v = m_new_vertices[m_vertices.vertex(last)];
-      while(m_complex.has_cell(last))
-        last = m_complex.darts.counterclockwise(last);
-      set_face(m_halfedges[d], Graph_traits::null_face(), m_graph);
-      set_next(m_halfedges[d], m_halfedges[last], m_graph);
-      set_target(m_halfedges[d], v, m_graph);
-      set_halfedge(v, m_halfedges[d], m_graph);
-    }
-  }
-
   const Quad_complex& m_complex;
   const Cell_vertices& m_vertices;
-  Graph& m_graph;
-  std::vector<Vertex> m_new_vertices;
-  std::vector<Halfedge> m_halfedges; // per dart
 };
 
 } // namespace internal

@@ -1,0 +1,220 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_QUAD_OUTPUTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_QUAD_OUTPUTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What becomes of the cells: a mesh, or points and lists of their indices. Each output first takes
+// the places of all points, while the surface is known, and then writes the cells, or refuses.
+
+#include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename ConcurrencyTag>
+bool is_face_graph(Quad_extractor& extractor, const Cell_vertices& vertices)
+{
+  const std::size_t v = vertex_with_double_edges<ConcurrencyTag>(extractor.complex(), vertices);
+  if(v == vertices.size())
+    return true;
+  extractor.report().status = Extraction_status::NO_FACE_GRAPH;
+  extractor.report().message =
+    "the quads around point " + std::to_string(v) + " of the grid meet themselves, or each other "
+    "twice, which no face graph can hold; scale the map up by grid_scale, or call "
+    "extract_quad_soup()";
+  return false;
+}
+
+// Adds the quads to a graph, and fills the maps that are given; or refuses.
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+class Quad_mesh_output
+{
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+public:
+  Quad_mesh_output(QuadMesh& quads, const NamedParameters& np) : m_quads(quads), m_np(np) { }
+
+  template <typename ConcurrencyTag, typename Embedding>
+  void locate(const Quad_extractor& extractor, const Embedding& embedding)
+  {
+    const Quad_complex& complex = extractor.complex();
+    m_places = embedding.template places<ConcurrencyTag>(complex.points);
+    const auto location_map = this->location_map();
+    if constexpr(is_given_parameter(location_map))
+      for(std::size_t p = 0; p < complex.points.size(); ++p)
+        m_locations.push_back(embedding.location(complex.points[p]));
+    const auto cone_map = this->cone_map();
+    if constexpr(is_given_parameter(cone_map))
+      for(std::size_t p = 0; p < complex.points.size(); ++p)
+        m_cones.push_back(cone_index(extractor.mesh(), complex, p));
+  }
+
+  template <typename ConcurrencyTag>
+  void write(Quad_extractor& extractor)
+  {
+    const Quad_complex& complex = extractor.complex();
+    const Cell_vertices vertices(m_places.size(), complex.darts, complex.cells);
+    if(!is_face_graph<ConcurrencyTag>(extractor, vertices))
+      return;
+    extractor.report().number_of_vertices = vertices.size();
+    const Quads_to_write cells(complex, vertices);
+    Cell_writer<QuadMesh, Quads_to_write> writer(cells, m_quads);
+    add_vertices(vertices, writer);
+    writer.add_edges_and_faces(
+      [&](const auto e, const std::size_t d) {
+        const auto map = CGAL::parameters::get_parameter(m_np, CGAL::internal_np::edge_is_constrained);
+        if constexpr(is_given_parameter(map))
+          put(map, e, complex.darts.is_feature(d) || !complex.has_cell(d) ||
+                        !complex.has_cell(complex.twin(d)));
+      },
+      [](const auto, std::size_t) { });
+  }
+
+private:
+  auto location_map() const
+  { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_location); }
+  auto cone_map() const
+  { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::cone_index); }
+
+  template <typename Writer>
+  void add_vertices(const Cell_vertices& vertices, Writer& writer)
+  {
+    auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_point),
+      CGAL::get_property_map(CGAL::vertex_point, m_quads));
+    using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+    const auto location_map = this->location_map();
+    const auto cone_map = this->cone_map();
+    for(std::size_t i = 0; i < vertices.size(); ++i) {
+      const auto v = writer.new_vertex();
+      const std::size_t p = vertices.point(i);
+      put(point_map, v, point_at<Point>(m_places[p]));
+      if constexpr(is_given_parameter(location_map))
+        put(location_map, v, m_locations[p]);
+      if constexpr(is_given_parameter(cone_map))
+        put(cone_map, v, m_cones[p]);
+    }
+  }
+
+  QuadMesh& m_quads;
+  const NamedParameters& m_np;
+  std::vector<Place> m_places; // of all points; so are the following, where they are asked for
+  std::vector<std::pair<Face, std::array<double, 3> > > m_locations;
+  std::vector<int> m_cones;
+};
+
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+Quad_mesh_output<TriangleMesh, QuadMesh, NamedParameters>
+quad_mesh_output(const TriangleMesh&, QuadMesh& quads, const NamedParameters& np)
+{
+  return {quads, np};
+}
+
+template <typename Polygon>
+struct Is_array : public std::false_type
+{ };
+
+template <typename Index, std::size_t n>
+struct Is_array<std::array<Index, n> > : public std::true_type
+{
+  static_assert(n == 4, "quads have four corners");
+};
+
+// The corners of a cell, from the index of the first vertex on.
+template <typename Polygon>
+Polygon polygon(const Quad_complex& complex, const Cell_vertices& vertices, const std::size_t cell,
+                const std::size_t first)
+{
+  boost::container::small_vector<std::size_t, 16> corners;
+  complex.cells.for_darts(cell, [&](const std::size_t d)
+                          { corners.push_back(first + vertices.vertex(d)); });
+  if constexpr(Is_array<Polygon>::value) {
+    using Index = typename Polygon::value_type;
+    return {Index(corners[0]), Index(corners[1]), Index(corners[2]), Index(corners[3])};
+  } else {
+    return Polygon(corners.begin(), corners.end());
+  }
+}
+
+// Whether all cells can be stored as polygons of this type.
+template <typename Polygon>
+bool fits(Extraction_report& report)
+{
+  if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
+    return true;
+  report.status = Extraction_status::NOT_INTEGER;
+  report.message = std::to_string(report.number_of_other_polygons) +
+                   " cells around cones are no quads, which arrays of four indices can't hold; "
+                   "double the map, grid_scale(2), if the cones are half-integers, or use "
+                   "std::vector<std::size_t> for polygons";
+  return false;
+}
+
+// Adds the quads to ranges of points and polygons; or refuses.
+template <typename PointRange, typename PolygonRange>
+class Quad_soup_output
+{
+public:
+  Quad_soup_output(PointRange& points, PolygonRange& polygons)
+    : m_points(points), m_polygons(polygons)
+  { }
+
+  template <typename ConcurrencyTag, typename Embedding>
+  void locate(const Quad_extractor& extractor, const Embedding& embedding)
+  {
+    m_places = embedding.template places<ConcurrencyTag>(extractor.complex().points);
+  }
+
+  template <typename ConcurrencyTag>
+  void write(Quad_extractor& extractor)
+  {
+    using Polygon = typename PolygonRange::value_type;
+    const Quad_complex& complex = extractor.complex();
+    if(!fits<Polygon>(extractor.report()))
+      return;
+    const Cell_vertices vertices(m_places.size(), complex.darts, complex.cells);
+    extractor.report().number_of_vertices = vertices.size();
+    const std::size_t first = m_points.size();
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      m_points.push_back(point_at<typename PointRange::value_type>(m_places[vertices.point(i)]));
+    for(std::size_t c = 0; c < complex.cells.size(); ++c)
+      m_polygons.push_back(polygon<Polygon>(complex, vertices, c, first));
+  }
+
+private:
+  PointRange& m_points;
+  PolygonRange& m_polygons;
+  std::vector<Place> m_places; // of all points
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_QUAD_OUTPUTS_H
