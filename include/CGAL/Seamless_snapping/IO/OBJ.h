@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_text_builder.h>
-#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
 #include <istream>
@@ -121,10 +120,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 File_status read_OBJ(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_reading([&] {
-    return internal::read_text<internal::OBJ_parser>(internal::text_of_stream(is), tmesh, uv_map,
-                                                     internal::strip(np));
-  });
+  return internal::read_mesh<internal::OBJ_parser>(is, tmesh, uv_map, np);
 }
 
 /*!
@@ -139,10 +135,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 File_status read_OBJ(const std::string& filename, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_reading([&] {
-    return internal::read_text<internal::OBJ_parser>(internal::text_of_file(filename), tmesh,
-                                                     uv_map, internal::strip(np));
-  });
+  return internal::read_mesh<internal::OBJ_parser>(filename, tmesh, uv_map, np);
 }
 
 /*!
@@ -201,9 +194,8 @@ File_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(os,
-                         internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
+  return internal::write_mesh(os, [&] {
+    return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
   });
 }
 
@@ -220,9 +212,8 @@ File_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Ha
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] { // the file is emptied when the text is complete
-    internal::write_text(filename,
-                         internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np)));
+  return internal::write_mesh(filename, [&] {
+    return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
   });
 }
 
@@ -278,11 +269,8 @@ File_status rewrite_OBJ(std::istream& original, std::ostream& os, const Triangle
                         HalfedgeUVMap uv_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(os, internal::rewritten_text<internal::OBJ_parser, internal::OBJ_rewriter>(
-                               internal::text_of_stream(original), tmesh, uv_map,
-                               internal::strip(np)));
-  });
+  return internal::rewrite_mesh<internal::OBJ_parser, internal::OBJ_rewriter>(
+    original, os, tmesh, uv_map, np);
 }
 
 /*!
@@ -297,11 +285,8 @@ File_status rewrite_OBJ(const std::string& original, const std::string& filename
                         const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(filename,
-                         internal::rewritten_text<internal::OBJ_parser, internal::OBJ_rewriter>(
-                           internal::text_of_file(original), tmesh, uv_map, internal::strip(np)));
-  });
+  return internal::rewrite_mesh<internal::OBJ_parser, internal::OBJ_rewriter>(
+    original, filename, tmesh, uv_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL

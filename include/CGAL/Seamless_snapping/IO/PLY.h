@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_text_builder.h>
-#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
 #include <istream>
@@ -65,10 +64,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 File_status read_PLY(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_reading([&] {
-    return internal::read_text<internal::PLY_parser>(internal::text_of_stream(is), tmesh, uv_map,
-                                                     internal::strip(np));
-  });
+  return internal::read_mesh<internal::PLY_parser>(is, tmesh, uv_map, np);
 }
 
 /*!
@@ -83,10 +79,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 File_status read_PLY(const std::string& filename, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_reading([&] {
-    return internal::read_text<internal::PLY_parser>(internal::text_of_file(filename), tmesh,
-                                                     uv_map, internal::strip(np));
-  });
+  return internal::read_mesh<internal::PLY_parser>(filename, tmesh, uv_map, np);
 }
 
 /*!
@@ -105,9 +98,8 @@ File_status write_PLY(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                       const std::string& comments,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(os,
-                         internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np)));
+  return internal::write_mesh(os, [&] {
+    return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
   });
 }
 
@@ -122,9 +114,8 @@ File_status write_PLY(const std::string& filename, const TriangleMesh& tmesh, Ha
                       const std::string& comments,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] { // the file is emptied when the text is complete
-    internal::write_text(filename,
-                         internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np)));
+  return internal::write_mesh(filename, [&] {
+    return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
   });
 }
 
@@ -143,11 +134,8 @@ File_status rewrite_PLY(std::istream& original, std::ostream& os, const Triangle
                         HalfedgeUVMap uv_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(os, internal::rewritten_text<internal::PLY_parser, internal::PLY_rewriter>(
-                               internal::text_of_stream(original), tmesh, uv_map,
-                               internal::strip(np)));
-  });
+  return internal::rewrite_mesh<internal::PLY_parser, internal::PLY_rewriter>(
+    original, os, tmesh, uv_map, np);
 }
 
 /*!
@@ -162,11 +150,8 @@ File_status rewrite_PLY(const std::string& original, const std::string& filename
                         const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::status_of_writing([&] {
-    internal::write_text(filename,
-                         internal::rewritten_text<internal::PLY_parser, internal::PLY_rewriter>(
-                           internal::text_of_file(original), tmesh, uv_map, internal::strip(np)));
-  });
+  return internal::rewrite_mesh<internal::PLY_parser, internal::PLY_rewriter>(
+    original, filename, tmesh, uv_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL

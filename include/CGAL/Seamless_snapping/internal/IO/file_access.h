@@ -43,7 +43,7 @@ inline std::string reason_of_system()
 
 // Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the
 // stream would take the end for a failure, for which it may have been asked to throw.
-inline std::string text_of_stream(std::istream& is)
+inline std::string text_of(std::istream& is)
 {
   if(!is)
     throw File_refusal(0, "cannot read the stream");
@@ -64,14 +64,14 @@ inline std::string text_of_stream(std::istream& is)
   return text;
 }
 
-inline std::string text_of_file(const std::string& filename)
+inline std::string text_of(const std::string& filename)
 {
   errno = 0;
   std::ifstream is(filename, std::ios::binary);
   if(!is)
     throw File_refusal(0, "cannot open '" + filename + "'" + reason_of_system());
   try {
-    return text_of_stream(is);
+    return text_of(is);
   } catch(const File_refusal&) {
     throw File_refusal(0, "cannot read '" + filename + "'" + reason_of_system());
   }

@@ -17,9 +17,11 @@
 // From the text of a file to a mesh, and from the mesh to a text with its coordinates, in any
 // format.
 
+#include <CGAL/Seamless_snapping/IO/File_status.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
+#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -103,6 +105,34 @@ std::string rewritten_text(const std::string_view text, const TriangleMesh& tmes
     replace_vertices(welded_vertices(soup, coinciding.seams), soup);
   }
   return Rewriter<decltype(soup)>(text, soup, uvs).rewrite();
+}
+
+// From a stream, or the file of a name.
+template <template <typename, typename> class Parser, typename Source, typename TriangleMesh,
+          typename HalfedgeUVMap, typename NamedParameters>
+IO::File_status read_mesh(Source& source, TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                          const NamedParameters& np)
+{
+  return status_of_reading([&] { return read_text<Parser>(text_of(source), tmesh, uv_map,
+                                                          strip(np)); });
+}
+
+// To a stream, or the file of a name; that is emptied when `text()` has returned the whole text.
+template <typename Target, typename Text>
+IO::File_status write_mesh(Target& target, const Text& text)
+{
+  return status_of_writing([&] { write_text(target, text()); });
+}
+
+// From the one to the other.
+template <template <typename, typename> class Parser, template <typename> class Rewriter,
+          typename Source, typename Target, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters>
+IO::File_status rewrite_mesh(Source& source, Target& target, const TriangleMesh& tmesh,
+                             const HalfedgeUVMap& uv_map, const NamedParameters& np)
+{
+  return write_mesh(target, [&] { return rewritten_text<Parser, Rewriter>(text_of(source), tmesh,
+                                                                          uv_map, strip(np)); });
 }
 
 } // namespace internal
