@@ -70,13 +70,19 @@ void parametrize(const Arguments& arguments)
   const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
                                         .align_border(options.align_border);
   const auto made = SS::approximate_seamless_parameterization(
-    model.mesh, model.uv_map, alignment.curvature_alignment(options.curvature));
+    model.mesh, model.uv_map,
+    alignment.curvature_alignment(options.curvature).release_alignment(true));
   if(!made)
     throw Failure(NOT_SOLVED, options.input + ": " + made.message);
   os << made.number_of_faces << " faces, genus " << made.genus << ", "
      << made.number_of_border_loops << " border loops, " << made.cones.size() << " cones, "
      << made.number_of_flipped_faces << " flipped faces, violation "
      << made.violation / made.extent << " of the extent" << std::endl;
+  for(const auto& [v, w] : made.released_edges) {
+    os << "not aligned, as faces would be flipped: the edge of the vertices " << v.idx() << " and "
+       << w.idx() << "\n";
+    model.is_feature[model.mesh.edge(model.mesh.halfedge(v, w))] = false;
+  }
   if(!options.approximate.empty())
     write_file(options.approximate, text_of_model(model, options.approximate));
 

@@ -81,4 +81,7 @@ void remesh(const Arguments& arguments)
     << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
     << report.mean_scaled_jacobian << "\n"
     << "largest distance from the input: " << report.largest_distance << "\n";
+  if(report.number_of_released_edges > 0)
+    summary_stream({options.output}) << report.number_of_released_edges
+                                     << " feature edges are not kept, as faces would be flipped\n";
 }

@@ -246,22 +246,80 @@ void test_given_cones_around_handles()
   }
 }
 
-// A cone of 6 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
+// A cone of 8 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
 // but those that fail must not cost the coordinates either.
 void test_unavoidable_flips()
 {
   Mesh mesh = grid(6);
   const Uv_map uv = new_uv_map(mesh);
   auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
-  index[Vertex(24)] = -8;
+  index[Vertex(24)] = -12;
   const auto cone = parameters::cone_index_map(index);
   const Report report = SS::approximate_seamless_parameterization(
     mesh, uv, cone.number_of_iterations(2000));
   CHECK(report.number_of_flipped_faces > 0);
+  CHECK_EQUAL(report.cones.size(), std::size_t(1)); // untangling would make it a regular vertex
   check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
   const Report unstiffened = SS::approximate_seamless_parameterization(
     mesh, uv, cone.number_of_iterations(0));
   CHECK(report.number_of_flipped_faces <= unstiffened.number_of_flipped_faces);
+}
+
+// Features that end anywhere, meet at any angle, and enclose faces: many can't be followed without
+// flips.
+void test_release(const unsigned int seed)
+{
+  std::cout << "random features, seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  Mesh mesh = seed % 2 == 0 ? icosphere(2) : slab(1, true);
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:random_feature", false).first;
+  std::size_t count = 0;
+  for(int path = 0; path < 12; ++path) {
+    Halfedge h(Mesh::size_type(random.get_int(0, int(mesh.number_of_halfedges()))));
+    for(int i = 0; i < 8 && !mesh.is_border(h); ++i) {
+      count += is_feature[mesh.edge(h)] ? 0 : 1;
+      is_feature[mesh.edge(h)] = true;
+      h = mesh.next(h);
+      for(int turn = random.get_int(1, 4); turn > 0 && !mesh.is_border(mesh.opposite(h)); --turn)
+        h = mesh.next(mesh.opposite(h));
+    }
+  }
+  const Uv_map uv = new_uv_map(mesh);
+  const auto alignment = parameters::edge_is_constrained_map(is_feature);
+  const Report report =
+    SS::approximate_seamless_parameterization(mesh, uv, alignment.release_alignment(true));
+  for(const auto& [v, w] : report.released_edges) {
+    const Halfedge h = mesh.halfedge(v, w);
+    CHECK(h != Mesh::null_halfedge() && is_feature[mesh.edge(h)]); // and each once
+    is_feature[mesh.edge(h)] = false;
+  }
+  CHECK_EQUAL(report.number_of_aligned_edges + report.released_edges.size(), count);
+  CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+  check_result(mesh, uv, report, [&](const Mesh::Edge_index e) { return is_feature[e]; },
+               parameters::edge_is_constrained_map(is_feature));
+  CHECK(exact_check::check(mesh, uv).flipped_faces == 0); // after snapping
+}
+
+// A strip around a tube whose ends are held by steps of the features: nothing but the release of
+// an edge helps, and without it the number of flips is not raised by untangling.
+void test_untangling_without_release()
+{
+  Mesh mesh = icosphere(2);
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:some_feature", false).first;
+  for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(Mesh::Face_index(5))))
+    for(const Halfedge g : mesh.halfedges_around_face(mesh.opposite(h)))
+      is_feature[mesh.edge(g)] = g != mesh.opposite(h);
+  const Uv_map uv = new_uv_map(mesh);
+  const auto alignment = parameters::edge_is_constrained_map(is_feature);
+  const Report without = SS::approximate_seamless_parameterization(
+    mesh, uv, alignment.number_of_untangling_iterations(0));
+  CHECK_EQUAL(without.number_of_untangling_iterations, std::size_t(0));
+  CHECK_EQUAL(without.number_of_flipped_faces, without.number_of_flips_before_untangling);
+  const Report with = SS::approximate_seamless_parameterization(mesh, uv, alignment);
+  CHECK_EQUAL(with.number_of_flips_before_untangling, without.number_of_flipped_faces);
+  CHECK(with.number_of_flipped_faces <= without.number_of_flipped_faces);
+  CHECK(with.released_edges.empty());
+  check_result(mesh, uv, with, [&](const Mesh::Edge_index e) { return is_feature[e]; }, alignment);
 }
 
 void test_other_types()
@@ -456,7 +514,6 @@ void test_refused_parameters()
 // span the solutions.
 void test_equations_without_units()
 {
-  namespace SP = SS::internal::parameterization;
   using Row = SS::internal::Entries<std::int64_t>;
   constexpr std::size_t number_of_columns = 7, rank = 4;
   SS::internal::Integer_system system(number_of_columns);
@@ -464,7 +521,7 @@ void test_equations_without_units()
                                  {{5, 10}}, {{1, 8}, {2, -12}, {3, 18}}};
   for(const Row& row : rows)
     system.add_row(row, 0);
-  const SP::Free_unknowns unknowns(system);
+  const SS::internal::Free_unknowns unknowns(system);
   CHECK_EQUAL(unknowns.size(), number_of_columns - rank);
 
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(number_of_columns, Eigen::Index(unknowns.size()));
@@ -522,6 +579,9 @@ int main()
   test_given_cones();
   test_given_cones_around_handles();
   test_unavoidable_flips();
+  for(unsigned int seed = 0; seed < 20; ++seed)
+    test_release(seed);
+  test_untangling_without_release();
   test_other_types();
   test_refused_meshes();
   test_refused_parameters();

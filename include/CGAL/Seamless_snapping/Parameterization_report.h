@@ -118,6 +118,12 @@ struct Parameterization_report
   /// `Seamlessness` counts by themselves
   std::size_t number_of_flipped_faces = 0;
   std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
+  std::size_t number_of_flips_before_untangling = 0; ///< what this number was without untangling
+  /// what untangling took: iterations over as many faces as the mesh has, rounded up
+  std::size_t number_of_untangling_iterations = 0;
+  /// with `release_alignment`, the edges that are not aligned although they were to be, each by its
+  /// vertices
+  std::vector<std::pair<VertexDescriptor, VertexDescriptor> > released_edges;
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< largest difference of the sides of a cut edge after rotation
   /// @}

@@ -64,6 +64,12 @@ Parameterization_options read_options(const Flat_numbering<TriangleMesh>& number
     choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.));
   options.number_of_stiffening_rounds = static_cast<long>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5));
+  options.number_of_untangling_iterations = static_cast<std::size_t>(choose_parameter(
+    get_parameter(np, internal_np::untangling_iterations),
+    options.number_of_untangling_iterations));
+  options.may_release =
+    choose_parameter(get_parameter(np, internal_np::release_alignment), false);
+  options.verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   options.random_seed = static_cast<unsigned int>(
     choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::cone_index_t>::value)
@@ -114,6 +120,9 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)
       report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
+  for(const Corner_index h : result.released)
+    report.released_edges.emplace_back(numbering.vertices_in_order()[surface.source(h)],
+                                       numbering.vertices_in_order()[surface.vertex(h)]);
 }
 
 } // namespace parameterization
@@ -132,9 +141,14 @@ translation. The transitions hold up to the rounding of floating-point numbers: 
 `snap_to_seamless()` to make them exact.
 
 This function is meant as a producer of input for `snap_to_seamless()`, for meshes that come without
-a parametrization. It does not compete with specialized methods in distortion, and it does not
-guarantee that no triangle is flipped: how many are is part of the report. `snap_to_seamless()`
+a parametrization. It does not compete with specialized methods in distortion. `snap_to_seamless()`
 takes the output of any other producer equally well.
+
+Where triangles are flipped in the least-squares solution, it is stiffened around them, and then
+untangled \cgalCite{cgal:gkkprs-ffm-21} without any change of cuts, cones, and alignment. There is
+no guarantee that no triangle stays flipped: how many are is part of the report. Alignment alone can
+make flips unavoidable, as where the features around a region ask for a rectangle without a width;
+with `release_alignment`, some features are no longer aligned there.
 
 The corners in one sector, that is around a vertex and between cuts, receive the same coordinates to
 the bit. The result is reproducible: it depends on nothing but the arguments.
@@ -210,6 +224,22 @@ report.
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`5`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_untangling_iterations}
+    \cgalParamDescription{about the largest number of iterations that are spent on untangling, over
+                          as many faces as the mesh has; each costs about as much as a stiffening
+                          round. 0 for no untangling}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{`500`}
+  \cgalParamNEnd
+  \cgalParamNBegin{release_alignment}
+    \cgalParamDescription{whether features need not be aligned where triangles would be flipped
+                          otherwise: edge by edge, the shortest first. The report lists them. Border
+                          edges stay aligned.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{What comes after, as `snap_to_seamless()`, should not take the edges that were
+                    released for features.}
+  \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the field that the search for the smoothest one starts from}
     \cgalParamType{`unsigned int`}
@@ -226,6 +256,12 @@ report.
     \cgalParamExtra{The CMake target `Seamless_snapping::SuiteSparse_support` defines the macro and
                     links SuiteSparse. With it and OpenBLAS, meshes of 100,000 faces take a third of
                     the time; with the reference BLAS, nothing is gained.}
+    \cgalParamExtra{Untangling uses that of \ref thirdpartyEigen "Eigen" in any case.}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether the times of the steps are written to `std::cerr`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -235,8 +271,10 @@ report.
         coordinates that are not finite, cones whose indices do not add up, a face with three
         features. Faces are counted in messages in the order of `faces(tmesh)`, from 0.
 
-For each component of the mesh, the indices of the cones and the quarter turns of the borders
-against the field have been verified to add up to \f$ 4 \chi \f$, in integers.
+For each component, the indices of the field's cones and the quarter turns of the borders
+against the field have been verified to add up to \f$ 4 \chi \f$, in integers. Without flips, the
+indices that are reported are those of the map: untangling can change them by 4, as at a spike. It
+does not change indices that are given.
 
 The cost is that of sparse Cholesky factorizations with twice as many rows as `tmesh` has faces
 (three, for the field) and vertices (one, and one for each stiffening round): on surface meshes

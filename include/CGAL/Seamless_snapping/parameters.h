@@ -44,6 +44,8 @@
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
+  F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
+  F(release_alignment_t, release_alignment, release_alignment)                                     \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
   F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
@@ -193,6 +195,10 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
  * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
+ * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
+ *   are spent on flipped triangles of a parametrization under way (`unsigned int`)
+ * - `release_alignment`: whether features need not be aligned where triangles would be flipped
+ *   otherwise (`bool`)
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)

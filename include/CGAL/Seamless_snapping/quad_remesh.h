@@ -100,6 +100,8 @@ struct Remeshing_report
   /// @{
   /// faces that were flipped in the approximate parametrization
   std::size_t number_of_flipped_faces = 0;
+  /// feature edges that are not kept, as faces would be flipped at them
+  std::size_t number_of_released_edges = 0;
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;
   /// the steps in the order in which they were made, with their wall-clock times in seconds
@@ -132,16 +134,13 @@ class Quad_remesher
   using Uv_map = typename boost::property_map<
     TriangleMesh, CGAL::dynamic_halfedge_property_t<Uv_point> >::const_type;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using No_features = CGAL::Static_boolean_property_map<Edge, false>;
-  using Feature_map = std::decay_t<decltype(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                    internal_np::edge_is_constrained), No_features()))>;
+  using Feature_map = typename boost::property_map<
+    TriangleMesh, CGAL::dynamic_edge_property_t<bool> >::const_type;
 
 public:
   Quad_remesher(const TriangleMesh& tmesh, const NamedParameters& np)
     : m_tmesh(tmesh), m_np(np), m_uv_map(get(CGAL::dynamic_halfedge_property_t<Uv_point>(), tmesh)),
-      m_feature_map(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, internal_np::edge_is_constrained), No_features())),
+      m_feature_map(get(CGAL::dynamic_edge_property_t<bool>(), tmesh)),
       m_options(quantization_options(tmesh, np)),
       m_timer(m_report, CGAL::parameters::choose_parameter(
                           CGAL::parameters::get_parameter(np, internal_np::verbose), false))
@@ -182,29 +181,40 @@ private:
                       .vertex_point_map(surface_points());
   }
 
-  // An exactly seamless map without flips. Where one comes out with flips, stiffer ones are tried.
-  bool parametrize()
+  void read_features()
   {
-    for(const unsigned int number_of_rounds : {5u, 20u, 60u})
-      if(make_map(number_of_rounds))
-        return true;
-      else if(m_report.status != Remeshing_status::NOT_POSITIVE)
-        return false;
-    return false;
+    const auto is_feature = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::edge_is_constrained),
+      CGAL::Static_boolean_property_map<Edge, false>());
+    for(const Edge e : edges(m_tmesh))
+      put(m_feature_map, e, bool(get(is_feature, e)));
   }
 
-  bool make_map(const unsigned int number_of_rounds)
+  // From here on, edges that no field can follow without flips are not features.
+  template <typename Edges>
+  void release(const Edges& released)
   {
+    for(const auto& [v, w] : released)
+      for(const auto h : CGAL::halfedges_around_target(w, m_tmesh))
+        if(source(h, m_tmesh) == v)
+          put(m_feature_map, edge(h, m_tmesh), false);
+    m_report.number_of_released_edges = released.size();
+  }
+
+  // An exactly seamless map without flips.
+  bool parametrize()
+  {
+    read_features();
     const double curvature = static_cast<double>(CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(m_np, internal_np::curvature_alignment), 0.));
     auto made = approximate_seamless_parameterization(
-      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature)
-                                    .number_of_iterations(number_of_rounds));
+      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature).release_alignment(true));
     if(made && curvature == 0)
-      split_sharp_cones(number_of_rounds, made);
+      split_sharp_cones(made);
     m_timer.finish("parametrization");
     if(!made)
       return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
+    release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     const auto snapped =
       snap_to_seamless(m_tmesh, m_uv_map, alignment().repair_flips(true));
@@ -220,15 +230,13 @@ private:
                     " faces are flipped in the parametrization, the first is face " +
                     std::to_string(m_report.remaining_flips.front()) +
                     "; mark fewer features, or remesh the input there");
-    m_report.status = Remeshing_status::REMESHED;
-    m_report.message.clear();
     return true;
   }
 
   // No face graph has a vertex of one edge, as cones of index 3 are. On surfaces without borders
   // and features, where cones can be given, a neighbor takes one quarter turn.
   template <typename Report>
-  void split_sharp_cones(const unsigned int number_of_rounds, Report& made)
+  void split_sharp_cones(Report& made)
   {
     const auto is_sharp = [](const auto& cone) { return cone.second == 3; };
     if(std::none_of(made.cones.begin(), made.cones.end(), is_sharp) || !CGAL::is_closed(m_tmesh) ||
@@ -252,8 +260,7 @@ private:
       }
     }
     made = approximate_seamless_parameterization(
-      m_tmesh, m_uv_map, parameters::cone_index_map(index).vertex_point_map(surface_points())
-                                     .number_of_iterations(number_of_rounds));
+      m_tmesh, m_uv_map, parameters::cone_index_map(index).vertex_point_map(surface_points()));
   }
 
   // Where quads meet themselves, or each other twice, finer ones are tried.
@@ -343,7 +350,8 @@ smoothed.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
-input: where features can't be followed without flips, the function says so. If as few quads as
+input: feature edges that can't be followed without flips are not kept, and where flips remain, the
+function says so. If as few quads as
 wanted would meet themselves, or each other twice, there are more.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and

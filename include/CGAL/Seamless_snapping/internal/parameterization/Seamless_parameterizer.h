@@ -20,14 +20,14 @@
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Cut_graph.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Matching.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Surface_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/comb.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/curvature_field.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/field_with_cones.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/poisson.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Parameterization_options.h>
+#include <CGAL/Seamless_snapping/internal/parameterization/Positive_solver.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/prescribe_alignment.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/smoothest_field.h>
 
@@ -45,20 +45,12 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-struct Parameterization_options
-{
-  double target_edge_length = 1;
-  double curvature_alignment = 0;
-  long number_of_stiffening_rounds = 5;
-  unsigned int random_seed = 0;
-  std::vector<int> cone_index; // per vertex; empty: the field decides
-};
-
 struct Parameterization_result
 {
   Coordinates uv;                  // per sector
   std::vector<std::size_t> sector; // per halfedge
   std::vector<int> cone_index;     // per vertex
+  std::vector<Corner_index> released; // one halfedge of each edge that is not aligned after all
 };
 
 inline void check_options(const Parameterization_options& options, const Triangle_surface& surface)
@@ -153,49 +145,47 @@ void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
       x = std::ldexp(x, exponent);
 }
 
-// Solves, stiffens and solves again; keeps the solution with the fewest flipped faces. Where flips
-// can't be avoided the weights grow until the system can't be solved any more, which ends it.
-template <typename Solver, typename Report>
-Coordinates solve_with_stiffening(const Triangle_surface& surface,
-                                  const std::vector<double>& angles, const Surface_complex& complex,
-                                  const long number_of_rounds, Report& report)
+// Transitions know indices up to multiples of 4: in a map without flips, the angles around the
+// vertices tell. Untangling takes an index of 4, as of a spike, for 0.
+inline void update_indices(const Triangle_surface& surface, const Surface_complex& complex,
+                           Parameterization_result& result)
 {
-  const Free_coordinates coordinates(complex.complex());
-  const Coordinate_table table(coordinates, complex.number_of_sectors());
-  std::vector<double> weights(surface.number_of_faces(), 1);
-  Coordinates best;
-  for(long round = 0; ; ++round) {
-    Coordinates uv;
-    try {
-      uv = solve_poisson<Solver>(surface, angles, complex, coordinates, table, weights,
-                                 report.seconds_in_solvers);
-    } catch(const Failure&) {
-      if(round == 0)
-        throw;
-      return best;
-    }
-    const std::size_t flips = number_of_flips(surface, complex, uv);
-    if(round < number_of_rounds && flips > 0)
-      stiffen(surface, complex, uv, weights);
-    if(round == 0 || flips < report.number_of_flipped_faces) {
-      best.swap(uv);
-      report.number_of_flipped_faces = flips;
-    }
-    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
-    if(round == number_of_rounds || flips == 0)
-      return best;
+  if(number_of_flips(surface, complex, result.uv) > 0)
+    return;
+  std::vector<double> sum(surface.number_of_vertices(), 0);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const auto& p = result.uv[complex.sector(h)];
+    const auto& q = result.uv[complex.sector(surface.next(h))];
+    const auto& r = result.uv[complex.sector(surface.prev(h))];
+    const double qx = q[0] - p[0], qy = q[1] - p[1], rx = r[0] - p[0], ry = r[1] - p[1];
+    sum[surface.vertex(h)] += std::atan2(qx * ry - qy * rx, qx * rx + qy * ry);
   }
+  for(std::size_t v = 0; v < sum.size(); ++v)
+    if(!surface.is_border[v])
+      result.cone_index[v] = Quarter_turns::order - int(std::lround(sum[v] / quarter_turn));
 }
 
-// `FT` is the number type that the coordinates are rounded to.
+// What the indices leave of 4 chi.
+template <typename Report>
+void report_turning(const std::vector<int>& index, Report& report)
+{
+  report.border_turning = Quarter_turns::order * report.euler_characteristic;
+  for(const int i : index)
+    report.border_turning -= i;
+}
+
+// `FT` is the number type that the coordinates are rounded to. The surface loses the alignment of
+// edges that are released.
 template <typename Solver, typename FT, typename Report>
-Parameterization_result parameterize(const Triangle_surface& surface,
+Parameterization_result parameterize(Triangle_surface& surface,
                                      const Parameterization_options& options, Report& report)
 {
-  Step_timer timer(report);
+  Step_timer timer(report, options.verbose);
   double& seconds = report.seconds_in_solvers;
   Parameterization_result result;
 
+  if(options.may_release)
+    result.released = release_third_edges(surface);
   const Topology topo = topology(surface);
   report_topology(surface, topo, report);
   timer.finish("topology");
@@ -221,19 +211,28 @@ Parameterization_result parameterize(const Triangle_surface& surface,
     throw Failure{Parameterization_status::INTERNAL_ERROR,
                   "the field does not have the given cones"};
   result.cone_index = singular.index;
-  for(const std::ptrdiff_t t : singular.loop_turning)
-    report.border_turning += t;
 
   Cut_graph graph(surface);
   graph.connect(std::vector<char>(singular.index.begin(), singular.index.end()));
   const std::vector<Quarter_turns::Element> rotation =
     comb(surface, graph.is_cut(), matching, angles);
-  const Surface_complex complex(surface, graph.is_cut(), rotation, angles);
-  report.number_of_cut_branches = complex.complex().number_of_branches();
   timer.finish("cut graph");
 
-  result.uv = solve_with_stiffening<Solver>(surface, angles, complex,
-                                            options.number_of_stiffening_rounds, report);
+  Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, options,
+                                         report);
+  solver.run(options.number_of_untangling_iterations);
+  result.uv = solver.take();
+  update_indices(surface, solver.complex(), result);
+  if(!options.cone_index.empty() && result.cone_index != options.cone_index) {
+    solver.run(0);
+    result.uv = solver.take();
+    result.cone_index = options.cone_index;
+  }
+  report_turning(result.cone_index, report);
+  result.released.insert(result.released.end(), solver.released().begin(),
+                         solver.released().end());
+  const Surface_complex& complex = solver.complex();
+  report.number_of_cut_branches = complex.complex().number_of_branches();
   int exponent = 0;
   round_coordinates<FT>(std::frexp(options.target_edge_length, &exponent), result.uv);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {

@@ -17,8 +17,8 @@
 // The Poisson system: the coordinates whose gradients come closest to the field, and the rounds of
 // local stiffening that lower the number of flipped triangles.
 
-#include <CGAL/Seamless_snapping/internal/parameterization/Free_coordinates.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/complex/Coordinate_table.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Sparse_system.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Surface_complex.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
@@ -45,50 +45,18 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
   return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
 }
 
-// The coordinates of the sectors as rows over the free unknowns, one after the other.
-class Coordinate_table
-{
-public:
-  Coordinate_table(const Free_coordinates& coordinates, const std::size_t number_of_sectors)
-    : m_begin(1, 0)
-  {
-    for(std::size_t s = 0; s < number_of_sectors; ++s)
-      for(std::size_t c = 0; c < 2; ++c) {
-        append(m_terms, coordinates.coordinate(s, c));
-        m_begin.push_back(m_terms.size());
-      }
-  }
-
-  // row(target) - row(source), as it enters the energy of an edge.
-  void difference(const std::size_t target_sector, const std::size_t source_sector,
-                  const std::size_t c, Sparse_row& row) const
-  {
-    row.clear();
-    const auto add = [&](const std::size_t i, const double sign)
-    {
-      for(std::size_t j = m_begin[i]; j < m_begin[i + 1]; ++j)
-        row.emplace_back(m_terms[j].first, sign * m_terms[j].second);
-    };
-    add(2 * target_sector + c, 1);
-    add(2 * source_sector + c, -1);
-    normalize(row);
-  }
-
-private:
-  std::vector<std::size_t> m_begin;
-  Sparse_row m_terms;
-};
-
 // Minimizes the sum over the faces of weight * area * |grad uv - field|^2, written with cotangents
-// as a sum over the edges of each face.
+// as a sum over the edges of each face. Returns the values of the free unknowns.
 template <typename Solver>
-Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<double>& angles,
-                          const Surface_complex& complex, const Free_coordinates& coordinates,
-                          const Coordinate_table& table, const std::vector<double>& weights,
-                          double& seconds)
+std::vector<double> solve_poisson(const Triangle_surface& surface,
+                                  const std::vector<double>& angles,
+                                  const Surface_complex& complex,
+                                  const Coordinate_table& table,
+                                  const std::size_t number_of_unknowns,
+                                  const std::vector<double>& weights, double& seconds)
 {
-  Sparse_system<Solver> system(coordinates.number_of_unknowns(), seconds);
-  std::vector<double> right_hand_side(coordinates.number_of_unknowns(), 0);
+  Sparse_system<Solver> system(number_of_unknowns, seconds);
+  std::vector<double> right_hand_side(number_of_unknowns, 0);
   Sparse_row row;
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double opposite_angle = surface.angle[surface.next(h)];
@@ -104,7 +72,7 @@ Coordinates solve_poisson(const Triangle_surface& surface, const std::vector<dou
     }
   }
   system.factor();
-  return coordinates.evaluate(system.solve(right_hand_side));
+  return system.solve(right_hand_side);
 }
 
 // Twice the area of face `f` in the plane.
@@ -121,8 +89,9 @@ inline std::size_t number_of_flips(const Triangle_surface& surface, const Surfac
                                    const Coordinates& uv)
 {
   std::size_t count = 0;
-  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
-    count += doubled_uv_area(complex, uv, f) > 0 ? 0 : 1;
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3)
+    count += orientation({{uv[complex.sector(h)], uv[complex.sector(h + 1)],
+                           uv[complex.sector(h + 2)]}}) == CGAL::POSITIVE ? 0 : 1;
   return count;
 }
 

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_SPARSE_ROW_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_SPARSE_ROW_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_SPARSE_ROW_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_SPARSE_ROW_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -24,7 +24,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-namespace parameterization {
 
 // Pairs of an unknown and its coefficient: an integer that a double holds exactly, so that sums
 // which are zero come out as zero.
@@ -60,9 +59,8 @@ inline double value_of(const Sparse_row& row, const std::vector<double>& values)
   return sum;
 }
 
-} // namespace parameterization
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_SPARSE_ROW_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_SPARSE_ROW_H

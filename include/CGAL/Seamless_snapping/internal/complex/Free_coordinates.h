@@ -9,31 +9,30 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FREE_COORDINATES_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FREE_COORDINATES_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_FREE_COORDINATES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_FREE_COORDINATES_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The unknowns of the parametrization that stay free when transitions, alignment, and the position
-// of each component in the plane have been eliminated, exactly.
+// The unknowns that stay free when all constraints of a complex have been eliminated, exactly.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
 #include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
-#include <CGAL/Seamless_snapping/internal/parameterization/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-namespace parameterization {
 
 // The solutions of homogeneous integer equations. Invariant: each column is a sum of free unknowns
 // with integer coefficients; whatever their values are, the equations hold, and any solution is of
@@ -109,10 +108,10 @@ private:
 };
 
 // Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
-// constraints of the complex.
+// constraints of the complex, with right-hand sides of zero.
+template <typename Group>
 class Free_coordinates
 {
-  using Group = Quarter_turns;
   static constexpr std::size_t dimension = Group::dimension;
 
 public:
@@ -216,9 +215,8 @@ private:
   std::vector<Sparse_row> m_coordinates; // of the sectors, as sums of quantities
 };
 
-} // namespace parameterization
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_PARAMETERIZATION_FREE_COORDINATES_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_FREE_COORDINATES_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_CONSTRAINED_TRIANGLES_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_CONSTRAINED_TRIANGLES_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A piecewise linear map of triangles whose corners are not free: their coordinates are those of a
+// start and sums of free unknowns, so that linear constraints hold whatever the unknowns are.
+
+#include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What a triangle should look like in the domain, up to a rotation.
+struct Reference_shape
+{
+  Eigen::Matrix2d inverse; // of the matrix with two edges as columns: from corner 0 to 1, and to 2
+  double area;
+
+  // \pre the area is positive
+  Reference_shape(const Uv& first_edge, const Uv& second_edge)
+  {
+    Eigen::Matrix2d edges;
+    edges << first_edge[0], second_edge[0], first_edge[1], second_edge[1];
+    area = edges.determinant() / 2;
+    inverse = edges.inverse();
+  }
+};
+
+// Invariant: points of triangles have coordinates, and those are rows of unknowns below their
+// number.
+struct Constrained_triangles
+{
+  struct Triangle
+  {
+    std::array<std::size_t, 3> points; // counterclockwise
+    Reference_shape shape;
+  };
+
+  std::size_t number_of_unknowns = 0;
+  std::vector<Triangle> triangles;
+  std::vector<Uv> start;                        // per point
+  std::vector<std::array<Sparse_row, 2> > rows; // per point: what is added to it
+
+  Uv point(const std::size_t p, const std::vector<double>& unknowns) const
+  {
+    return {{start[p][0] + value_of(rows[p][0], unknowns),
+             start[p][1] + value_of(rows[p][1], unknowns)}};
+  }
+
+  Uv_triangle triangle(const std::size_t t, const std::vector<double>& unknowns) const
+  {
+    const auto& p = triangles[t].points;
+    return {{point(p[0], unknowns), point(p[1], unknowns), point(p[2], unknowns)}};
+  }
+
+  // The triangles whose sign is not positive, exactly.
+  std::vector<std::size_t> not_positive(const std::vector<double>& unknowns) const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t t = 0; t < triangles.size(); ++t)
+      if(orientation(triangle(t, unknowns)) != CGAL::POSITIVE)
+        result.push_back(t);
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_CONSTRAINED_TRIANGLES_H

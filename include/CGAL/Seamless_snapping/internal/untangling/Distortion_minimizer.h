@@ -1,0 +1,222 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_DISTORTION_MINIMIZER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_DISTORTION_MINIMIZER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Minimizes the distortion of some triangles over some of the unknowns, by Newton's method with a
+// positive definite Hessian, while the regularization that lets triangles turn over is taken away.
+
+#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Distortion.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Distortion_minimizer
+{
+  using Gradients = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+
+public:
+  // \param chosen triangles
+  // \param number_of per unknown: its number among those that may change, or -1
+  // \param count how many may change
+  Distortion_minimizer(const Constrained_triangles& map, const std::vector<std::size_t>& chosen,
+                       const std::vector<int>& number_of, const std::size_t count,
+                       const std::vector<double>& unknowns)
+    : m_count(Eigen::Index(count)), m_sum(Eigen::VectorXd::Zero(m_count))
+  {
+    for(const std::size_t t : chosen)
+      add(map, t, number_of, unknowns);
+  }
+
+  // Returns the number of iterations.
+  std::size_t run(const std::size_t largest_number_of_iterations)
+  {
+    double regularization = 1;
+    std::size_t after_success = 0;
+    for(std::size_t i = 0; i < largest_number_of_iterations; ++i) {
+      const double before = energy(Eigen::VectorXd::Zero(m_count), 0, regularization);
+      const double after = step(before, regularization);
+      if(!(after < before) && regularization <= smallest_regularization)
+        return i;
+      const double least = least_determinant();
+      if(least > 0 && (++after_success > 10 || (before - after) < 1e-2 * before))
+        return i + 1;
+      regularization = next_regularization(before, after, least, regularization);
+    }
+    return largest_number_of_iterations;
+  }
+
+  // What the unknowns that may change have changed by.
+  const Eigen::VectorXd& change() const { return m_sum; }
+
+private:
+  // The Jacobian changes by the gradients times the change of the unknowns.
+  struct Term
+  {
+    double area;
+    Jacobian jacobian;
+    std::vector<int> unknowns;
+    Gradients gradients;
+  };
+
+  void add(const Constrained_triangles& map, const std::size_t t,
+           const std::vector<int>& number_of, const std::vector<double>& unknowns)
+  {
+    const auto& triangle = map.triangles[t];
+    const Uv_triangle u = map.triangle(t, unknowns);
+    Term term;
+    term.area = triangle.shape.area;
+    for(const std::size_t p : triangle.points)
+      for(const Sparse_row& row : map.rows[p])
+        for(const auto& entry : row)
+          if(number_of[entry.first] >= 0)
+            term.unknowns.push_back(number_of[entry.first]);
+    std::sort(term.unknowns.begin(), term.unknowns.end());
+    term.unknowns.erase(std::unique(term.unknowns.begin(), term.unknowns.end()),
+                        term.unknowns.end());
+    term.gradients = Gradients::Zero(4, Eigen::Index(term.unknowns.size()));
+
+    const Eigen::Matrix2d& inverse = triangle.shape.inverse;
+    for(Eigen::Index c = 0; c < 2; ++c)
+      for(Eigen::Index d = 0; d < 2; ++d) {
+        const std::array<double, 3> weights{{-inverse(0, d) - inverse(1, d), inverse(0, d),
+                                             inverse(1, d)}};
+        term.jacobian[2 * c + d] = (u[1][std::size_t(c)] - u[0][std::size_t(c)]) * inverse(0, d) +
+                                   (u[2][std::size_t(c)] - u[0][std::size_t(c)]) * inverse(1, d);
+        for(std::size_t i = 0; i < 3; ++i)
+          for(const auto& entry : map.rows[triangle.points[i]][std::size_t(c)])
+            if(number_of[entry.first] >= 0)
+              term.gradients(2 * c + d, place(term, number_of[entry.first])) +=
+                weights[i] * entry.second;
+      }
+    m_terms.push_back(std::move(term));
+  }
+
+  static Eigen::Index place(const Term& term, const int unknown)
+  {
+    return std::lower_bound(term.unknowns.begin(), term.unknowns.end(), unknown) -
+           term.unknowns.begin();
+  }
+
+  static Jacobian change_of(const Term& term, const Eigen::VectorXd& direction)
+  {
+    Jacobian result = Jacobian::Zero();
+    for(std::size_t i = 0; i < term.unknowns.size(); ++i)
+      result += direction[term.unknowns[i]] * term.gradients.col(Eigen::Index(i));
+    return result;
+  }
+
+  double energy(const Eigen::VectorXd& direction, const double length,
+                const double regularization) const
+  {
+    const Distortion distortion(regularization);
+    double sum = 0;
+    for(const Term& term : m_terms)
+      sum += term.area * distortion(term.jacobian + length * change_of(term, direction));
+    return sum;
+  }
+
+  // Returns the energy after the step.
+  double step(const double before, const double regularization)
+  {
+    Eigen::VectorXd gradient;
+    Eigen::VectorXd direction = newton_direction(regularization, gradient);
+    const double slope = gradient.dot(direction);
+    if(!direction.allFinite() || !(slope < 0))
+      return before;
+    for(double length = 1; length > 1e-10; length /= 2) {
+      const double after = energy(direction, length, regularization);
+      if(after <= before + 1e-4 * length * slope) {
+        for(Term& term : m_terms)
+          term.jacobian += length * change_of(term, direction);
+        m_sum += length * direction;
+        return after;
+      }
+    }
+    return before;
+  }
+
+  Eigen::VectorXd newton_direction(const double regularization, Eigen::VectorXd& gradient)
+  {
+    const Distortion distortion(regularization);
+    gradient = Eigen::VectorXd::Zero(m_count);
+    std::vector<Eigen::Triplet<double> > entries; // of the lower triangle
+    Eigen::Vector4d first;
+    Eigen::Matrix4d second;
+    for(const Term& term : m_terms) {
+      distortion.derivatives(term.jacobian, first, second);
+      const Eigen::MatrixXd local = term.area * term.gradients.transpose() * second
+                                  * term.gradients;
+      const Eigen::VectorXd slopes = term.area * term.gradients.transpose() * first;
+      for(std::size_t i = 0; i < term.unknowns.size(); ++i) {
+        gradient[term.unknowns[i]] += slopes[Eigen::Index(i)];
+        for(std::size_t j = 0; j <= i; ++j)
+          entries.emplace_back(term.unknowns[i], term.unknowns[j],
+                               local(Eigen::Index(i), Eigen::Index(j)));
+      }
+    }
+    Eigen::SparseMatrix<double> hessian(m_count, m_count);
+    hessian.setFromTriplets(entries.begin(), entries.end());
+    if(!m_is_analyzed)
+      m_solver.analyzePattern(hessian);
+    m_is_analyzed = true;
+    m_solver.factorize(hessian);
+    return m_solver.solve(-gradient);
+  }
+
+  double least_determinant() const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(const Term& term : m_terms)
+      result = (std::min)(result, determinant(term.jacobian));
+    return result;
+  }
+
+  // Such that chi of the least determinant falls by a part that depends on what the step gained
+  // [Garanzha et al. 2021].
+  static double next_regularization(const double before, const double after, const double least,
+                                    const double regularization)
+  {
+    const double part = (std::max)(1 - after / before, 0.1);
+    const double wanted = (1 - part) * Distortion(regularization).chi(least);
+    return least < wanted ? (std::max)(2 * std::sqrt(wanted * (wanted - least)),
+                                       smallest_regularization)
+                          : smallest_regularization;
+  }
+
+  static constexpr double smallest_regularization = 1e-10;
+
+  Eigen::Index m_count;
+  Eigen::VectorXd m_sum;
+  std::vector<Term> m_terms;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > m_solver; // of lower triangles
+  bool m_is_analyzed = false;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_DISTORTION_MINIMIZER_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_UNTANGLE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_UNTANGLE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Makes triangles positive by changing what is around them, as far around as it takes.
+
+#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Distortion_minimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: the unknowns have the values of the fewest triangles that are not positive.
+class Untangler
+{
+  // How far around, which unknowns may change, and for how long. Unknowns that many triangles
+  // depend on, as the translations of cuts are, make large patches of small ones.
+  struct Attempt
+  {
+    std::size_t rings, most_triangles_of_unknown, iterations; // of those that succeed: 10 to 40
+  };
+
+public:
+  explicit Untangler(const Constrained_triangles& map)
+    : m_map(map), m_unknowns(map.number_of_unknowns, 0.),
+      m_number_of(map.number_of_unknowns, -1), m_triangles_of(map.number_of_unknowns)
+  {
+    for(std::size_t t = 0; t < map.triangles.size(); ++t)
+      for_each_unknown(t, [&](const std::size_t i) {
+        if(m_triangles_of[i].empty() || m_triangles_of[i].back() != t)
+          m_triangles_of[i].push_back(t);
+      });
+  }
+
+  // Returns the number of iterations over as many triangles as there are, rounded up.
+  // \param is_thorough whether large parts of the map may be changed
+  std::size_t run(const std::size_t largest_number_of_iterations, const bool is_thorough)
+  {
+    constexpr std::size_t any = static_cast<std::size_t>(-1);
+    std::vector<Attempt> attempts{{4, 40, 30}, {6, any, 40}};
+    if(is_thorough)
+      attempts.push_back({40, any, 60});
+    const double all = static_cast<double>(m_map.triangles.size());
+    const double allowed = all * static_cast<double>(largest_number_of_iterations);
+    double work = 0;
+    for(const Attempt& attempt : attempts)
+      for(const std::vector<std::size_t>& patch : patches(m_map.not_positive(m_unknowns), attempt))
+        if(work < allowed)
+          work += improve(patch, attempt.iterations);
+    return static_cast<std::size_t>(std::ceil(work / all));
+  }
+
+  const std::vector<double>& unknowns() const { return m_unknowns; }
+
+private:
+  template <typename Function>
+  void for_each_unknown(const std::size_t t, const Function& f) const
+  {
+    for(const std::size_t p : m_map.triangles[t].points)
+      for(const Sparse_row& row : m_map.rows[p])
+        for(const auto& entry : row)
+          f(entry.first);
+  }
+
+  // The unknowns of the triangles and of those around, in sets that have no triangle in common.
+  std::vector<std::vector<std::size_t> > patches(const std::vector<std::size_t>& bad,
+                                                 const Attempt& attempt) const
+  {
+    std::vector<char> is_chosen(m_unknowns.size(), false), is_near(m_map.triangles.size(), false);
+    std::vector<std::size_t> front(bad), chosen;
+    for(const std::size_t t : bad)
+      is_near[t] = true;
+    for(std::size_t r = 0; r < attempt.rings && !front.empty(); ++r) {
+      std::vector<std::size_t> next;
+      for(const std::size_t t : front)
+        for_each_unknown(t, [&](const std::size_t i) {
+          if(is_chosen[i] || m_triangles_of[i].size() > attempt.most_triangles_of_unknown)
+            return;
+          is_chosen[i] = true;
+          chosen.push_back(i);
+          for(const std::size_t u : m_triangles_of[i])
+            if(!is_near[u]) {
+              is_near[u] = true;
+              next.push_back(u);
+            }
+        });
+      front.swap(next);
+    }
+    return connected_parts(chosen, is_chosen);
+  }
+
+  std::vector<std::vector<std::size_t> > connected_parts(const std::vector<std::size_t>& chosen,
+                                                         std::vector<char>& is_left) const
+  {
+    std::vector<std::vector<std::size_t> > result;
+    for(const std::size_t seed : chosen) {
+      if(!is_left[seed])
+        continue;
+      is_left[seed] = false;
+      std::vector<std::size_t> part(1, seed);
+      for(std::size_t k = 0; k < part.size(); ++k)
+        for(const std::size_t t : m_triangles_of[part[k]])
+          for_each_unknown(t, [&](const std::size_t i) {
+            if(is_left[i]) {
+              is_left[i] = false;
+              part.push_back(i);
+            }
+          });
+      result.push_back(std::move(part));
+    }
+    return result;
+  }
+
+  // Keeps the result if fewer triangles are not positive. Returns the number of iterations times
+  // that of triangles.
+  double improve(const std::vector<std::size_t>& patch,
+                 const std::size_t largest_number_of_iterations)
+  {
+    std::vector<std::size_t> triangles;
+    for(std::size_t k = 0; k < patch.size(); ++k) {
+      m_number_of[patch[k]] = int(k);
+      triangles.insert(triangles.end(), m_triangles_of[patch[k]].begin(),
+                       m_triangles_of[patch[k]].end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    Distortion_minimizer minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
+    const std::size_t iterations = minimizer.run(largest_number_of_iterations);
+
+    const auto number_of_bad = [&]() {
+      return std::count_if(triangles.begin(), triangles.end(), [&](const std::size_t t) {
+        return orientation(m_map.triangle(t, m_unknowns)) != CGAL::POSITIVE;
+      });
+    };
+    const auto before = number_of_bad();
+    const std::vector<double> kept(m_unknowns);
+    for(std::size_t k = 0; k < patch.size(); ++k) {
+      m_number_of[patch[k]] = -1;
+      m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
+    }
+    if(number_of_bad() >= before)
+      for(const std::size_t i : patch)
+        m_unknowns[i] = kept[i];
+    return static_cast<double>(iterations) * static_cast<double>(triangles.size());
+  }
+
+  const Constrained_triangles& m_map;
+  std::vector<double> m_unknowns;
+  std::vector<int> m_number_of; // per unknown: its number in the patch, or -1
+  std::vector<std::vector<std::size_t> > m_triangles_of; // per unknown
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_UNTANGLING_UNTANGLE_H
