@@ -248,10 +248,10 @@ private:
         const double weight = cotangent(get_uv(m_uv_map, g), get_uv(m_uv_map, a),
                                         get_uv(m_uv_map, b));
         const Place p = place(a), q = place(b);
-        for(int f = 0; f < Group::number_of_functionals; ++f) {
-          Form difference = form(p, f);
-          difference.constant += Group::value(f, p.offset) - Group::value(f, q.offset);
-          difference.add(form(q, f), -1);
+        for(int k = 0; k < Group::number_of_functionals; ++k) {
+          Form difference = form(p, k);
+          difference.constant += Group::value(k, p.offset) - Group::value(k, q.offset);
+          difference.add(form(q, k), -1);
           add_square(weight, difference);
         }
       }
