@@ -609,10 +609,11 @@ bool is_integer_grid(const Mesh& mesh, const UV_map uv,
                      const std::map<Mesh::Edge_index, int>& lines)
 {
   for(const Halfedge h : mesh.halfedges()) {
+    if(mesh.is_border(h))
+      continue;
     const Exact_vector u = lattice_walk::exact_point(uv[h]);
     const Vertex v = mesh.target(h);
-    if(!mesh.is_border(h) && !mesh.is_border(v) && mesh.degree(v) != 6 &&
-       !(is_integer(u[0]) && is_integer(u[1])))
+    if(!mesh.is_border(v) && mesh.degree(v) != 6 && !(is_integer(u[0]) && is_integer(u[1])))
       return false;
     if(!is_interior(mesh, h))
       continue;
