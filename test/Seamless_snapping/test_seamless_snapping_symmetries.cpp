@@ -675,10 +675,12 @@ void test_integer_grid(Mesh mesh, const std::string& name)
       CHECK_IN(context, report.lost_faces.empty() == (signs(mesh, uv) == before));
       CHECK_IN(context, is_exact<N>(mesh, uv) && is_integer_grid<N>(mesh, uv, lines));
       const auto measure = SS::measure_integer_grid(mesh, uv, symmetric);
-      CHECK_IN(context, bool(measure) && measure.translation_distance == 0 &&
-                          measure.cone_distance == 0 && measure.alignment_distance == 0 &&
-                          measure.number_of_aligned_edges == lines.size() &&
-                          measure.number_of_nonpositive_faces == report.lost_faces.size());
+      CHECK_IN(context, measure.translation_distance == 0 && measure.alignment_distance == 0 &&
+                          measure.number_of_aligned_edges == lines.size());
+      CHECK_IN(context,
+               (measure.number_of_nonpositive_faces == 0) == report.lost_faces.empty());
+      if(report.lost_faces.empty()) // around folds, the angle of a regular vertex is another one
+        CHECK_IN(context, bool(measure) && measure.cone_distance == 0);
       // as large as asked for, up to the rounding
       const double area = scale * scale * double(mesh.number_of_faces()) / 2;
       CHECK_IN(context, std::abs(measure.area / area - 1) < (scale == 1 ? 1e-5 : 0.5));
