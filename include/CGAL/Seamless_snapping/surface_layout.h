@@ -232,8 +232,9 @@ without nodes have the same coordinates in all charts, which of them is chosen.
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
     \cgalParamDescription{the number of segments of all curves, which is that of crossings of edges
-                          and vertices, above which the computation is given up. It takes some 200
-                          bytes for each.}
+                          and vertices, above which the computation is given up; and that of points
+                          at which two curves meet, or would if they ran on. It takes some 200
+                          bytes for each of the former, and some 400 for each of the latter.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{30 times the number of faces, but at least a million}
   \cgalParamNEnd

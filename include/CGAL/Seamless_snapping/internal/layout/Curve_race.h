@@ -72,7 +72,8 @@ struct Race_options
 {
   // Whether `first` ends there; always, if not set. Curves always end at walls.
   std::function<bool(const Meeting&)> ends;
-  std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)(); // of segments
+  std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)(); // of segments, and of
+                                                                          // meetings
 };
 
 // At least as small as the value, and near to it.
@@ -100,7 +101,7 @@ public:
   Curve_race(const Curve_race&) = delete; // its members refer to each other
   Curve_race& operator=(const Curve_race&) = delete;
 
-  // Returns false if there are too many segments.
+  // Returns false if there are too many segments, or meetings.
   bool run()
   {
     Wall_builder(m_domain, m_curves).run();
@@ -197,7 +198,8 @@ private:
       walker.reset();
       return true;
     }
-    if(++m_number_of_segments > m_options.maximum_number)
+    ++m_number_of_segments;
+    if((std::max)(m_number_of_segments, m_meetings.size()) > m_options.maximum_number)
       return false;
     const Chart_segment& segment = walker->segment();
     m_curves.add_segment(c, segment,

@@ -144,8 +144,8 @@ private:
     m_data.race = std::make_unique<Curve_race>(m_domain, m_options);
     return m_data.race->run() ||
            fail(Layout_status::TOO_LARGE,
-                "the curves cross faces more than " + std::to_string(m_options.maximum_number) +
-                  " times; raise maximum_number, or let curves end where they meet others");
+                "the curves cross faces, or each other, more than " +
+                  std::to_string(m_options.maximum_number) + " times; raise maximum_number, or let curves end where they meet others");
   }
 
   bool build()
