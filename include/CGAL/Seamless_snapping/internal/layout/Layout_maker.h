@@ -145,7 +145,8 @@ private:
     return m_data.race->run() ||
            fail(Layout_status::TOO_LARGE,
                 "the curves cross faces, or each other, more than " +
-                  std::to_string(m_options.maximum_number) + " times; raise maximum_number, or let curves end where they meet others");
+                  std::to_string(m_options.maximum_number) +
+                  " times; raise maximum_number, or let curves end where they meet others");
   }
 
   bool build()
