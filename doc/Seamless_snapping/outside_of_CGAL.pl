@@ -11,7 +11,7 @@ use open qw(:std :encoding(UTF-8));
 my %symbols = (
   pm => '±', ne => '≠', le => '≤', ge => '≥', approx => '≈', cdot => '·', ldots => '…',
   circ => '°', omega => 'ω', sigma => 'σ', sqrt => '√',
-  chi => 'χ', sum => '∑', in => '∈', to => '→',
+  chi => 'χ', varepsilon => 'ε', det => 'det', quad => '&emsp;', sum => '∑', in => '∈', to => '→',
   log => 'log', times => '×');
 
 # What TeX takes as one argument at the place reached: a group in braces, a command, or a character.
@@ -36,6 +36,8 @@ sub html
       my $font = $1;
       my $what = html(argument(\$tex));
       $html .= $font eq 'mathbf' ? "<b>$what</b>" : $font eq 'bar' ? "$what\x{0304}" : 'ℤ';
+    } elsif($tex =~ /\G\\\|/gc) {
+      $html .= '‖';
     } elsif($tex =~ /\G\\([a-z]+)/gc) {
       die "unknown: \\$1\n" unless defined $symbols{$1};
       $html .= $symbols{$1};
