@@ -112,9 +112,9 @@ int main(int argc, char* argv[])
   options.add_options()(
     "runs", po::value(&settings.runs)->default_value(3), "the fastest of so many runs counts")(
     "threads", po::value(&settings.threads)->default_value(2), "of the parallel runs")(
-    "quads", po::value(&settings.quads)->default_value(1e6), "about")(
+    "quads", po::value(&settings.quads)->default_value(1.06e6), "about")(
     "faces", po::value(&faces)->default_value(1900000), "of the height field; 0 for none")(
-    "nodes", po::value(&nodes)->default_value(5000), "of the height field")(
+    "nodes", po::value(&nodes)->default_value(200), "of the height field")(
     "files", po::value(&files), "parametrized meshes (OBJ)");
   if(const auto exit_code = benchmark::read_command_line(
        argc, argv, "extraction_speed [options] [FILE...]", options, "files"))

@@ -3,8 +3,10 @@
 
 #include "Polyhedron_copy.h"
 #include "quad_reference.h"
+#include "test_data.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
@@ -16,6 +18,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <limits>
 #include <set>
@@ -343,6 +346,80 @@ void test_flips()
   CHECK(flips > 40 && kept > 1000);
 }
 
+template <typename NamedParameters>
+void check_refusal(const Grid_map& map, const Status expected, const std::string& word,
+                   const NamedParameters& np)
+{
+  Mesh quads;
+  quads.add_vertex(Point_3(1, 2, 3));
+  std::vector<Point_3> points(1);
+  std::vector<std::vector<std::size_t> > polygons(2);
+  const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads, np);
+  const auto soup = SS::extract_quad_soup(map.mesh, map.uv, points, polygons, np);
+  CHECK_EQUAL(SS::to_string(report.status), std::string(SS::to_string(expected)));
+  CHECK(soup.status == report.status && soup.message == report.message);
+  if(!CHECK(report.message.find(word) != std::string::npos))
+    std::cerr << report.message << std::endl;
+  CHECK(quads.number_of_vertices() == 1 && quads.number_of_faces() == 0);
+  CHECK(points.size() == 1 && polygons.size() == 2);
+  CHECK(!report);
+}
+
+// Vertices moved across opposite edges come back in a copy of the map; the map itself stays.
+void test_repair()
+{
+  std::size_t repaired = 0;
+  Square_complex box = surfaces::box(1, 2, 1);
+  surfaces::mark_creases(box);
+  for(const auto& [complex, side] : {std::pair{box, 3}, {surfaces::disc(3, 3), 5},
+                                     {surfaces::genus_2(), 4}, {surfaces::tetrahedron(), 5}})
+    for(unsigned seed = 1; seed <= 5; ++seed) {
+      std::mt19937_64 random(seed);
+      Grid_map map(complex, side, 8);
+      map.perturb(seed, 0.1, seed % 2 == 0 ? 4 : 30);
+      const auto seams = SS::seam_transitions(map.mesh, map.uv);
+      const SS::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
+      for(int i = 0; i < 3; ++i) {
+        const Vertex v(Mesh::size_type(random() % map.mesh.number_of_vertices()));
+        if(!CGAL::is_border(v, map.mesh) && !tracer.is_singular(v) && !map.is_on_feature(v))
+          map.move_vertex(seams, map.mesh.halfedge(v), Kernel::Vector_2(1, 0.75));
+      }
+      std::size_t flips = 0;
+      for(const auto f : map.mesh.faces())
+        flips += map.is_positive(map.mesh.halfedge(f)) ? 0 : 1;
+      const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
+      Mesh quads;
+      const auto options = parameters::edge_is_constrained_map(map.is_feature);
+      const auto refusal =
+        SS::extract_quad_mesh(map.mesh, map.uv, quads, options.repair_flips(false));
+      CHECK_EQUAL(refusal.nonpositive_faces.size(), flips);
+      CHECK_EQUAL(quads.is_empty(), flips > 0);
+      quads.clear();
+      auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+      const auto report =
+        SS::extract_quad_mesh(map.mesh, map.uv, quads, options.repair_flips(true),
+                              parameters::edge_is_constrained_map(is_feature));
+      check_quads(quads, report, expected_quads(complex, side));
+      CHECK_EQUAL(report.number_of_repaired_faces, flips);
+      CHECK(report.nonpositive_faces.empty());
+      CHECK_EQUAL(report.number_of_unaligned_features, std::size_t(0));
+      CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
+      repaired += flips;
+    }
+  CHECK(repaired > 50);
+
+  Grid_map map(surfaces::box(1, 1, 1), 3, 4); // a flip, and integers that are none
+  const auto seams = SS::seam_transitions(map.mesh, map.uv);
+  const SS::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
+  Vertex v(0);
+  while(tracer.is_singular(v) || !map.is_positive_around(v))
+    ++v;
+  map.move_vertex(seams, map.mesh.halfedge(v), Kernel::Vector_2(2, 1.5));
+  check_refusal(map, Status::NOT_POSITIVE, "repair", CGAL::parameters::default_values());
+  map.shift(0.25, 0.125);
+  check_refusal(map, Status::NOT_INTEGER, "integer", parameters::repair_flips(true));
+}
+
 // --- what is known of each vertex and edge -------------------------------------------------------
 
 void test_property_maps()
@@ -414,30 +491,30 @@ void test_property_maps()
 // --- the same in all forms -----------------------------------------------------------------------
 
 // Vertices and faces in a random order, and faces beginning anywhere.
-Mesh renumbered(const Grid_map& map, const unsigned seed, UV_map& uv)
+Mesh renumbered(const Mesh& mesh, const UV_map& original_uv, const unsigned seed, UV_map& uv)
 {
   std::mt19937_64 random(seed);
   Mesh result;
-  std::vector<Vertex> order(map.mesh.vertices().begin(), map.mesh.vertices().end());
-  std::vector<Mesh::Face_index> faces(map.mesh.faces().begin(), map.mesh.faces().end());
+  std::vector<Vertex> order(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   std::shuffle(order.begin(), order.end(), random);
   std::shuffle(faces.begin(), faces.end(), random);
   std::map<Vertex, Vertex> image;
   for(const Vertex v : order)
-    image[v] = result.add_vertex(map.mesh.point(v));
+    image[v] = result.add_vertex(mesh.point(v));
   uv = square_complex::uv_map(result);
   for(const auto f : faces) {
-    Halfedge h = map.mesh.halfedge(f);
+    Halfedge h = mesh.halfedge(f);
     for(auto k = random() % 3; k > 0; --k)
-      h = map.mesh.next(h);
+      h = mesh.next(h);
     std::vector<Vertex> corners;
-    for(const auto v : CGAL::vertices_around_face(h, map.mesh))
+    for(const auto v : CGAL::vertices_around_face(h, mesh))
       corners.push_back(image.at(v));
     Halfedge g = result.halfedge(result.add_face(corners));
-    while(result.target(g) != image.at(map.mesh.target(h)))
+    while(result.target(g) != image.at(mesh.target(h)))
       g = result.next(g);
-    for(int i = 0; i < 3; ++i, h = map.mesh.next(h), g = result.next(g))
-      uv[g] = map.uv[h];
+    for(int i = 0; i < 3; ++i, h = mesh.next(h), g = result.next(g))
+      uv[g] = original_uv[h];
   }
   return result;
 }
@@ -457,33 +534,70 @@ bool are_identical(const Mesh& a, const Mesh& b)
   return true;
 }
 
+// Whether two results are equal but for their numbering. Points tell which of several parts is
+// which, and that no part is turned.
+void check_alike(const Mesh& quads, const Mesh& others)
+{
+  CHECK(are_isomorphic(quads, others));
+  CHECK(rounded_quads(quads) == rounded_quads(others));
+}
+
+template <typename UVMap>
+void check_forms(const Mesh& mesh, const UVMap& uv, const Mesh& quads)
+{
+  Mesh parallel;
+  CHECK(bool(SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(mesh, uv, parallel)));
+  CHECK(are_identical(quads, parallel));
+
+  const test_meshes::Polyhedron_copy<Kernel> copy(mesh);
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CHECK(bool(SS::extract_quad_mesh(copy.polyhedron, copy.uv, polyhedron)));
+  CHECK(polyhedron.is_valid());
+  Mesh from_polyhedron;
+  CGAL::copy_face_graph(polyhedron, from_polyhedron);
+  check_alike(quads, from_polyhedron);
+
+  for(unsigned seed = 1; seed <= 3; ++seed) {
+    UV_map other_uv;
+    const Mesh other = renumbered(mesh, uv, seed, other_uv);
+    Mesh result;
+    CHECK(bool(SS::extract_quad_mesh(other, other_uv, result)));
+    check_alike(quads, result);
+  }
+}
+
+// Maps of other programs, made integer-grid maps of about 300 quads where they have none.
+void test_forms_of_files()
+{
+  std::vector<std::filesystem::path> files = test_data::package_files();
+  for(const auto& file : test_data::further_files("uv", ".obj"))
+    if(std::filesystem::file_size(file) < 120000)
+      files.push_back(file);
+  std::size_t compared = 0;
+  for(const auto& file : files) {
+    Mesh mesh;
+    UV_map uv = square_complex::uv_map(mesh);
+    CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
+    const double scale = std::sqrt(300 / SS::measure_integer_grid(mesh, uv).area);
+    const auto options =
+      parameters::integer_grid(true).rounding_tolerance(1e9).grid_scale(scale).repair_flips(true);
+    Mesh quads;
+    if(!SS::snap_to_seamless(mesh, uv, options) || !SS::extract_quad_mesh(mesh, uv, quads))
+      continue;
+    check_forms(mesh, uv, quads);
+    ++compared;
+  }
+  std::cout << compared << " of " << files.size() << " files compared in all forms" << std::endl;
+  CHECK(2 * compared > files.size());
+}
+
 void test_forms()
 {
   Grid_map map(surfaces::box(2, 1, 3), 13, 16);
   map.perturb(5, 0.3, 30);
   Mesh quads;
   CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, quads)));
-
-  Mesh parallel;
-  CHECK(bool(SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(map.mesh, map.uv, parallel)));
-  CHECK(are_identical(quads, parallel));
-
-  const test_meshes::Polyhedron_copy<Kernel> copy(map.mesh);
-  CGAL::Polyhedron_3<Kernel> polyhedron;
-  CHECK(bool(SS::extract_quad_mesh(copy.polyhedron, copy.uv, polyhedron)));
-  CHECK(polyhedron.is_valid());
-  Mesh from_polyhedron;
-  CGAL::copy_face_graph(polyhedron, from_polyhedron);
-  CHECK(are_isomorphic(quads, from_polyhedron));
-  CHECK(rounded_quads(quads) == rounded_quads(from_polyhedron));
-
-  for(unsigned seed = 1; seed <= 5; ++seed) {
-    UV_map uv;
-    const Mesh mesh = renumbered(map, seed, uv);
-    Mesh result;
-    CHECK(bool(SS::extract_quad_mesh(mesh, uv, result)));
-    CHECK(rounded_quads(quads) == rounded_quads(result));
-  }
+  check_forms(map.mesh, map.uv, quads);
 
   Mesh scaled; // the result is added to what is there
   CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(2))));
@@ -509,25 +623,6 @@ void test_forms()
 }
 
 // --- bad input -----------------------------------------------------------------------------------
-
-template <typename NamedParameters>
-void check_refusal(const Grid_map& map, const Status expected, const std::string& word,
-                   const NamedParameters& np)
-{
-  Mesh quads;
-  quads.add_vertex(Point_3(1, 2, 3));
-  std::vector<Point_3> points(1);
-  std::vector<std::vector<std::size_t> > polygons(2);
-  const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads, np);
-  const auto soup = SS::extract_quad_soup(map.mesh, map.uv, points, polygons, np);
-  CHECK_EQUAL(SS::to_string(report.status), std::string(SS::to_string(expected)));
-  CHECK(soup.status == report.status && soup.message == report.message);
-  if(!CHECK(report.message.find(word) != std::string::npos))
-    std::cerr << report.message << std::endl;
-  CHECK(quads.number_of_vertices() == 1 && quads.number_of_faces() == 0);
-  CHECK(points.size() == 1 && polygons.size() == 2);
-  CHECK(!report);
-}
 
 void test_refusals()
 {
@@ -689,8 +784,10 @@ int main()
   test_loops();
   test_borders();
   test_flips();
+  test_repair();
   test_property_maps();
   test_forms();
+  test_forms_of_files();
   test_refusals();
   test_integer_grids();
   return report_checks();

@@ -20,9 +20,12 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/quad_outputs.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
+#include <CGAL/Seamless_snapping/internal/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -65,7 +68,8 @@ std::string vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, co
 template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters, typename Output>
 Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                const NamedParameters& np, Output&& output)
+                                const NamedParameters& np, const Extraction_options& options,
+                                Output& output)
 {
   const Protect_exact_arithmetic protect;
   Chart_mesh mesh;
@@ -80,7 +84,7 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
     }
     is_feature = feature_corners(tmesh, numbering, np);
   }
-  Quad_extractor extractor(std::move(mesh), std::move(is_feature), extraction_options(np),
+  Quad_extractor extractor(std::move(mesh), std::move(is_feature), options,
                            [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
   const auto locate = [&] {
     const auto point_map = CGAL::parameters::choose_parameter(
@@ -97,6 +101,52 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
   return extractor.report();
 }
 
+// The same, once faces are repaired in a copy of the map.
+template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters, typename Output>
+Extraction_report extract_repaired_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                         const NamedParameters& np, Extraction_options options,
+                                         Output& output)
+{
+  using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+  const auto repaired = get(CGAL::dynamic_halfedge_property_t<Point_2>(), tmesh);
+  const Snapping_report repair = repair_integer_grid(tmesh, uv_map, repaired, np);
+  if(!repair) {
+    Extraction_report report;
+    report.status = repair.status == Snapping_status::NOT_INTEGER
+                      ? Extraction_status::NOT_INTEGER
+                      : input_status<Extraction_status>(repair.status);
+    report.message = repair.message;
+    return report;
+  }
+  options.scale = 1;
+  Extraction_report report =
+    extract_quads<ConcurrencyTag>(tmesh, repaired, np, options, output);
+  report.number_of_repaired_faces = repair.run.number_of_repaired_flips;
+  return report;
+}
+
+template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters, typename Output>
+Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                const NamedParameters& np, Output&& output)
+{
+  Extraction_options options = extraction_options(np);
+  const auto repairs_flips =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
+  if constexpr(is_given_parameter(repairs_flips))
+    if(repairs_flips) {
+      const bool allow_holes = std::exchange(options.allow_holes, false);
+      const Extraction_report report =
+        extract_quads<ConcurrencyTag>(tmesh, uv_map, np, options, output);
+      if(report.status != Extraction_status::NOT_POSITIVE)
+        return report;
+      options.allow_holes = allow_holes;
+      return extract_repaired_quads<ConcurrencyTag>(tmesh, uv_map, np, options, output);
+    }
+  return extract_quads<ConcurrencyTag>(tmesh, uv_map, np, options, output);
+}
+
 } // namespace internal
 
 /*!
@@ -111,7 +161,8 @@ result is a mesh of quads only, homeomorphic to the surface, whose number of qua
 the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
 elsewhere inside. All these conditions are checked before, and all these results are checked after
 the extraction, exactly; on success they hold. All decisions in between are comparisons and
-orientation tests that are exact. There is no tolerance, and nothing is repaired.
+orientation tests that are exact. There is no tolerance, and nothing is repaired unless
+`repair_flips` asks for it.
 
 Beyond that:
 - Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
@@ -172,10 +223,18 @@ Nothing is written unless the extraction succeeds.
                    value type}
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
+  \cgalParamNBegin{repair_flips}
+    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are repaired
+                          first where that is possible near by, as by `snap_to_seamless()`: on a
+                          copy of the map. Integers, and features and borders on lines of the grid,
+                          stay where they are.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{allow_holes}
-    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are taken for
-                          holes, so that the cells that touch or contain them are left out.
-                          Otherwise, they are refused.}
+    \cgalParamDescription{whether faces that are flipped or degenerate in the domain, or that are
+                          left so by repairs, are taken for holes, so that the cells that touch or
+                          contain them are left out. Otherwise, they are refused.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

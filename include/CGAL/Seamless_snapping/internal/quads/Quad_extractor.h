@@ -212,7 +212,8 @@ private:
     return place != Cone_place::ON_LINE ||
            fail(Extraction_status::NOT_INTEGER,
                 "the cone at vertex " + vertex_name(m_mesh.corner_at_vertex[v]) +
-                  " lies on a line of the grid, but on no point of it" + make_integer() + ", or double the map: grid_scale(2)");
+                  " lies on a line of the grid, but on no point of it" + make_integer() +
+                  ", or double the map: grid_scale(2)");
   }
 
   template <typename ConcurrencyTag>

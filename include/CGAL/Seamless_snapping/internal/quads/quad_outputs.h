@@ -88,7 +88,8 @@ public:
     add_vertices(vertices, writer);
     writer.add_edges_and_faces(
       [&](const auto e, const std::size_t d) {
-        const auto map = CGAL::parameters::get_parameter(m_np, CGAL::internal_np::edge_is_constrained);
+        const auto map =
+          CGAL::parameters::get_parameter(m_np, CGAL::internal_np::edge_is_constrained);
         if constexpr(is_given_parameter(map))
           put(map, e, complex.darts.is_feature(d) || !complex.has_cell(d) ||
                         !complex.has_cell(complex.twin(d)));
