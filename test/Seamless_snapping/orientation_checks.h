@@ -79,13 +79,16 @@ struct Tally
 
 // Snaps, and checks that the result is exact and that the report tells the truth about
 // orientations.
+// \param repair false, true, or the number of a `Flip_repair`
 template <typename Graph, typename UVMap, typename NP, typename IsAligned>
 SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned& is_aligned,
-                         const std::string& context, bool repair_flips = false)
+                         const std::string& context,
+                         const int repair = 0)
 {
   const std::vector<int> before = signs(g, uv);
   const Bits bits_before = all_bits(g, uv);
-  const SS::Snapping_report report = SS::snap_to_seamless(g, uv, np.repair_flips(repair_flips));
+  const SS::Snapping_report report =
+    SS::snap_to_seamless(g, uv, np.repair_flips(SS::Flip_repair(repair)));
   const std::vector<int> after = signs(g, uv);
   CHECK_IN(context + ": " + report.message, bool(report));
   CHECK_IN(context, exact_check::check_edges(g, uv, is_aligned).is_exact());
@@ -94,8 +97,9 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   CHECK_IN(context,
            report.run.number_of_lost_faces == report.run.number_of_faces_repaired_by_moves +
                                                   report.run.number_of_faces_repaired_by_program +
+                                                  report.run.number_of_faces_repaired_by_untangling +
                                                   report.lost_faces.size());
-  if(repair_flips) {
+  if(repair != 0) {
     CHECK_IN(context, report.remaining_flips == not_positive(before, after, false));
   } else {
     CHECK_IN(context, report.remaining_flips.empty() && report.run.number_of_repaired_flips == 0);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace orientation_flips {
@@ -38,6 +39,62 @@ inline std::size_t fold(Named& named, unsigned int seed)
     ++result;
   }
   return result;
+}
+
+// Moves free vertices by about the given distance each, in any direction.
+inline void tangle(Named& named, const double distance, const unsigned int seed)
+{
+  const Mesh& mesh = named.mesh;
+  const auto uv = test_meshes::uv_map(named.mesh);
+  const std::vector<bool> aligned = are_aligned(named);
+  const uv_noise::Cuts<Mesh, UV_map> cuts(mesh, uv);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> shift(0, distance);
+  std::vector<Mesh::Halfedge_index> corners;
+  std::vector<std::pair<Mesh::Halfedge_index, Kernel::Vector_2> > shifts; // cuts read the map
+  for(const auto v : mesh.vertices()) {
+    uv_noise::corners_in_turn(mesh.halfedge(v), mesh, cuts, corners);
+    if(random() % 2 != 0 || mesh.is_border(v) || aligned[std::size_t(v)]
+       || !std::all_of(corners.begin(), corners.end(), [&](auto h) { return cuts.is_passable(h); }))
+      continue;
+    const double x = shift(random), y = shift(random);
+    for(const auto h : corners)
+      shifts.emplace_back(h, Kernel::Vector_2(x, y));
+  }
+  for(const auto& [h, by] : shifts)
+    uv[h] = uv[h] + by;
+}
+
+// Half of the free vertices anywhere: moves near by don't help any more, untangling does.
+inline void test_untangling()
+{
+  Tally near_by, untangled;
+  for(const Named& original : test_meshes::all_meshes<Kernel>())
+    for(const double distance : { 0.5, 2. })
+      for(const auto repair : { SS::Flip_repair::NEAR_BY, SS::Flip_repair::UNTANGLE }) {
+        Named named = original;
+        Mesh& mesh = named.mesh;
+        const auto uv = test_meshes::uv_map(mesh);
+        const auto features = test_meshes::feature_map(mesh);
+        const Known<Kernel> known(mesh, uv);
+        const std::string context = named.name + ", tangled by " + std::to_string(distance);
+        if(!are_all_positive(signs(mesh, uv)))
+          continue;
+        tangle(named, distance, 1);
+        uv_noise::perturb(mesh, uv, 1e-9, 1);
+        const auto np = SS::parameters::edge_is_constrained_map(features)
+                          .align_border(named.align_border)
+                          .edge_is_cut_map(known.edge_is_cut)
+                          .halfedge_rotation_map(known.rotations);
+        const auto report = snap(mesh, uv, np, is_aligned(mesh, features, named.align_border),
+                                 context, int(repair));
+        (repair == SS::Flip_repair::NEAR_BY ? near_by : untangled).add(report);
+        if(repair == SS::Flip_repair::UNTANGLE)
+          CHECK_IN(context, are_all_positive(signs(mesh, uv)));
+      }
+  near_by.print("tangled, near by");
+  untangled.print("tangled, untangled");
+  CHECK(near_by.flips > near_by.repaired_flips); // or this tests nothing
 }
 
 inline void test_flips_of_exact_map()
@@ -271,6 +328,7 @@ inline void test_flips_with_noise()
 inline void test_flips()
 {
   test_flips_of_exact_map();
+  test_untangling();
   test_mirrored_map();
   test_flips_near_origin();
   test_degenerate_face();

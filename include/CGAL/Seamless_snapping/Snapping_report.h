@@ -144,6 +144,8 @@ struct Snapping_figures
   /// those that moves of single vertices made positive again
   std::size_t number_of_faces_repaired_by_moves = 0;
   std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
+  /// with `Flip_repair::UNTANGLE`: those that untangling did
+  std::size_t number_of_faces_repaired_by_untangling = 0;
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;
   /// @}

@@ -16,6 +16,7 @@
 
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
+#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
@@ -154,8 +155,12 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                           become positive too, where this is possible near by and costs no other
                           face its orientation. Then a parametrization that is seamless already may
                           be changed as well.}
-    \cgalParamType{Boolean}
+    \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{With `Flip_repair::UNTANGLE`, what remains is untangled under all constraints:
+                    there is no bound on how far vertices move, `Snapping_report::largest_change`
+                    tells how far they did. It needs rotations by multiples of 90 degrees, takes
+                    seconds rather than milliseconds, and is not guaranteed to succeed.}
   \cgalParamNEnd
   \cgalParamNBegin{integer_grid}
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the

@@ -17,6 +17,7 @@
 // The function `snap_to_seamless()`, a step a line: what each step returns is all that the next
 // ones know of it.
 
+#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
@@ -74,7 +75,7 @@ public:
     , m_given(given)
     , m_options(options)
     , m_timer(m_report.run, options.is_verbose)
-    , m_repairs_flips(options.repairs_flips)
+    , m_flip_repair(options.flip_repair)
   { }
 
   Snapping_report run();
@@ -123,7 +124,7 @@ private:
       }
 
     const bool was_exact = transitions.is_exact && is_exact(cuts.complex, cuts.complex.coordinates);
-    if(was_exact && !(m_repairs_flips && has_flips(m_tmesh, m_uv_map)))
+    if(was_exact && !(m_flip_repair != Flip_repair::NONE && has_flips(m_tmesh, m_uv_map)))
       return std::nullopt;
     m_timer.finish("verification of the input");
 
@@ -139,7 +140,7 @@ private:
     m_timer.finish("solution");
 
     Stars stars(m_tmesh, cuts, m_uv_map, m_vertex_indices);
-    Orientation_repair<Group>(cuts.complex, solver, stars, m_repairs_flips)
+    Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair)
       .run(snapped.coordinates, m_report);
     m_timer.finish("orientation");
     if(was_exact && m_report.run.number_of_repaired_flips == 0)
@@ -159,7 +160,8 @@ private:
                                          const std::vector<Rounding<Group> >& roundings)
   {
     m_has_spread = true;
-    m_repairs_flips = true; // those that the displacement may have made
+    // those that the displacement may have made
+    m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
     if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
           m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
       return Refusal{Snapping_status::INTERNAL_ERROR, "the roundings could not be spread over the "
@@ -258,7 +260,7 @@ private:
   const Options& m_options;
   Snapping_report m_report;
   Step_timer m_timer;
-  bool m_repairs_flips;
+  Flip_repair m_flip_repair;
   bool m_has_spread = false;
 };
 

@@ -19,6 +19,7 @@
 // different parameters share all code that knows these values only: it is compiled once for a mesh
 // and a uv map.
 
+#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
@@ -50,7 +51,7 @@ struct Snapping_options
   double rounding_tolerance;
   bool has_given_indices; // of vertices; they may be wrong
   bool rounds;            // to an integer-grid map
-  bool repairs_flips;
+  Flip_repair flip_repair;
   bool is_verbose;
 };
 
@@ -68,7 +69,7 @@ Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
           double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
           has_vertex_index_map<NamedParameters>,
           bool(chosen(CGAL::internal_np::integer_grid, false)),
-          bool(chosen(CGAL::internal_np::repair_flips, false)),
+          static_cast<Flip_repair>(int(chosen(CGAL::internal_np::repair_flips, false))),
           bool(chosen(CGAL::internal_np::verbose, false))};
 }
 

@@ -103,6 +103,12 @@ public:
     return result;
   }
 
+  void meet_all_faces() override
+  {
+    for(const auto f : faces(m_tmesh))
+      face_index(halfedge(f, m_tmesh));
+  }
+
   double largest_move(const Uv_state& state) const override
   {
     double result = 0;

@@ -84,6 +84,9 @@ public:
   // All faces that may not be positive.
   virtual std::vector<Face_index> possible_flips() = 0;
 
+  // Meets all faces.
+  virtual void meet_all_faces() = 0;
+
   // The largest change of a functional, and so of a coordinate, of a corner of a sector.
   virtual double largest_move(const Uv_state& state) const = 0;
 

@@ -1,0 +1,123 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_FLIP_UNTANGLER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_FLIP_UNTANGLER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Removes flips that moves near by can't: by untangling under all constraints of the complex, and
+// the exact solution near the result.
+
+#include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
+#include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What a face should look like: as in the input, unless it is flipped or a sliver there. Then no
+// shape is known but that of equal sides.
+inline Reference_shape wanted_shape(const Domain_face& face)
+{
+  constexpr double thinnest = 0.05; // height, relative to the longest edge
+  const Uv_triangle& t = face.input;
+  const Uv first{{t[1][0] - t[0][0], t[1][1] - t[0][1]}};
+  const Uv second{{t[2][0] - t[0][0], t[2][1] - t[0][1]}};
+  double longest = std::hypot(second[0] - first[0], second[1] - first[1]);
+  longest = (std::max)({longest, std::hypot(first[0], first[1]),
+                        std::hypot(second[0], second[1])});
+  const double doubled_area = first[0] * second[1] - first[1] * second[0];
+  if(doubled_area >= thinnest * longest * longest)
+    return Reference_shape(first, second);
+  return Reference_shape({{longest, 0}}, {{longest / 2, longest * std::sqrt(0.75)}});
+}
+
+template <typename Group>
+class Flip_untangler
+{
+public:
+  Flip_untangler(const Movable_points<Group>& points, const Complex_solver<Group>& solver)
+    : m_points(points), m_solver(solver)
+  { }
+
+  // Changes exact coordinates into others with fewer flips, if they are found.
+  // \pre all faces were met
+  // \return whether the coordinates were changed
+  bool run(Uv_state& state) const
+  {
+    const Constrained_triangles map = constrained_triangles(state);
+    Untangler untangler(map);
+    untangler.run(largest_number_of_iterations, true);
+    const std::vector<double>& unknowns = untangler.unknowns();
+
+    Target_shifts<Group> shifts;
+    const std::size_t number_of_sectors = m_points.stars().number_of_sectors();
+    for(std::size_t s = 0; s < number_of_sectors; ++s) {
+      const Uv to = map.point(s, unknowns), &from = m_points.complex().coordinates[s];
+      if(to != from)
+        shifts[Sector_index(s)] = {{to[0] - from[0], to[1] - from[1]}};
+    }
+    Uv_state result;
+    if(!m_solver.solve_shifted(shifts, result))
+      return false;
+    for(std::size_t p = number_of_sectors; p < map.start.size(); ++p) {
+      const Uv to = map.point(p, unknowns);
+      m_points.set_uv(result, Point_index(p), {{rounded_to(m_solver.format(), to[0]),
+                                                rounded_to(m_solver.format(), to[1])}});
+    }
+    state.swap(result);
+    return true;
+  }
+
+private:
+  Constrained_triangles constrained_triangles(const Uv_state& state) const
+  {
+    const Free_coordinates<Group> coordinates(m_points.complex());
+    Constrained_triangles map;
+    map.number_of_unknowns = coordinates.number_of_unknowns();
+    for(std::size_t p = 0; p < m_points.stars().size(); ++p) {
+      map.start.push_back(m_points.uv(state, Point_index(p)));
+      if(m_points.is_sector(Point_index(p))) {
+        map.rows.push_back({{coordinates.coordinate(p, 0), coordinates.coordinate(p, 1)}});
+      } else {
+        const std::size_t first = map.number_of_unknowns;
+        map.rows.push_back({{Sparse_row{{first, 1.}}, Sparse_row{{first + 1, 1.}}}});
+        map.number_of_unknowns += 2;
+      }
+    }
+    for(std::size_t f = 0; f < m_points.stars().number_of_faces(); ++f) {
+      const Domain_face& face = m_points.domain_face(Face_index(f));
+      map.triangles.push_back({{{std::size_t(face.points[0]), std::size_t(face.points[1]),
+                                 std::size_t(face.points[2])}}, wanted_shape(face)});
+    }
+    return map;
+  }
+
+  static constexpr std::size_t largest_number_of_iterations = 200; // over all faces
+
+  const Movable_points<Group>& m_points;
+  const Complex_solver<Group>& m_solver;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_ORIENTATION_FLIP_UNTANGLER_H
