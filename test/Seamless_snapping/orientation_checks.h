@@ -95,10 +95,10 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   CHECK_IN(context, SS::is_seamless(g, uv, np));
   CHECK_IN(context, report.lost_faces == not_positive(before, after, true));
   CHECK_IN(context,
-           report.run.number_of_lost_faces == report.run.number_of_faces_repaired_by_moves +
-                                                  report.run.number_of_faces_repaired_by_program +
-                                                  report.run.number_of_faces_repaired_by_untangling +
-                                                  report.lost_faces.size());
+           report.run.number_of_lost_faces ==
+             report.run.number_of_faces_repaired_by_moves +
+               report.run.number_of_faces_repaired_by_program +
+               report.run.number_of_faces_repaired_by_untangling + report.lost_faces.size());
   if(repair != 0) {
     CHECK_IN(context, report.remaining_flips == not_positive(before, after, false));
   } else {

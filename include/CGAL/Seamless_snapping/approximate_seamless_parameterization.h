@@ -67,6 +67,8 @@ Parameterization_options read_options(const Flat_numbering<TriangleMesh>& number
   options.number_of_untangling_iterations = static_cast<std::size_t>(choose_parameter(
     get_parameter(np, internal_np::untangling_iterations),
     options.number_of_untangling_iterations));
+  options.largest_cone_index = static_cast<int>(choose_parameter(
+    get_parameter(np, internal_np::largest_cone_index), options.largest_cone_index));
   options.may_release =
     choose_parameter(get_parameter(np, internal_np::release_alignment), false);
   options.verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
@@ -212,6 +214,13 @@ report.
                     combined with features, `align_border`, or `curvature_alignment`: given cones
                     leave the field no freedom but one angle, and what it turns by around handles.
                     Indices of 4 or more are refused: the angle of a cone is 4 minus its index.}
+  \cgalParamNEnd
+  \cgalParamNBegin{largest_cone_index}
+    \cgalParamDescription{the largest index that a cone of the field may have, 1, 2, or 3: neighbors
+                          take what is above. A cone of index 3 is a vertex of valence 1 of a
+                          quadrangulation, which no face graph can hold.}
+    \cgalParamType{`int`}
+    \cgalParamDefault{`3`}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length on the surface that corresponds to one unit in the plane}

@@ -43,6 +43,7 @@
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
+  F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
   F(release_alignment_t, release_alignment, release_alignment)                                     \
@@ -194,6 +195,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
  * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
+ * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
  *   are spent on flipped triangles of a parametrization under way (`unsigned int`)

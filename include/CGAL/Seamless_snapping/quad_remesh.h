@@ -207,17 +207,16 @@ private:
     read_features();
     const double curvature = static_cast<double>(CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(m_np, internal_np::curvature_alignment), 0.));
-    auto made = approximate_seamless_parameterization(
-      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature).release_alignment(true));
-    if(made && curvature == 0)
-      split_sharp_cones(made);
+    const auto made = approximate_seamless_parameterization(
+      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature).release_alignment(true)
+                                    .largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)
       return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
     release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     const auto snapped =
-      snap_to_seamless(m_tmesh, m_uv_map, alignment().repair_flips(true));
+      snap_to_seamless(m_tmesh, m_uv_map, alignment().repair_flips(Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
       return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
@@ -231,36 +230,6 @@ private:
                     std::to_string(m_report.remaining_flips.front()) +
                     "; mark fewer features, or remesh the input there");
     return true;
-  }
-
-  // No face graph has a vertex of one edge, as cones of index 3 are. On surfaces without borders
-  // and features, where cones can be given, a neighbor takes one quarter turn.
-  template <typename Report>
-  void split_sharp_cones(Report& made)
-  {
-    const auto is_sharp = [](const auto& cone) { return cone.second == 3; };
-    if(std::none_of(made.cones.begin(), made.cones.end(), is_sharp) || !CGAL::is_closed(m_tmesh) ||
-       made.number_of_aligned_edges > 0)
-      return;
-    const auto index = get(CGAL::dynamic_vertex_property_t<int>(), m_tmesh);
-    for(const auto v : vertices(m_tmesh))
-      put(index, v, 0);
-    for(const auto& cone : made.cones)
-      put(index, cone.first, cone.second);
-    for(const auto& cone : made.cones) {
-      if(!is_sharp(cone))
-        continue;
-      for(const auto h : CGAL::halfedges_around_target(cone.first, m_tmesh)) {
-        const auto v = source(h, m_tmesh);
-        if(get(index, v) < -1 || get(index, v) > 1)
-          continue;
-        put(index, v, get(index, v) + 1);
-        put(index, cone.first, 2);
-        break;
-      }
-    }
-    made = approximate_seamless_parameterization(
-      m_tmesh, m_uv_map, parameters::cone_index_map(index).vertex_point_map(surface_points()));
   }
 
   // Where quads meet themselves, or each other twice, finer ones are tried.
@@ -326,6 +295,8 @@ private:
     m_report.largest_distance = smoother.measure_distance();
     m_timer.finish("measurement");
   }
+
+  static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   const TriangleMesh& m_tmesh;
   const NamedParameters& m_np;

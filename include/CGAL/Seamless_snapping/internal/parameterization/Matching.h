@@ -145,18 +145,20 @@ inline Singularities singularities(const Triangle_surface& surface, const Topolo
 }
 
 // A cone of index 4 or more, as at the tip of a spike, leaves no angle for its faces, so that they
-// would flip: its index above 3 is handed on to neighbors. Returns whether anything was changed.
+// would flip: what is above the largest index is handed on to neighbors. Returns whether anything
+// was changed.
 inline bool spread_large_indices(const Triangle_surface& surface, const std::vector<double>& angles,
-                                 Singularities& singular, Matching& matching)
+                                 const int largest_index, Singularities& singular,
+                                 Matching& matching)
 {
   bool changed = false;
   std::vector<int>& index = singular.index;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    while(index[v] >= Quarter_turns::order) {
+    while(index[v] > largest_index) {
       Corner_index best = no_index; // the neighbor of the smallest index, but not along a feature
       for_each_corner(surface, v, [&](const Corner_index h) {
         const std::size_t w = surface.source(h);
-        if(!surface.is_aligned[h] && index[w] < Quarter_turns::order - 1
+        if(!surface.is_aligned[h] && index[w] < largest_index
            && (best == no_index || index[w] < index[surface.source(best)]))
           best = h;
       });

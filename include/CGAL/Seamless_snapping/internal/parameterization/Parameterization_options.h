@@ -33,6 +33,7 @@ struct Parameterization_options
   std::size_t number_of_untangling_iterations = 500;
   bool may_release = false; // edges from their alignment
   bool verbose = false;
+  int largest_cone_index = 3;  // of the cones that the field decides
   std::vector<int> cone_index; // per vertex; empty: the field decides
 };
 

@@ -65,6 +65,8 @@ inline void check_options(const Parameterization_options& options, const Triangl
     refuse("target_edge_length must be positive");
   if(!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
     refuse("curvature_alignment must not be negative");
+  if(options.largest_cone_index < 1 || options.largest_cone_index >= Quarter_turns::order)
+    refuse("largest_cone_index must be 1, 2, or 3");
   if(options.number_of_stiffening_rounds < 0)
     refuse("number_of_iterations must not be negative");
   const bool is_aligned = std::find(surface.is_aligned.begin(), surface.is_aligned.end(), true)
@@ -204,7 +206,8 @@ Parameterization_result parameterize(Triangle_surface& surface,
   timer.finish("field");
 
   Singularities singular = singularities(surface, topo, matching);
-  if(spread_large_indices(surface, angles, singular, matching))
+  if(options.cone_index.empty() &&
+     spread_large_indices(surface, angles, options.largest_cone_index, singular, matching))
     singular = singularities(surface, topo, matching);
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)

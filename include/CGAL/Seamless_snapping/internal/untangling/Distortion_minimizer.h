@@ -179,6 +179,8 @@ private:
     }
     Eigen::SparseMatrix<double> hessian(m_count, m_count);
     hessian.setFromTriplets(entries.begin(), entries.end());
+    // translations change nothing, where all triangles of a component are chosen
+    hessian.diagonal() = (1 + 1e-9) * hessian.diagonal();
     if(!m_is_analyzed)
       m_solver.analyzePattern(hessian);
     m_is_analyzed = true;

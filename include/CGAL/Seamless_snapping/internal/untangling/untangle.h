@@ -58,7 +58,7 @@ public:
     constexpr std::size_t any = static_cast<std::size_t>(-1);
     std::vector<Attempt> attempts{{4, 40, 30}, {6, any, 40}};
     if(is_thorough)
-      attempts.push_back({40, any, 60});
+      attempts.push_back({40, any, 100});
     const double all = static_cast<double>(m_map.triangles.size());
     const double allowed = all * static_cast<double>(largest_number_of_iterations);
     double work = 0;
