@@ -144,24 +144,41 @@ inline Singularities singularities(const Triangle_surface& surface, const Topolo
   return result;
 }
 
+// The halfedge from the neighbor of smallest index that can take a quarter turn more. No index
+// if there is none.
+inline Corner_index neighbor_of_smallest_index(const Triangle_surface& surface, const std::size_t v,
+                                               const std::vector<int>& index,
+                                               const int largest_index, const bool along_features)
+{
+  Corner_index best = no_index;
+  for_each_corner(surface, v, [&](const Corner_index h) {
+    const std::size_t w = surface.source(h);
+    if(bool(surface.is_aligned[h]) == along_features && !surface.is_border_edge(h)
+       && index[w] < largest_index
+       && (best == no_index || index[w] < index[surface.source(best)]))
+      best = h;
+  });
+  return best;
+}
+
 // A cone of index 4 or more, as at the tip of a spike, leaves no angle for its faces, so that they
-// would flip: what is above the largest index is handed on to neighbors. Returns whether anything
-// was changed.
-inline bool spread_large_indices(const Triangle_surface& surface, const std::vector<double>& angles,
-                                 const int largest_index, Singularities& singular,
-                                 Matching& matching)
+// would flip: what is above the largest index is handed on to neighbors, but not along features,
+// unless these may be released. Returns whether anything was changed.
+inline bool spread_large_indices(Triangle_surface& surface, const std::vector<double>& angles,
+                                 const int largest_index, const bool may_release,
+                                 Singularities& singular, Matching& matching,
+                                 std::vector<Corner_index>& released)
 {
   bool changed = false;
   std::vector<int>& index = singular.index;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     while(index[v] > largest_index) {
-      Corner_index best = no_index; // the neighbor of the smallest index, but not along a feature
-      for_each_corner(surface, v, [&](const Corner_index h) {
-        const std::size_t w = surface.source(h);
-        if(!surface.is_aligned[h] && index[w] < largest_index
-           && (best == no_index || index[w] < index[surface.source(best)]))
-          best = h;
-      });
+      Corner_index best = neighbor_of_smallest_index(surface, v, index, largest_index, false);
+      if(best == no_index && may_release) {
+        best = neighbor_of_smallest_index(surface, v, index, largest_index, true);
+        if(best != no_index)
+          released.push_back(release_edge(surface, best));
+      }
       if(best == no_index)
         break;
       set_turns(surface, angles, best, matching.turns[best] - 1, matching);

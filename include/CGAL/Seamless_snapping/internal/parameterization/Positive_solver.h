@@ -96,13 +96,6 @@ private:
   Corner_index m_best = no_index;
 };
 
-// Returns the halfedge.
-inline Corner_index release_edge(Triangle_surface& surface, const Corner_index h)
-{
-  surface.is_aligned[h] = surface.is_aligned[surface.opposite(h)] = false;
-  return h;
-}
-
 // The field can follow two edges of a face at most. Returns the edges that were released.
 inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
 {

@@ -207,7 +207,8 @@ Parameterization_result parameterize(Triangle_surface& surface,
 
   Singularities singular = singularities(surface, topo, matching);
   if(options.cone_index.empty() &&
-     spread_large_indices(surface, angles, options.largest_cone_index, singular, matching))
+     spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
+                          singular, matching, result.released))
     singular = singularities(surface, topo, matching);
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)

@@ -70,6 +70,13 @@ struct Triangle_surface : Flat_mesh<Flat_corner>
   }
 };
 
+// Takes the alignment of an edge away, which is not on the border. Returns the halfedge.
+inline Corner_index release_edge(Triangle_surface& surface, const Corner_index h)
+{
+  surface.is_aligned[h] = surface.is_aligned[surface.opposite(h)] = false;
+  return h;
+}
+
 // The curvature concentrated at each vertex: what the angles lack of 2 pi, or of pi on the border.
 inline std::vector<double> angle_defects(const Triangle_surface& surface)
 {
