@@ -66,7 +66,8 @@ private:
   double m_total = 0;
 };
 
-// What the system says of this process: "VmRSS:" is the memory it occupies, "VmHWM:" the most of it.
+// What the system says of this process: "VmRSS:" is the memory it occupies, "VmHWM:" the most that
+// it has.
 inline double kilobytes(const std::string& key)
 {
   std::ifstream status("/proc/self/status");
