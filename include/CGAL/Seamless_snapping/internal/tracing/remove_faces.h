@@ -1,7 +1,8 @@
 // Copyright (c) 2026
 // The Seamless_snapping authors.
 //
-// This file is part of the Seamless_snapping package, written to become part of CGAL (www.cgal.org).
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
 //
 // $URL$
 // $Id$
