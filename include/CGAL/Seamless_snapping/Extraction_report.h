@@ -96,7 +96,8 @@ struct Extraction_report
   double area = 0;                  ///< of all faces, in units of one quad
   std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
   std::size_t number_of_cones_in_cells = 0; ///< those that lie between the lines of the grid
-  /// border edges that lie on no line of the grid
+  /// border edges that lie on no line of the grid, or lead to the end of a slit that is no point of
+  /// it
   std::size_t number_of_unaligned_border_edges = 0;
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no line of the grid
   std::size_t number_of_repaired_faces = 0; ///< with `repair_flips`: faces that became positive

@@ -19,6 +19,7 @@
 // Euler characteristic, its area in the domain, and whether its border lies on the grid.
 
 #include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
+#include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/tags.h>
@@ -137,11 +138,23 @@ private:
                                  (mesh.corner_at_vertex[mesh.vertex(h)] == h ? 1 : 0);
     const Corner_index p = Chart_mesh::prev(h), g = mesh.opposite(h);
     if(g == no_index) {
-      part.number_of_unaligned_edges += is_on_grid_line(mesh, h) ? 0 : 1;
+      part.number_of_unaligned_edges += is_on_grid_line(mesh, h) && !ends_slit(mesh, h) ? 0 : 1;
       part.twice_area += cross_product(exact(mesh.uv(p)), exact(mesh.uv(h)));
     } else if(mesh.corner(h).transition != no_index && h < g) {
       add_cut(mesh, h, part);
     }
+  }
+
+  // Whether the border turns back at the end of the edge, on a line of the grid but between its
+  // points: the angle is 180 degrees, with three rays, or a larger multiple of it.
+  static bool ends_slit(const Chart_mesh& mesh, const Corner_index h)
+  {
+    if(is_lattice_point(mesh.uv(h)))
+      return false;
+    const std::size_t v = mesh.vertex(h);
+    const Corner_index next_edge = Chart_mesh::next(mesh.corner_at_vertex[v]);
+    return mesh.opposite(next_edge) == no_index && is_on_grid_line(mesh, next_edge) &&
+           rays_from_vertex(mesh, v).size() != 3;
   }
 
   // The area is the sum of the cross products of the ends of all halfedges. The two of an edge add
