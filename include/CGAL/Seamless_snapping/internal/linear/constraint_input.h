@@ -138,7 +138,8 @@ bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& pr
     for(auto term = c.begin(i); term != c.end(i); ++term)
       if(term->first >= c.number_of_unknowns()) {
         problem = "constraint " + std::to_string(i) + " has the unknown " +
-                  std::to_string(term->first) + ", but there are only " + std::to_string(c.number_of_unknowns());
+                  std::to_string(term->first) + ", but there are only " +
+                  std::to_string(c.number_of_unknowns());
         return false;
       }
   return true;

@@ -163,8 +163,8 @@ inline Refusal not_representable(const Linear_solver& solver, const Component_in
     if(solver.system(c).has_right_hand_side(k))
       rows.push_back(solver.rows(c)[k]);
   return {Snapping_status::NOT_REPRESENTABLE,
-          "the constraints have rational solutions, but near the values none was found in numbers of "
-          "their type; round the right-hand sides of the constraints " + list_of_rows(rows) +
+          "the constraints have rational solutions, but near the values none was found in numbers "
+          "of their type; round the right-hand sides of the constraints " + list_of_rows(rows) +
           " to fewer bits, or remove factors that they are not divisible by", {}};
 }
 
