@@ -193,23 +193,23 @@ bool is_small_integer(const T& t)
     return sizeof(T) < 8 || (sizeof(T) == 8 && std::is_signed<T>::value);
 }
 
-// Adds a row with the right-hand side that `b()` returns. `small` is scratch.
+// Adds a row with the right-hand side that `b()` returns. `integers` is scratch.
 template <typename Coefficient, typename RightHandSide>
 void add_row(const std::vector<Entry<Coefficient> >& row, const RightHandSide& b,
-             Entries<std::int64_t>& small, System_builder& builder)
+             Entries<std::int64_t>& integers, System_builder& builder)
 {
   if constexpr(std::is_arithmetic<Coefficient>::value) {
-    small.clear();
+    integers.clear();
     for(const Entry<Coefficient>& e : row) {
       if(!is_small_integer(e.coefficient))
         break;
-      small.push_back({e.column, static_cast<std::int64_t>(e.coefficient)});
+      integers.push_back({e.column, static_cast<std::int64_t>(e.coefficient)});
     }
-    if(small.size() == row.size()) {
+    if(integers.size() == row.size()) {
       if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
-        builder.add_row(small);
+        builder.add_row(integers);
       else
-        builder.add_row(small, b());
+        builder.add_row(integers, b());
       return;
     }
   }
@@ -240,7 +240,7 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
     return false;
   }
   System_builder builder(number_of_columns(c));
-  Entries<std::int64_t> small;
+  Entries<std::int64_t> integers;
   const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
     for(const auto& e : row)
       if(!is_finite_number(e.coefficient)) {
@@ -248,7 +248,7 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
                   std::to_string(i) + " is NaN or infinite";
         return false;
       }
-    add_row(row, [&]() -> decltype(auto) { return right_hand_side(c, b, i); }, small, builder);
+    add_row(row, [&]() -> decltype(auto) { return right_hand_side(c, b, i); }, integers, builder);
     return true;
   });
   if(finite)
