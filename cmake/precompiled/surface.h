@@ -48,7 +48,7 @@ using Scaled_uv_map = std::decay_t<decltype(
   PREFIX template class internal::Surface_snapper<                                                 \
       seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
       seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given,       \
-      MAY_ROUND>;
+      MAY_ROUND, false>;
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \

@@ -32,6 +32,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
@@ -60,7 +61,7 @@ constexpr double negligible_rounding = 1e-4;
 // \tparam Given see Given_transitions
 // \tparam may_round whether rounding to an integer-grid map is compiled
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given, bool may_round>
+          typename Given, bool may_round, bool may_untangle>
 class Surface_snapper
 {
   using Options = Snapping_options<TriangleMesh>;
@@ -141,7 +142,12 @@ private:
     m_timer.finish("solution");
 
     Stars stars(m_tmesh, cuts, m_uv_map, m_vertex_indices);
-    Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair)
+    typename Orientation_repair<Group>::Untangle untangle = nullptr;
+    if constexpr(may_untangle)
+      if(m_flip_repair == Flip_repair::UNTANGLE)
+        untangle = &untangle_flips<Group>;
+    Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
+                              untangle)
       .run(snapped.coordinates, m_report);
     m_timer.finish("orientation");
     if(was_exact && m_report.run.number_of_repaired_flips == 0)
@@ -267,9 +273,10 @@ private:
 
 // Outside of the class, so that programs that share a library can share this, too.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given, bool may_round>
+          typename Given, bool may_round, bool may_untangle>
 Snapping_report
-Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_round>::run()
+Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_round,
+                may_untangle>::run()
 {
   if(std::optional<Refusal> refusal = snap()) {
     m_report.status = refusal->status;
@@ -317,11 +324,15 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   constexpr bool may_round =
     !CGAL::parameters::is_default_parameter<NamedParameters,
                                             CGAL::internal_np::integer_grid_t>::value;
+  using Flip_parameter = std::decay_t<decltype(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips))>;
+  constexpr bool may_untangle = // others have no free coordinates
+    Group::is_signed_permutation && std::is_same<Flip_parameter, Flip_repair>::value;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto given = given_transitions<Group>(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
   return Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
-                         std::decay_t<decltype(given)>, may_round>(
+                         std::decay_t<decltype(given)>, may_round, may_untangle>(
            tmesh, uv_map, vertex_indices, given, options).run();
 }
 

@@ -64,7 +64,7 @@ public:
   bool run(Uv_state& state) const
   {
     const Constrained_triangles map = constrained_triangles(state);
-    Untangler untangler(map);
+    Untangler<double> untangler(map);
     untangler.run(largest_number_of_iterations, true);
     const std::vector<double>& unknowns = untangler.unknowns();
 
@@ -116,6 +116,14 @@ private:
   const Movable_points<Group>& m_points;
   const Complex_solver<Group>& m_solver;
 };
+
+// As Orientation_repair takes it.
+template <typename Group>
+bool untangle_flips(const Movable_points<Group>& points, const Complex_solver<Group>& solver,
+                    Uv_state& state)
+{
+  return Flip_untangler<Group>(points, solver).run(state);
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -18,9 +18,7 @@
 // The step after the exact solution (Sec. 5.4): finds the faces that lost their positive
 // orientation, exactly, and gives it back to them where an exact solution near by has it.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Watched_faces.h>
@@ -44,12 +42,16 @@ template <typename Group>
 class Orientation_repair
 {
 public:
-  // \param flip_repair what is done about faces that are not positive in the input
+  // Changes exact coordinates into others with fewer flips, if it finds them; returns whether.
+  // \pre all faces were met
+  using Untangle = bool (*)(const Movable_points<Group>&, const Complex_solver<Group>&, Uv_state&);
+
+  // \param repair_flips whether faces that are not positive in the input are to be repaired too
+  // \param step what is done about those that remain, if anything
   Orientation_repair(const Cut_complex<Group>& complex, const Complex_solver<Group>& solver,
-                     Point_stars& stars, const Flip_repair flip_repair)
+                     Point_stars& stars, const bool repair_flips, const Untangle step = nullptr)
     : m_solver(solver), m_stars(stars), m_points(complex, solver, stars),
-      m_move(m_points, solver.format()), m_repair_flips(flip_repair != Flip_repair::NONE),
-      m_untangles(flip_repair == Flip_repair::UNTANGLE)
+      m_move(m_points, solver.format()), m_repair_flips(repair_flips), m_untangle(step)
   { }
 
   // Repairs the coordinates of an exact solution, and keeps them exact.
@@ -92,7 +94,7 @@ private:
     for(std::size_t f = 0; f < m_stars.number_of_faces(); ++f)
       m_watched.add(Face_index(f));
     Uv_state state = best.state;
-    if(!Flip_untangler<Group>(m_points, m_solver).run(state))
+    if(!m_untangle(m_points, m_solver, state))
       return;
     const Attempt attempt = repaired_by_moves(state, m_largest_repair);
     if(attempt.flips.size() >= best.flips.size() || !is_subset(attempt.lost, best.lost))
@@ -248,7 +250,8 @@ private:
   Movable_points<Group> m_points;
   Watched_faces m_watched;
   Kernel_moves<Group> m_move;
-  bool m_repair_flips, m_untangles;
+  bool m_repair_flips;
+  Untangle m_untangle;
   Uv_state m_optimum; // the exact solution for targets that are not shifted
   std::size_t m_work = 0;
   // The largest change; that which repairs may make; that of programs for flips of the input; and
@@ -276,9 +279,8 @@ void Orientation_repair<Group>::run(Uv_state& state, Snapping_report& report)
   m_optimum = state;
   Attempt best{state, {}, {}};
   make_attempts(best, report);
-  if constexpr(Group::is_signed_permutation) // others have no free coordinates
-    if(m_untangles && !best.flips.empty())
-      untangle(best, report);
+  if(m_untangle != nullptr && !best.flips.empty())
+    untangle(best, report);
   report.lost_faces = m_stars.numbers_in_mesh(best.lost);
   if(m_repair_flips) {
     report.run.number_of_repaired_flips = flipped - best.flips.size();

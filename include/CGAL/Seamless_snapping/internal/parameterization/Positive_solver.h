@@ -170,7 +170,7 @@ private:
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const bool is_thorough)
   {
     const Constrained_triangles map = triangles(unknowns);
-    Untangler untangler(map);
+    Untangler<double> untangler(map);
     const std::size_t iterations = untangler.run(m_iterations_left, is_thorough);
     m_iterations_left -= (std::min)(iterations, m_iterations_left);
     m_report.number_of_untangling_iterations += iterations;

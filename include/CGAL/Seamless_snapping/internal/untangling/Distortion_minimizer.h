@@ -34,9 +34,12 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+template <typename FT>
 class Distortion_minimizer
 {
-  using Gradients = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+  using Gradients = Eigen::Matrix<FT, 4, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
+  using Sparse_matrix = Eigen::SparseMatrix<FT>;
 
 public:
   // \param chosen triangles
@@ -44,8 +47,8 @@ public:
   // \param count how many may change
   Distortion_minimizer(const Constrained_triangles& map, const std::vector<std::size_t>& chosen,
                        const std::vector<int>& number_of, const std::size_t count,
-                       const std::vector<double>& unknowns)
-    : m_count(Eigen::Index(count)), m_sum(Eigen::VectorXd::Zero(m_count))
+                       const std::vector<FT>& unknowns)
+    : m_count(Eigen::Index(count)), m_sum(Vector::Zero(m_count))
   {
     for(const std::size_t t : chosen)
       add(map, t, number_of, unknowns);
@@ -54,14 +57,14 @@ public:
   // Returns the number of iterations.
   std::size_t run(const std::size_t largest_number_of_iterations)
   {
-    double regularization = 1;
+    FT regularization = 1;
     std::size_t after_success = 0;
     for(std::size_t i = 0; i < largest_number_of_iterations; ++i) {
-      const double before = energy(Eigen::VectorXd::Zero(m_count), 0, regularization);
-      const double after = step(before, regularization);
+      const FT before = energy(Vector::Zero(m_count), 0, regularization);
+      const FT after = step(before, regularization);
       if(!(after < before) && regularization <= smallest_regularization)
         return i;
-      const double least = least_determinant();
+      const FT least = least_determinant();
       if(least > 0 && (++after_success > 10 || (before - after) < 1e-2 * before))
         return i + 1;
       regularization = next_regularization(before, after, least, regularization);
@@ -70,20 +73,20 @@ public:
   }
 
   // What the unknowns that may change have changed by.
-  const Eigen::VectorXd& change() const { return m_sum; }
+  const Vector& change() const { return m_sum; }
 
 private:
   // The Jacobian changes by the gradients times the change of the unknowns.
   struct Term
   {
-    double area;
-    Jacobian jacobian;
+    FT area;
+    Jacobian<FT> jacobian;
     std::vector<int> unknowns;
     Gradients gradients;
   };
 
   void add(const Constrained_triangles& map, const std::size_t t,
-           const std::vector<int>& number_of, const std::vector<double>& unknowns)
+           const std::vector<int>& number_of, const std::vector<FT>& unknowns)
   {
     const auto& triangle = map.triangles[t];
     const Uv_triangle u = map.triangle(t, unknowns);
@@ -102,7 +105,7 @@ private:
     const Eigen::Matrix2d& inverse = triangle.shape.inverse;
     for(Eigen::Index c = 0; c < 2; ++c)
       for(Eigen::Index d = 0; d < 2; ++d) {
-        const std::array<double, 3> weights{{-inverse(0, d) - inverse(1, d), inverse(0, d),
+        const std::array<FT, 3> weights{{-inverse(0, d) - inverse(1, d), inverse(0, d),
                                              inverse(1, d)}};
         term.jacobian[2 * c + d] = (u[1][std::size_t(c)] - u[0][std::size_t(c)]) * inverse(0, d) +
                                    (u[2][std::size_t(c)] - u[0][std::size_t(c)]) * inverse(1, d);
@@ -121,34 +124,34 @@ private:
            term.unknowns.begin();
   }
 
-  static Jacobian change_of(const Term& term, const Eigen::VectorXd& direction)
+  static Jacobian<FT> change_of(const Term& term, const Vector& direction)
   {
-    Jacobian result = Jacobian::Zero();
+    Jacobian<FT> result = Jacobian<FT>::Zero();
     for(std::size_t i = 0; i < term.unknowns.size(); ++i)
       result += direction[term.unknowns[i]] * term.gradients.col(Eigen::Index(i));
     return result;
   }
 
-  double energy(const Eigen::VectorXd& direction, const double length,
-                const double regularization) const
+  FT energy(const Vector& direction, const FT length,
+                const FT regularization) const
   {
-    const Distortion distortion(regularization);
-    double sum = 0;
+    const Distortion<FT> distortion(regularization);
+    FT sum = 0;
     for(const Term& term : m_terms)
       sum += term.area * distortion(term.jacobian + length * change_of(term, direction));
     return sum;
   }
 
   // Returns the energy after the step.
-  double step(const double before, const double regularization)
+  FT step(const FT before, const FT regularization)
   {
-    Eigen::VectorXd gradient;
-    Eigen::VectorXd direction = newton_direction(regularization, gradient);
-    const double slope = gradient.dot(direction);
+    Vector gradient;
+    Vector direction = newton_direction(regularization, gradient);
+    const FT slope = gradient.dot(direction);
     if(!direction.allFinite() || !(slope < 0))
       return before;
-    for(double length = 1; length > 1e-10; length /= 2) {
-      const double after = energy(direction, length, regularization);
+    for(FT length = 1; length > 1e-10; length /= 2) {
+      const FT after = energy(direction, length, regularization);
       if(after <= before + 1e-4 * length * slope) {
         for(Term& term : m_terms)
           term.jacobian += length * change_of(term, direction);
@@ -159,18 +162,18 @@ private:
     return before;
   }
 
-  Eigen::VectorXd newton_direction(const double regularization, Eigen::VectorXd& gradient)
+  Vector newton_direction(const FT regularization, Vector& gradient)
   {
-    const Distortion distortion(regularization);
-    gradient = Eigen::VectorXd::Zero(m_count);
-    std::vector<Eigen::Triplet<double> > entries; // of the lower triangle
-    Eigen::Vector4d first;
-    Eigen::Matrix4d second;
+    const Distortion<FT> distortion(regularization);
+    gradient = Vector::Zero(m_count);
+    std::vector<Eigen::Triplet<FT> > entries; // of the lower triangle
+    Eigen::Matrix<FT, 4, 1> first;
+    Eigen::Matrix<FT, 4, 4> second;
     for(const Term& term : m_terms) {
       distortion.derivatives(term.jacobian, first, second);
-      const Eigen::MatrixXd local = term.area * term.gradients.transpose() * second
-                                  * term.gradients;
-      const Eigen::VectorXd slopes = term.area * term.gradients.transpose() * first;
+      const Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> local =
+        term.area * term.gradients.transpose() * second * term.gradients;
+      const Vector slopes = term.area * term.gradients.transpose() * first;
       for(std::size_t i = 0; i < term.unknowns.size(); ++i) {
         gradient[term.unknowns[i]] += slopes[Eigen::Index(i)];
         for(std::size_t j = 0; j <= i; ++j)
@@ -178,7 +181,7 @@ private:
                                local(Eigen::Index(i), Eigen::Index(j)));
       }
     }
-    Eigen::SparseMatrix<double> hessian(m_count, m_count);
+    Sparse_matrix hessian(m_count, m_count);
     hessian.setFromTriplets(entries.begin(), entries.end());
     // translations change nothing, where all triangles of a component are chosen
     hessian.diagonal() = (1 + 1e-9) * hessian.diagonal();
@@ -189,9 +192,9 @@ private:
     return m_solver.solve(-gradient);
   }
 
-  double least_determinant() const
+  FT least_determinant() const
   {
-    double result = std::numeric_limits<double>::infinity();
+    FT result = std::numeric_limits<FT>::infinity();
     for(const Term& term : m_terms)
       result = (std::min)(result, determinant(term.jacobian));
     return result;
@@ -199,22 +202,22 @@ private:
 
   // Such that chi of the least determinant falls by a part that depends on what the step gained
   // [Garanzha et al. 2021].
-  static double next_regularization(const double before, const double after, const double least,
-                                    const double regularization)
+  static FT next_regularization(const FT before, const FT after, const FT least,
+                                    const FT regularization)
   {
-    const double part = (std::max)(1 - after / before, 0.1);
-    const double wanted = (1 - part) * Distortion(regularization).chi(least);
+    const FT part = (std::max)(1 - after / before, 0.1);
+    const FT wanted = (1 - part) * Distortion<FT>(regularization).chi(least);
     return least < wanted ? (std::max)(2 * std::sqrt(wanted * (wanted - least)),
                                        smallest_regularization)
                           : smallest_regularization;
   }
 
-  static constexpr double smallest_regularization = 1e-10;
+  static constexpr FT smallest_regularization = 1e-10;
 
   Eigen::Index m_count;
-  Eigen::VectorXd m_sum;
+  Vector m_sum;
   std::vector<Term> m_terms;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > m_solver; // of lower triangles
+  Eigen::SimplicialLDLT<Sparse_matrix > m_solver; // of lower triangles
   bool m_is_analyzed = false;
 };
 

@@ -31,6 +31,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Invariant: the unknowns have the values of the fewest triangles that are not positive.
+template <typename FT>
 class Untangler
 {
   // How far around, which unknowns may change, and for how long. Unknowns that many triangles
@@ -70,7 +71,7 @@ public:
     return static_cast<std::size_t>(std::ceil(work / all));
   }
 
-  const std::vector<double>& unknowns() const { return m_unknowns; }
+  const std::vector<FT>& unknowns() const { return m_unknowns; }
 
 private:
   template <typename Function>
@@ -144,7 +145,7 @@ private:
     }
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    Distortion_minimizer minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
+    Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
     const std::size_t iterations = minimizer.run(largest_number_of_iterations);
 
     const auto number_of_bad = [&]() {
@@ -153,7 +154,7 @@ private:
       });
     };
     const auto before = number_of_bad();
-    const std::vector<double> kept(m_unknowns);
+    const std::vector<FT> kept(m_unknowns);
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = -1;
       m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
@@ -165,7 +166,7 @@ private:
   }
 
   const Constrained_triangles& m_map;
-  std::vector<double> m_unknowns;
+  std::vector<FT> m_unknowns;
   std::vector<int> m_number_of; // per unknown: its number in the patch, or -1
   std::vector<std::vector<std::size_t> > m_triangles_of; // per unknown
 };
