@@ -41,7 +41,8 @@ struct Layout_options
     seams.add_to(options);
     options.add("base-complex", base_complex,
                 "let curves run on where they meet others, to a cone, corner, border, or feature");
-    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain");
+    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
+                "need be by changing the coordinates around them");
     options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
     if(!options.parse(arguments))
       return false;
@@ -61,7 +62,8 @@ void snap(const Layout_options& options, Model& model, const Edge_bool_map is_al
   const SS::Snapping_report report = SS::snap_to_seamless(
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
-      .repair_flips(options.repair_flips).verbose(options.seams.reading.verbose));
+      .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
+      .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));
 }

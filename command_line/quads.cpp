@@ -48,7 +48,8 @@ struct Quad_options
     options.add("rounding", "D", rounding,
                 "how far from integers translations, cones, and levels may be that are rounded to "
                 "them (default: 0.01; with --number, any distance)");
-    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain");
+    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
+                "need be by changing the coordinates around them");
     options.add("allow-holes", allow_holes,
                 "leave out the quads around faces that are still flipped, instead of refusing "
                 "them");
@@ -86,7 +87,8 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(alignment.is_aligned).tolerance(options.seams.tolerance)
       .integer_grid(true).grid_scale(scale_for_number(model, options))
-      .rounding_tolerance(options.rounding).repair_flips(options.repair_flips)
+      .rounding_tolerance(options.rounding)
+      .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
       .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));

@@ -691,7 +691,7 @@ Division test_file(const std::string& path, const bool with_features)
     for(const auto e : file.mesh.edges())
       file.is_feature[e] = false;
   const auto np = parameters::edge_is_constrained_map(file.is_feature);
-  const auto options = np.repair_flips(true);
+  const auto options = np.repair_flips(SS::Flip_repair::UNTANGLE);
   auto report = SS::snap_to_seamless(file.mesh, file.uv, options.align_border(true));
   const bool is_aligned = report.status != SS::Snapping_status::NOT_ALIGNED;
   if(!is_aligned)
