@@ -133,10 +133,9 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
                                 const NamedParameters& np, Output&& output)
 {
   Extraction_options options = extraction_options(np);
-  const auto repairs_flips =
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
-  if constexpr(is_given_parameter(repairs_flips))
-    if(repairs_flips) {
+  const auto flip_repair = CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
+  if constexpr(is_given_parameter(flip_repair)) // snapping is compiled then only
+    if(chosen_flip_repair(np) != Flip_repair::NONE) {
       const bool allow_holes = std::exchange(options.allow_holes, false);
       const Extraction_report report =
         extract_quads<ConcurrencyTag>(tmesh, uv_map, np, options, output);
@@ -229,7 +228,7 @@ Nothing is written unless the extraction succeeds.
                           first where that is possible near by, as by `snap_to_seamless()`: on a
                           copy of the map. Integers, and features and borders on lines of the grid,
                           stay where they are.}
-    \cgalParamType{Boolean}
+    \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{allow_holes}

@@ -78,6 +78,7 @@ struct Edges_on_grid
 
 // Copies the map, and moves what may move until as many faces are positive as can be. Cuts, cones,
 // and what lies on lines of the grid keep their integers: the report says if they are none.
+// \param np those of the extraction, with `repair_flips`
 template <typename TriangleMesh, typename HalfedgeUVMap, typename RepairedMap,
           typename NamedParameters>
 Snapping_report repair_integer_grid(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -97,8 +98,7 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, const HalfedgeUVM
   return snap_to_seamless(tmesh, repaired,
                           Named_parameters<NamedParameters>(np)
                             .integer_grid(true).rounding_tolerance(0.).grid_scale(scale)
-                            .repair_flips(true).edge_is_constrained_map(on_grid)
-                            .align_border(false));
+                            .edge_is_constrained_map(on_grid).align_border(false));
 }
 
 } // namespace internal

@@ -55,6 +55,14 @@ struct Snapping_options
   bool is_verbose;
 };
 
+// The parameter is a Boolean, or a Flip_repair.
+template <typename NamedParameters>
+Flip_repair chosen_flip_repair(const NamedParameters& np)
+{
+  return static_cast<Flip_repair>(int(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false)));
+}
+
 template <typename Group, typename TriangleMesh, typename NamedParameters>
 Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
                                                 const NamedParameters& np)
@@ -69,7 +77,7 @@ Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
           double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
           has_vertex_index_map<NamedParameters>,
           bool(chosen(CGAL::internal_np::integer_grid, false)),
-          static_cast<Flip_repair>(int(chosen(CGAL::internal_np::repair_flips, false))),
+          chosen_flip_repair(np),
           bool(chosen(CGAL::internal_np::verbose, false))};
 }
 

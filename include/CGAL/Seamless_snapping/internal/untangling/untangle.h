@@ -154,14 +154,15 @@ private:
       });
     };
     const auto before = number_of_bad();
-    const std::vector<FT> kept(m_unknowns);
+    std::vector<FT> kept; // per unknown of the patch
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = -1;
+      kept.push_back(m_unknowns[patch[k]]);
       m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
     }
     if(number_of_bad() >= before)
-      for(const std::size_t i : patch)
-        m_unknowns[i] = kept[i];
+      for(std::size_t k = 0; k < patch.size(); ++k)
+        m_unknowns[patch[k]] = kept[k];
     return static_cast<double>(iterations) * static_cast<double>(triangles.size());
   }
 
