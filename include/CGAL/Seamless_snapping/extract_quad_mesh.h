@@ -76,8 +76,9 @@ Extraction_report extract_quads(const TriangleMesh& tmesh, const HalfedgeUVMap& 
   Chart_mesh mesh;
   std::vector<char> is_feature;
   {
-    const Flat_numbering<TriangleMesh> numbering(tmesh);
-    if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+    const Flat_numbering<TriangleMesh> numbering(tmesh, ConcurrencyTag());
+    if(const auto refusal =
+         read_exact_map<ConcurrencyTag>(tmesh, numbering, uv_map, np, mesh)) {
       Extraction_report report;
       report.status = input_status<Extraction_status>(refusal->status);
       report.message = refusal->message;
@@ -178,7 +179,9 @@ The result is added to what is in `quads`. It is the same, to the bit, for any n
 Nothing is written unless the extraction succeeds.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
-        `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+        `CGAL::Parallel_tag`, which does not compile unless TBB is linked. Unless it is
+        `CGAL::Sequential_tag`, several threads read the mesh and its property maps at the same
+        time; `quads` is written by one.
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
 \tparam HalfedgeUVMap a model of `ReadablePropertyMap` with

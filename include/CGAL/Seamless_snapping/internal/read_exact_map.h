@@ -21,6 +21,8 @@
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
+#include <CGAL/tags.h>
+
 #include <optional>
 
 namespace CGAL {
@@ -41,7 +43,8 @@ Status input_status(const Snapping_status status)
 }
 
 // Fills `mesh`, unless it returns a refusal.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename NamedParameters>
 std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                                       const Flat_numbering<TriangleMesh>& numbering,
                                       const HalfedgeUVMap& uv_map, const NamedParameters& np,
@@ -49,17 +52,24 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
 {
   if(!is_arithmetic_exact())
     return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
-  const auto seams = seam_transitions(tmesh, uv_map, np);
-  static_assert(has_four_directions<decltype(seams)>,
+  using Seams = decltype(seam_transitions(tmesh, uv_map, np));
+  static_assert(has_four_directions<Seams>,
                 "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
                 "4 only");
+  std::optional<Seams> found_seams;
+  call_both<ConcurrencyTag>([&] { found_seams = seam_transitions(tmesh, uv_map, np); },
+                            [&] {
+                              if(!numbering.defect())
+                                read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
+                            });
+  const Seams& seams = *found_seams;
   if(!seams)
     return Refusal{*seams.failure(), seams.message(), {}};
   if(!seams.is_exact())
     return Refusal{Snapping_status::NOT_SEAMLESS,
                    "the map is not exactly seamless: sides of edges differ by up to " +
                      short_number(seams.violation()) + "; call snap_to_seamless() first", {}};
-  mesh = build_chart_mesh(tmesh, numbering, uv_map, seams);
+  add_transitions<ConcurrencyTag>(tmesh, numbering, seams, mesh);
   return std::nullopt;
 }
 

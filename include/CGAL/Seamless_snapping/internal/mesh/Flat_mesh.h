@@ -18,6 +18,8 @@
 // The connectivity of a triangle mesh in plain arrays. It does not depend on the mesh data
 // structure of the caller, and any number of threads can read it.
 
+#include <boost/container/vector.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,11 +34,12 @@ using Flat_vertex_index = std::int32_t;
 using Flat_face_index = std::int32_t;
 constexpr std::int32_t no_index = -1;
 
-// What a flat mesh knows of a corner at least.
+// What a flat mesh knows of a corner at least. Without initial values: threads share the writing of
+// large arrays, and so the time that memory takes which is touched for the first time.
 struct Flat_corner
 {
-  Corner_index opposite = no_index;      // no_index: the other side is the border
-  Flat_vertex_index vertex = no_index;   // the target
+  Corner_index opposite;    // no_index: the other side is the border
+  Flat_vertex_index vertex; // the target
 };
 
 // Invariant: the halfedges 3 f, 3 f + 1, 3 f + 2 are those of face f, counterclockwise; each vertex
@@ -44,7 +47,7 @@ struct Flat_corner
 template <typename Corner>
 struct Flat_mesh
 {
-  std::vector<Corner> corners;
+  boost::container::vector<Corner> corners;   // a vector that needn't initialize
   std::vector<Corner_index> corner_at_vertex; // one of them; along the border, the first
                                               // counterclockwise
   std::vector<char> is_border;                // per vertex

@@ -17,6 +17,7 @@
 
 // Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
 
+#include <CGAL/Seamless_snapping/internal/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -25,6 +26,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -62,12 +64,12 @@ class Flat_numbering
   using Property_map = typename boost::property_map<FaceGraph, Tag>::const_type;
 
 public:
-  explicit Flat_numbering(const FaceGraph& tmesh)
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
+  explicit Flat_numbering(const FaceGraph& tmesh, ConcurrencyTag = ConcurrencyTag())
     : m_corner(get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh)),
       m_vertex(get(CGAL::dynamic_vertex_property_t<Flat_vertex_index>(), tmesh))
   {
-    number_corners(tmesh);
-    number_vertices(tmesh);
+    call_both<ConcurrencyTag>([&] { number_corners(tmesh); }, [&] { number_vertices(tmesh); });
   }
 
   Corner_index corner(const Halfedge h) const { return get(m_corner, h); }
@@ -83,6 +85,7 @@ private:
   {
     for(const Halfedge h : halfedges(tmesh))
       put(m_corner, h, no_index);
+    m_halfedges.reserve(3 * faces(tmesh).size());
     std::size_t index = 0;
     for(const auto f : faces(tmesh)) {
       std::size_t degree = 0;
@@ -127,19 +130,22 @@ private:
   std::optional<Mesh_defect> m_defect;
 };
 
-// Fills the connectivity of `mesh`. At a vertex whose faces form several fans, `corner_at_vertex`
-// leads to one of them.
+// Fills the connectivity of `mesh`, and calls add(corner, halfedge) for what else is to be known of
+// each corner. At a vertex whose faces form several fans, `corner_at_vertex` leads to one of them.
 // \pre `numbering` has no defect
-template <typename FaceGraph, typename Corner>
+template <typename ConcurrencyTag, typename FaceGraph, typename Corner, typename Add>
 void read_flat_mesh(const FaceGraph& tmesh, const Flat_numbering<FaceGraph>& numbering,
-                    Flat_mesh<Corner>& mesh)
+                    Flat_mesh<Corner>& mesh, const Add& add)
 {
   const auto& halfedges = numbering.halfedges_of_corners();
-  mesh.corners.resize(halfedges.size());
-  for(std::size_t i = 0; i < halfedges.size(); ++i) {
-    mesh.corners[i].opposite = numbering.corner(opposite(halfedges[i], tmesh));
-    mesh.corners[i].vertex = numbering.vertex(target(halfedges[i], tmesh));
-  }
+  mesh.corners.resize(halfedges.size(), boost::container::default_init);
+  for_each_chunk<ConcurrencyTag>(chunks_of(halfedges.size()), [&](const Chunk& chunk) {
+    for(std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      mesh.corners[i].opposite = numbering.corner(opposite(halfedges[i], tmesh));
+      mesh.corners[i].vertex = numbering.vertex(target(halfedges[i], tmesh));
+      add(mesh.corners[i], halfedges[i]);
+    }
+  });
   mesh.corner_at_vertex.assign(numbering.vertices_in_order().size(), no_index);
   mesh.is_border.assign(numbering.vertices_in_order().size(), false);
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h) {

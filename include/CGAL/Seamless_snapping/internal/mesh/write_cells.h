@@ -44,7 +44,7 @@ public:
   Cell_writer(const Cells& cells, Graph& graph) : m_cells(cells), m_graph(graph)
   {
     reserve(graph, size_type(num_vertices(graph) + cells.number_of_vertices()),
-            size_type(num_edges(graph) + number_of_edges()),
+            size_type(num_edges(graph) + cells.number_of_darts() / 2),
             size_type(num_faces(graph) + cells.number_of_cells()));
     m_vertices.reserve(cells.number_of_vertices());
   }
@@ -73,34 +73,29 @@ public:
       m_faces.push_back(add_face(m_graph));
       at_face(m_faces.back(), c);
     }
+    std::vector<std::size_t> border;
     for(std::size_t d = 0; d < m_halfedges.size(); ++d)
-      if(m_cells.is_edge(d) && m_cells.cell(d) >= 0)
+      if(m_cells.cell(d) >= 0)
         link(d);
-    for(std::size_t d = 0; d < m_halfedges.size(); ++d)
-      if(m_cells.is_edge(d) && m_cells.cell(d) < 0)
-        link(d); // later, since the halfedge of a border vertex is one of the border
+      else if(m_cells.is_edge(d))
+        border.push_back(d);
+    for(const std::size_t d : border)
+      link(d); // last, since the halfedge of a border vertex is one of the border
   }
 
 private:
   bool represents_edge(const std::size_t d) const
   { return m_cells.is_edge(d) && d < m_cells.twin(d); }
 
-  std::size_t number_of_edges() const
-  {
-    std::size_t n = 0;
-    for(std::size_t d = 0; d < m_cells.number_of_darts(); ++d)
-      n += represents_edge(d) ? 1 : 0;
-    return n;
-  }
-
   void link(const std::size_t d)
   {
-    const auto h = m_halfedges[d];
+    // all is looked up before the first change, since compilers then look up common parts once
+    const auto h = m_halfedges[d], next = m_halfedges[m_cells.next(d)];
     const auto v = m_vertices[m_cells.target(d)];
-    set_next(h, m_halfedges[m_cells.next(d)], m_graph);
+    const auto cell = m_cells.cell(d);
+    set_next(h, next, m_graph);
     set_target(h, v, m_graph);
     set_halfedge(v, h, m_graph);
-    const auto cell = m_cells.cell(d);
     set_face(h, cell < 0 ? Graph_traits::null_face() : m_faces[std::size_t(cell)], m_graph);
     if(cell >= 0)
       set_halfedge(m_faces[std::size_t(cell)], h, m_graph);

@@ -53,7 +53,8 @@ Triangle_surface read_connectivity(const TriangleMesh& tmesh,
 {
   refuse(numbering.defect());
   Triangle_surface surface;
-  read_flat_mesh(tmesh, numbering, surface);
+  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface,
+                                       [](Flat_corner&, const auto&) { });
   refuse(find_several_fans(surface));
   if(surface.corners.empty())
     throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};

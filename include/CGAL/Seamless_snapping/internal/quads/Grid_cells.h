@@ -20,6 +20,8 @@
 
 #include <CGAL/Seamless_snapping/internal/quads/Grid_darts.h>
 
+#include <boost/container/vector.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -147,12 +149,26 @@ private:
 class Cell_vertices
 {
 public:
-  Cell_vertices(const std::size_t number_of_points, const Grid_darts& darts,
-                const Grid_cells& cells)
-    : m_vertices(darts.size(), -1)
+  template <typename ConcurrencyTag>
+  static Cell_vertices make(const std::size_t number_of_points, const Grid_darts& darts,
+                            const Grid_cells& cells)
   {
-    for(std::size_t p = 0; p < number_of_points; ++p)
-      add_fans(p, darts, cells);
+    Cell_vertices result;
+    result.m_vertices.resize(darts.size(), boost::container::default_init);
+    const std::vector<Chunk> points = chunks_of(number_of_points);
+    const auto fans = results_of_chunks<std::vector<Point_index>, ConcurrencyTag>(
+      number_of_points, [&](const Chunk& chunk) {
+        std::vector<Point_index> points_of_fans;
+        for(std::size_t p = chunk.begin; p < chunk.end; ++p)
+          result.add_fans(p, darts, cells, points_of_fans);
+        return points_of_fans;
+      });
+    const std::vector<Chunk> vertices = append<ConcurrencyTag>(fans, result.m_points);
+    for_each_chunk<ConcurrencyTag>(points, [&](const Chunk& chunk) {
+      for(std::size_t d = darts.first(chunk.begin); d < darts.first(chunk.end); ++d)
+        result.m_vertices[d] += std::int32_t(vertices[chunk.index].begin);
+    });
+    return result;
   }
 
   std::size_t size() const { return m_points.size(); }
@@ -162,7 +178,9 @@ public:
   std::size_t vertex(const std::size_t d) const { return std::size_t(m_vertices[d]); }
 
 private:
-  void add_fans(const std::size_t p, const Grid_darts& darts, const Grid_cells& cells)
+  // Numbers those of a point from the number of those before.
+  void add_fans(const std::size_t p, const Grid_darts& darts, const Grid_cells& cells,
+                std::vector<Point_index>& fans)
   {
     const std::size_t first = darts.first(p), end = darts.first(p + 1);
     std::size_t start = first; // of a fan, if there is a gap
@@ -174,15 +192,14 @@ private:
     for(std::size_t i = first; i < end; ++i, d = darts.counterclockwise(d)) {
       const bool has_cell = cells.cell(d) != no_cell;
       if(has_cell && !is_in_fan)
-        m_points.push_back(Point_index(p));
-      if(has_cell)
-        m_vertices[d] = std::int32_t(m_points.size() - 1);
+        fans.push_back(Point_index(p));
+      m_vertices[d] = std::int32_t(fans.size()) - 1; // of no meaning where there is no cell
       is_in_fan = has_cell;
     }
   }
 
-  std::vector<std::int32_t> m_vertices; // per dart
-  std::vector<Point_index> m_points;    // per vertex
+  boost::container::vector<std::int32_t> m_vertices; // per dart
+  boost::container::vector<Point_index> m_points;    // per vertex
 };
 
 } // namespace internal

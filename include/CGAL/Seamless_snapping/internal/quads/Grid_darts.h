@@ -23,6 +23,8 @@
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
+#include <boost/container/vector.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -67,11 +69,11 @@ public:
     });
     for(std::size_t p = 0; p < points.size(); ++p)
       result.m_first[p + 1] += result.m_first[p];
-    result.twins.assign(std::size_t(result.m_first.back()), untraced_dart);
-    result.m_marks.assign(result.twins.size(), 0);
+    result.twins.resize(std::size_t(result.m_first.back()), boost::container::default_init);
+    result.m_marks.resize(result.twins.size(), boost::container::default_init);
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
       for(std::size_t p = chunk.begin; p < chunk.end; ++p)
-        result.mark(p, is_surrounded(mesh, points[p]));
+        result.initialize(p, is_surrounded(mesh, points[p]));
     });
     return result;
   }
@@ -105,7 +107,7 @@ public:
   bool is_feature(const std::size_t d) const { return has(d, FEATURE); }
   void mark_feature(const std::size_t d) { m_marks[d] = static_cast<char>(m_marks[d] | FEATURE); }
 
-  std::vector<Dart_index> twins;
+  boost::container::vector<Dart_index> twins;
 
 private:
   enum Mark { FIRST = 1, LAST = 2, BEFORE_BORDER = 4, FEATURE = 8 };
@@ -136,17 +138,21 @@ private:
 
   bool has(const std::size_t d, const Mark mark) const { return (m_marks[d] & mark) != 0; }
 
-  void mark(const std::size_t p, const bool is_inside)
+  void initialize(const std::size_t p, const bool is_inside)
   {
     if(degree(p) == 0)
       return;
+    for(std::size_t d = first(p); d < first(p + 1); ++d) {
+      twins[d] = untraced_dart;
+      m_marks[d] = 0;
+    }
     const std::size_t last = first(p + 1) - 1;
     m_marks[first(p)] = FIRST;
     m_marks[last] = static_cast<char>(m_marks[last] | LAST | (is_inside ? 0 : BEFORE_BORDER));
   }
 
-  std::vector<Dart_index> m_first; // per point, and one more
-  std::vector<char> m_marks;       // per dart
+  std::vector<Dart_index> m_first;        // per point, and one more
+  boost::container::vector<char> m_marks; // per dart
 };
 
 } // namespace internal

@@ -19,10 +19,12 @@
 // whose chart its coordinates are; those of a face are sorted, so that a point is found again by
 // its coordinates.
 
-#include <CGAL/Seamless_snapping/internal/quads/for_each_chunk.h>
+#include <CGAL/Seamless_snapping/internal/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+
+#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -99,8 +101,7 @@ private:
       });
     for(std::size_t face = begin; face < end; ++face)
       m_first[face + 1] += m_first[face];
-    for(const std::vector<Lattice_point>& of_chunk : points)
-      m_points.insert(m_points.end(), of_chunk.begin(), of_chunk.end());
+    append<ConcurrencyTag>(points, m_points);
   }
 
   static void add_points_of_face(const Chart_mesh& mesh, const std::size_t face,
@@ -134,7 +135,7 @@ private:
     return true;
   }
 
-  std::vector<Lattice_point> m_points;
+  boost::container::vector<Lattice_point> m_points;
   std::vector<Point_index> m_first; // per face, and one more
 };
 

@@ -70,13 +70,16 @@ public:
   {
     const bool has_darts = scale<ConcurrencyTag>() && check_faces<ConcurrencyTag>() &&
                            check_integers() && check_size<ConcurrencyTag>() &&
-                           measure_parts<ConcurrencyTag>() && make_darts<ConcurrencyTag>();
+                           make_darts<ConcurrencyTag>();
     if(!has_darts)
       return false;
     locate();
-    if(m_report.number_of_unaligned_border_edges == 0)
-      m_mesh = Chart_mesh(); // the largest of all that is in memory
-    m_complex->cells.find();
+    call_both<ConcurrencyTag>(
+      [&] {
+        if(m_report.number_of_unaligned_border_edges == 0)
+          m_mesh = Chart_mesh(); // the largest of all that is in memory
+      },
+      [&] { m_complex->cells.find(); });
     return check_cells<ConcurrencyTag>();
   }
 
@@ -285,7 +288,7 @@ private:
   }
 
   template <typename ConcurrencyTag>
-  bool measure_parts()
+  void measure_parts()
   {
     m_parts = std::make_unique<Surface_parts>(m_mesh, ConcurrencyTag());
     Exact_rational twice_area{0};
@@ -294,14 +297,16 @@ private:
       m_report.number_of_unaligned_border_edges += (*m_parts)[i].number_of_unaligned_edges;
     }
     m_report.area = CGAL::to_double(twice_area) / 2;
-    return true;
   }
 
   template <typename ConcurrencyTag>
   bool make_darts()
   {
     const double expected = 1.01 * m_report.area + 0.01 * double(m_mesh.is_border.size());
-    Lattice_points points = Lattice_points::make<ConcurrencyTag>(m_mesh, std::size_t(expected));
+    Lattice_points points;
+    call_both<ConcurrencyTag>(
+      [&] { measure_parts<ConcurrencyTag>(); },
+      [&] { points = Lattice_points::make<ConcurrencyTag>(m_mesh, std::size_t(expected)); });
     Grid_darts darts = Grid_darts::make<ConcurrencyTag>(m_mesh, points);
     const Dart_failure failure = pair_darts<ConcurrencyTag>(m_mesh, points, m_is_feature, darts);
     if(failure.is_obstacle)

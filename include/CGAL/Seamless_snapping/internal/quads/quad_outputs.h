@@ -80,7 +80,8 @@ public:
   void write(Quad_extractor& extractor)
   {
     const Quad_complex& complex = extractor.complex();
-    const Cell_vertices vertices(m_places.size(), complex.darts, complex.cells);
+    const auto vertices =
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts, complex.cells);
     if(!is_face_graph<ConcurrencyTag>(extractor, vertices))
       return;
     extractor.report().number_of_vertices = vertices.size();
@@ -126,7 +127,7 @@ private:
 
   QuadMesh& m_quads;
   const NamedParameters& m_np;
-  std::vector<Place> m_places; // of all points; so are the following, where they are asked for
+  Places m_places; // of all points; so are the following, where they are asked for
   std::vector<std::pair<Face, std::array<double, 3> > > m_locations;
   std::vector<int> m_cones;
 };
@@ -200,7 +201,8 @@ public:
     const Quad_complex& complex = extractor.complex();
     if(!fits<Polygon>(extractor.report()))
       return;
-    const Cell_vertices vertices(m_places.size(), complex.darts, complex.cells);
+    const auto vertices =
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts, complex.cells);
     extractor.report().number_of_vertices = vertices.size();
     const std::size_t first = m_points.size();
     for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -212,7 +214,7 @@ public:
 private:
   PointRange& m_points;
   PolygonRange& m_polygons;
-  std::vector<Place> m_places; // of all points
+  Places m_places; // of all points
 };
 
 } // namespace internal

@@ -27,6 +27,7 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <boost/container/vector.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -42,6 +43,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 using Place = std::array<double, 3>; // in space
+using Places = boost::container::vector<Place>;
 
 template <typename Point>
 Point point_at(const Place& place)
@@ -74,13 +76,13 @@ public:
   // Of all points in space. They are computed concurrently only if coordinates are no objects that
   // threads may share.
   template <typename ConcurrencyTag>
-  std::vector<Place> places(const Lattice_points& points) const
+  Places places(const Lattice_points& points) const
   {
     using Point = typename boost::property_traits<VertexPointMap>::value_type;
     using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
     using Tag =
       std::conditional_t<std::is_floating_point_v<FT>, ConcurrencyTag, CGAL::Sequential_tag>;
-    std::vector<Place> result(points.size());
+    Places result(points.size(), boost::container::default_init);
     for_each_chunk<Tag>(chunks_of(points.size()), [&](const Chunk& chunk) {
       for(std::size_t i = chunk.begin; i < chunk.end; ++i)
         result[i] = place(m_locate(points[i]));

@@ -31,6 +31,8 @@ namespace internal {
 
 struct Integer_corner : Flat_corner
 {
+  Integer_corner() : Flat_corner{no_index, no_index} { }
+
   Grid_vector vector{};  // from the source of the halfedge to its target
   Quarter_turns::Element rotation = Quarter_turns::identity(); // to the chart of the opposite face
   bool is_wall = false; // on the border, or a feature: it lies on an isocurve, and stays there

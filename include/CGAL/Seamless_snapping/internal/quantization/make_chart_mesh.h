@@ -45,6 +45,7 @@ inline Chart_mesh make_chart_mesh(const Intrinsic_complex& complex)
   for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
     Chart_corner& corner = mesh.corners[std::size_t(h)];
     static_cast<Flat_corner&>(corner) = complex.corner(h);
+    corner.transition = no_index;
     const Grid_vector& first = complex.corner(3 * (h / 3)).units;
     if(h % 3 == 2)
       corner.uv = {0, 0};
@@ -55,7 +56,7 @@ inline Chart_mesh make_chart_mesh(const Intrinsic_complex& complex)
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(!mesh.is_border_edge(h))
       add_transition(mesh, h, complex.corner(h).rotation);
-  mark_singular_vertices(mesh);
+  mark_singular_vertices<CGAL::Sequential_tag>(mesh);
   return mesh;
 }
 

@@ -36,8 +36,8 @@ namespace internal {
 
 struct Chart_corner : Flat_corner
 {
-  Uv uv;                              // of the target of the halfedge
-  std::int32_t transition = no_index; // no_index: the same coordinates on both sides
+  Uv uv;                   // of the target of the halfedge
+  std::int32_t transition; // no_index: the same coordinates on both sides
 };
 
 // u' = R u + t, from the face of a halfedge to the opposite one. The translation is that of the

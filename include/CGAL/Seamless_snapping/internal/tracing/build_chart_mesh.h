@@ -18,11 +18,13 @@
 // From a mesh, its uv map, and its transitions to plain arrays.
 
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
+#include <CGAL/Seamless_snapping/internal/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
@@ -87,31 +89,34 @@ double turns_between(const Uv& p, const Uv& q, const Uv& r)
          (4 * std::acos(0.) / Group::order);
 }
 
-// Vertices whose angle is not 360 degrees. Unlike rotations alone, this also finds those of 720
-// degrees. An edge without length has no angle with others: at its ends, the rotations decide.
+// Whether the angle of a vertex inside of the surface is not 360 degrees. Unlike rotations alone,
+// this also finds those of 720 degrees. An edge without length has no angle with others: at its
+// ends, the rotations decide.
 template <typename Group>
+bool is_singular(const Basic_chart_mesh<Group>& mesh, const std::size_t v)
+{
+  double angle = 0; // in turns of the group
+  typename Group::Element rotation = Group::identity();
+  bool has_angle = true;
+  for_each_corner(mesh, v, [&](const Corner_index h) {
+    const Uv &p = mesh.uv(h), &q = mesh.uv(mesh.next(h)), &r = mesh.uv(mesh.prev(h));
+    rotation = Group::compose(mesh.rotation(h), rotation);
+    if(p == q || p == r)
+      has_angle = false;
+    else
+      angle += mesh.is_exact ? directions_passed<Group>(p, q, r) : turns_between<Group>(p, q, r);
+  });
+  return has_angle ? std::lround(angle) != Group::order : rotation != Group::identity();
+}
+
+template <typename ConcurrencyTag, typename Group>
 void mark_singular_vertices(Basic_chart_mesh<Group>& mesh)
 {
-  const std::size_t n = mesh.corner_at_vertex.size();
-  std::vector<double> angles(n, 0); // in turns of the group
-  std::vector<typename Group::Element> rotations(n, Group::identity());
-  std::vector<char> has_angle(n, true);
-  for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h) {
-    const std::size_t v = mesh.vertex(h);
-    const Uv &p = mesh.uv(h), &q = mesh.uv(mesh.next(h)), &r = mesh.uv(mesh.prev(h));
-    rotations[v] = Group::compose(mesh.rotation(h), rotations[v]);
-    if(p == q || p == r)
-      has_angle[v] = false;
-    else
-      angles[v] += mesh.is_exact ? directions_passed<Group>(p, q, r)
-                                 : turns_between<Group>(p, q, r);
-  }
-  mesh.is_singular.assign(n, false);
-  for(std::size_t v = 0; v < n; ++v) {
-    const bool is_regular = has_angle[v] ? std::lround(angles[v]) == Group::order
-                                         : rotations[v] == Group::identity();
-    mesh.is_singular[v] = !mesh.is_border[v] && !is_regular;
-  }
+  mesh.is_singular.resize(mesh.number_of_vertices());
+  for_each_chunk<ConcurrencyTag>(chunks_of(mesh.number_of_vertices()), [&](const Chunk& chunk) {
+    for(std::size_t v = chunk.begin; v < chunk.end; ++v)
+      mesh.is_singular[v] = !mesh.is_border[v] && is_singular(mesh, v);
+  });
 }
 
 // Sets the transition across a halfedge whose rotation is known.
@@ -140,28 +145,42 @@ void add_transition(Basic_chart_mesh<Group>& mesh, const Corner_index h,
 template <typename SeamTransitions>
 constexpr bool has_four_directions = Ray_group<SeamTransitions::order>::order == 4;
 
-// `seams` are the transitions that were read off `uv_map`. Vertices with several fans of faces do
-// no harm here: the border keeps their fans apart.
+// The connectivity and the coordinates. Vertices with several fans of faces do no harm here: the
+// border keeps their fans apart.
+// \pre `numbering` has no defect
+template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap, typename Group>
+void read_charts(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                 const HalfedgeUVMap& uv_map, Basic_chart_mesh<Group>& mesh)
+{
+  read_flat_mesh<ConcurrencyTag>(tmesh, numbering, mesh, [&](Chart_corner& corner, const auto h) {
+    corner.uv = get_uv(uv_map, h);
+    corner.transition = no_index;
+  });
+}
+
+// The rest: `seams` are the transitions that were read off the uv map.
+template <typename ConcurrencyTag, typename TriangleMesh, typename SeamTransitions, typename Group>
+void add_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                     const SeamTransitions& seams, Basic_chart_mesh<Group>& mesh)
+{
+  constexpr int turns = Group::order / SeamTransitions::order; // of the group, in each of the seams
+  mesh.extent = seams.extent();
+  mesh.violation = seams.violation();
+  mesh.is_exact = seams.is_exact();
+  for(const auto& edge : seams.data().edges)
+    for(const auto h : {edge.halfedge, opposite(edge.halfedge, tmesh)})
+      add_transition(mesh, numbering.corner(h), Group::element(turns * seams.rotation(h)));
+  mark_singular_vertices<ConcurrencyTag>(mesh);
+}
+
 template <typename TriangleMesh, typename HalfedgeUVMap, typename SeamTransitions>
 Basic_chart_mesh<Ray_group<SeamTransitions::order> >
 build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                  const HalfedgeUVMap& uv_map, const SeamTransitions& seams)
 {
-  using Group = Ray_group<SeamTransitions::order>;
-  constexpr int turns = Group::order / SeamTransitions::order; // of the group, in each of the seams
-  Basic_chart_mesh<Group> mesh;
-  mesh.extent = seams.extent();
-  mesh.violation = seams.violation();
-  mesh.is_exact = seams.is_exact();
-  read_flat_mesh(tmesh, numbering, mesh);
-  const auto& halfedges = numbering.halfedges_of_corners();
-  for(std::size_t i = 0; i < halfedges.size(); ++i)
-    mesh.corners[i].uv = get_uv(uv_map, halfedges[i]);
-  for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(!mesh.is_border_edge(h))
-      add_transition(mesh, h,
-                     Group::element(turns * seams.rotation(halfedges[std::size_t(h)])));
-  mark_singular_vertices(mesh);
+  Basic_chart_mesh<Ray_group<SeamTransitions::order> > mesh;
+  read_charts<CGAL::Sequential_tag>(tmesh, numbering, uv_map, mesh);
+  add_transitions<CGAL::Sequential_tag>(tmesh, numbering, seams, mesh);
   return mesh;
 }
 

@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_FOR_EACH_CHUNK_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_FOR_EACH_CHUNK_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -20,8 +20,12 @@
 
 #include <CGAL/for_each.h>
 
+#include <boost/container/vector.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +56,17 @@ void for_each_chunk(std::vector<Chunk> chunks, const Function& f)
   });
 }
 
+// Calls f() and g(), at the same time if there are several threads.
+template <typename ConcurrencyTag, typename F, typename G>
+void call_both(const F& f, const G& g)
+{
+  std::array<std::function<void()>, 2> calls{std::cref(f), std::cref(g)};
+  CGAL::for_each<ConcurrencyTag>(calls, [](std::function<void()>& call) {
+    call();
+    return true;
+  });
+}
+
 // What f(chunk) returns for the chunks of 0, ..., n - 1, in their order.
 template <typename Result, typename ConcurrencyTag, typename Function>
 std::vector<Result> results_of_chunks(const std::size_t n, const Function& f)
@@ -61,6 +76,25 @@ std::vector<Result> results_of_chunks(const std::size_t n, const Function& f)
   for_each_chunk<ConcurrencyTag>(chunks,
                                  [&](const Chunk& chunk) { results[chunk.index] = f(chunk); });
   return results;
+}
+
+// Appends the ranges to a vector, in their order; returns where each of them lies there.
+template <typename ConcurrencyTag, typename T>
+std::vector<Chunk> append(const std::vector<std::vector<T> >& ranges,
+                          boost::container::vector<T>& all)
+{
+  std::vector<Chunk> places;
+  std::size_t end = all.size();
+  for(const std::vector<T>& range : ranges) {
+    places.push_back({places.size(), end, end + range.size()});
+    end = places.back().end;
+  }
+  all.resize(end, boost::container::default_init);
+  for_each_chunk<ConcurrencyTag>(places, [&](const Chunk& place) {
+    const std::vector<T>& range = ranges[place.index];
+    std::copy(range.begin(), range.end(), all.begin() + std::ptrdiff_t(place.begin));
+  });
+  return places;
 }
 
 // The first i below n for which f(i) is true, or n.
@@ -83,4 +117,4 @@ std::size_t find_first(const std::size_t n, const Function& f)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_QUADS_FOR_EACH_CHUNK_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_FOR_EACH_CHUNK_H
