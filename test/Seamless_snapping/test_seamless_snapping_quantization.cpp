@@ -11,11 +11,13 @@
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace quad_reference;
@@ -397,12 +399,59 @@ void test_optimum()
 
 struct Sizes
 {
-  std::size_t maps = 0, runs = 0, meshes = 0;
+  std::size_t maps = 0, runs = 0, meshes = 0, divided = 0, folds = 0;
 };
+
+bool has_double_edges(const Mesh& mesh)
+{
+  std::set<std::pair<Vertex, Vertex> > pairs;
+  for(const auto h : mesh.halfedges())
+    pairs.emplace(mesh.source(h), mesh.target(h));
+  return pairs.size() < mesh.number_of_halfedges();
+}
+
+int expected_characteristic(const Parametrized_model& model)
+{
+  int chi = int(model.mesh.number_of_faces()) - int(model.mesh.number_of_edges());
+  for(const auto v : model.mesh.vertices())
+    chi += model.mesh.is_isolated(v) ? 0 : 1;
+  return chi;
+}
+
+// Once all quads are divided into sixteen, they form a face graph, without those around vertices of
+// one edge.
+void check_divided(const Parametrized_model& model, const std::size_t number,
+                   const std::string& name, Sizes& sizes)
+{
+  internal::Quantization_options options;
+  options.number_of_quads = double(number);
+  options.is_coarsest = number == 0;
+  options.refinement = 4;
+  const auto features = parameters::edge_is_constrained_map(model.is_aligned);
+  const SS::Quantization quantization =
+    internal::quantize_map(model.mesh, model.uv, internal::strip(features), options);
+  CHECK_IN(name + ": " + quantization.message, bool(quantization));
+  CHECK_IN(name, quantization.number_of_quads % 16 == 0);
+  Mesh quads;
+  const auto defaults = parameters::default_values();
+  const auto report = internal::extract_quads_of<CGAL::Sequential_tag>(
+    quantization, model.mesh, quads, defaults, defaults, true);
+  CHECK_IN(name + ": " + report.message, bool(report));
+  const std::size_t number_of_folds = internal::close_folds(quads);
+  quads.collect_garbage();
+  CHECK_IN(name, quads.number_of_faces() == report.number_of_faces &&
+                   report.number_of_faces + number_of_folds == quantization.number_of_quads);
+  CHECK_IN(name, CGAL::is_valid_polygon_mesh(quads) && !has_double_edges(quads));
+  CHECK_IN(name, std::all_of(quads.faces().begin(), quads.faces().end(),
+                             [&](const auto f) { return quads.degree(f) == 4; }));
+  CHECK_IN(name, euler_characteristic(quads) == expected_characteristic(model));
+  sizes.folds += number_of_folds;
+  ++sizes.divided;
+}
 
 // Whether all faces are quads and the mesh is what the surface is; vertices lie where they say.
 void check_mesh(const Parametrized_model& model, const SS::Quantization& quantization,
-                const std::string& name, Sizes& sizes)
+                const std::size_t number, const std::string& name, Sizes& sizes)
 {
   using Location = std::pair<Parametrized_model::Mesh::Face_index, std::array<double, 3> >;
   Mesh quads;
@@ -411,7 +460,7 @@ void check_mesh(const Parametrized_model& model, const SS::Quantization& quantiz
                                             parameters::default_values(),
                                             parameters::vertex_location_map(location));
   if(report.status == SS::Extraction_status::NO_FACE_GRAPH)
-    return; // all its checks held before
+    return check_divided(model, number, name, sizes); // all checks of the cells held before
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, report.number_of_faces == quantization.number_of_quads);
   CHECK_IN(name, report.number_of_other_polygons == 0 && CGAL::is_valid_polygon_mesh(quads));
@@ -419,10 +468,8 @@ void check_mesh(const Parametrized_model& model, const SS::Quantization& quantiz
   for(const auto f : quads.faces())
     are_quads = are_quads && quads.degree(f) == 4;
   CHECK_IN(name, are_quads);
-  int chi = int(model.mesh.number_of_faces()) - int(model.mesh.number_of_edges());
-  for(const auto v : model.mesh.vertices())
-    chi += model.mesh.is_isolated(v) ? 0 : 1;
-  CHECK_IN(name, euler_characteristic(quads) == chi);
+  CHECK_IN(name, euler_characteristic(quads) == expected_characteristic(model));
+  CHECK_IN(name, !has_double_edges(quads));
   bool are_located = true;
   for(const auto v : quads.vertices()) {
     const auto& [f, w] = location[v];
@@ -464,7 +511,7 @@ void test_map(const std::filesystem::path& file, Sizes& sizes)
     CHECK_IN(run, number < 1000 || std::abs(double(quantization.number_of_quads) -
                                             double(number)) < 0.5 * double(number));
     ++sizes.runs;
-    check_mesh(model, quantization, run, sizes);
+    check_mesh(model, quantization, number, run, sizes);
   }
   test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 2e5, name);
 }
@@ -477,7 +524,8 @@ void test_maps()
   for(const auto& file : test_data::further_files("uv", ".obj"))
     test_map(file, sizes);
   std::cout << sizes.maps << " maps, " << sizes.runs << " quantizations, " << sizes.meshes
-            << " of them face graphs" << std::endl;
+            << " of them face graphs, and " << sizes.divided << " once divided, "
+            << sizes.folds << " vertices of one edge" << std::endl;
   CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
 }
 
@@ -492,6 +540,7 @@ void check_remeshing(const Parametrized_model& model, const std::size_t number,
     parameters::target_number_of_quads(number).edge_is_constrained_map(model.is_aligned));
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, CGAL::is_valid_polygon_mesh(quads) && report.number_of_quads > number / 2);
+  CHECK_IN(name, !has_double_edges(quads));
   CHECK_EQUAL(report.number_of_quads, std::size_t(quads.number_of_faces()));
   CHECK_EQUAL(report.number_of_vertices, std::size_t(quads.number_of_vertices()));
   CHECK_EQUAL(euler_characteristic(quads), euler_characteristic(model.mesh));

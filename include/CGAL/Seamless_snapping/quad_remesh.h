@@ -25,6 +25,7 @@
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
@@ -126,6 +127,24 @@ inline std::ostream& operator<<(std::ostream& os, const Remeshing_report& report
 }
 
 namespace internal {
+
+// Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
+// Returns the number of holes; each makes two cones of one.
+template <typename QuadMesh>
+std::size_t close_folds(QuadMesh& quads)
+{
+  using Halfedge = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
+  std::vector<Halfedge> holes;
+  for(const Halfedge h : halfedges(quads))
+    if(CGAL::is_border(h, quads) && next(next(h, quads), quads) == h &&
+       target(h, quads) < source(h, quads))
+      holes.push_back(h);
+  for(const Halfedge h : holes) {
+    CGAL::Euler::fill_hole(h, quads);
+    CGAL::Euler::join_face(opposite(h, quads), quads);
+  }
+  return holes.size();
+}
 
 // Invariant: `m_report` tells why the last step failed, if it did.
 template <typename TriangleMesh, typename NamedParameters>
@@ -233,39 +252,34 @@ private:
     return true;
   }
 
-  // Where quads meet themselves, or each other twice, finer ones are tried.
+  // Where quads meet themselves, or each other twice, fewer are made, and divided once or twice.
+  // That ends it: once each quad is divided, no edge has the same vertex twice; once more, no two
+  // edges have the same two vertices, but around vertices of one edge, whose quads are left out.
   template <typename QuadMesh, typename FeatureMap>
   bool extract(QuadMesh& quads, const FeatureMap& is_feature)
   {
-    constexpr int most_attempts = 4;
-    for(int attempt = 0; attempt < most_attempts; ++attempt) {
+    for(m_options.refinement = 1; m_options.refinement <= 4; m_options.refinement *= 2) {
       const Quantization quantization =
         quantize_map(m_tmesh, m_uv_map, strip(parameters::edge_is_constrained_map(m_feature_map)),
                      m_options);
       m_timer.finish("quantization");
       if(!quantization)
         return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
-      const Extraction_report extracted = extract_quad_mesh(
-        quantization, m_tmesh, quads, parameters::vertex_point_map(surface_points()),
-        parameters::edge_is_constrained_map(is_feature));
+      const Extraction_report extracted = extract_quads_of<CGAL::Sequential_tag>(
+        quantization, m_tmesh, quads, strip(parameters::vertex_point_map(surface_points())),
+        strip(parameters::edge_is_constrained_map(is_feature)), true);
       m_timer.finish("extraction");
       if(extracted) {
+        m_report.number_of_cones = extracted.number_of_cones + close_folds(quads);
         m_report.number_of_quads = extracted.number_of_faces;
         m_report.number_of_vertices = extracted.number_of_vertices;
-        m_report.number_of_cones = extracted.number_of_cones;
         m_report.status = Remeshing_status::REMESHED;
         m_report.message.clear();
         return true;
       }
+      fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
       if(extracted.status != Extraction_status::NO_FACE_GRAPH)
-        return fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
-      fail(Remeshing_status::NOT_EXTRACTED,
-           std::to_string(quantization.number_of_quads) + " quads meet themselves, or each other "
-           "twice, which no face graph can hold; ask for more quads, or take the parametrization "
-           "of another method, whose cones are farther apart, to quantize() and "
-           "extract_quad_mesh()");
-      m_options.is_coarsest = false;
-      m_options.number_of_quads = 2 * static_cast<double>(quantization.number_of_quads);
+        return false;
     }
     return false;
   }
@@ -323,8 +337,12 @@ smoothed.
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
 input: feature edges that can't be followed without flips are not kept, and where flips remain, the
-function says so. If as few quads as
-wanted would meet themselves, or each other twice, there are more.
+function says so.
+
+If the quads meet themselves, or each other twice, which no mesh can hold, a quarter as many are
+made, and each is divided into four; or a sixteenth, divided into sixteen, which always helps. The
+quad around a vertex of one edge is left out. There are more quads than wanted where cones and
+features lie too close together for fewer.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

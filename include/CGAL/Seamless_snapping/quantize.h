@@ -103,6 +103,53 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   return Surface_quantizer(mesh, is_feature, options, vertex_name).run();
 }
 
+// \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
+//        out; the two sides of each hole are to become one edge
+template <typename ConcurrencyTag, typename TriangleMesh, typename QuadMesh,
+          typename NamedParameters1, typename NamedParameters2>
+Extraction_report extract_quads_of(const Quantization& quantization, const TriangleMesh& tmesh,
+                                   QuadMesh& quads, const NamedParameters1& input,
+                                   const NamedParameters2& np2, const bool leave_out_folded_cells)
+{
+  Extraction_report refusal;
+  if(!quantization) {
+    refusal.status = Extraction_status::INVALID_ARGUMENT;
+    refusal.message = "there is no quantization: " + quantization.message;
+    return refusal;
+  }
+  const Protect_exact_arithmetic protect;
+  const Quantized_surface& surface = quantization.surface();
+  if(3 * faces(tmesh).size() != surface.input.corners.size()) {
+    refusal.status = Extraction_status::INVALID_ARGUMENT;
+    refusal.message = "the mesh is not the one that has been quantized";
+    return refusal;
+  }
+  std::vector<char> is_feature;
+  for(const Intrinsic_corner& corner : surface.complex.corners)
+    is_feature.push_back(corner.is_wall);
+  Extraction_options options = extraction_options(input);
+  options.scale = 1;
+  options.leave_out_folded_cells = leave_out_folded_cells;
+  Quad_extractor extractor(
+    make_chart_mesh(surface.complex), std::move(is_feature), options,
+    [&](const Corner_index h) {
+      return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
+    });
+  auto output = quad_mesh_output(tmesh, quads, np2);
+  const auto locate = [&] {
+    const auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const Point_locator locator(surface.input, surface.complex, extractor.mesh());
+    const auto locate_point = [&](const Lattice_point& p) { return locator.locate(p); };
+    output.template locate<ConcurrencyTag>(
+      extractor, make_embedding(tmesh, point_map, locate_point));
+  };
+  if(extractor.template run<ConcurrencyTag>(locate))
+    output.template write<ConcurrencyTag>(extractor);
+  return extractor.report();
+}
+
 } // namespace internal
 
 /*!
@@ -210,43 +257,9 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
                                     const NamedParameters2& np2 =
                                       CGAL::parameters::default_values())
 {
-  Extraction_report refusal;
-  if(!quantization) {
-    refusal.status = Extraction_status::INVALID_ARGUMENT;
-    refusal.message = "there is no quantization: " + quantization.message;
-    return refusal;
-  }
-  const internal::Protect_exact_arithmetic protect;
-  const auto& input = internal::strip(np1);
-  const internal::Quantized_surface& surface = quantization.surface();
-  if(3 * faces(tmesh).size() != surface.input.corners.size()) {
-    refusal.status = Extraction_status::INVALID_ARGUMENT;
-    refusal.message = "the mesh is not the one that has been quantized";
-    return refusal;
-  }
-  std::vector<char> is_feature;
-  for(const internal::Intrinsic_corner& corner : surface.complex.corners)
-    is_feature.push_back(corner.is_wall);
-  internal::Extraction_options options = internal::extraction_options(input);
-  options.scale = 1;
-  internal::Quad_extractor extractor(
-    internal::make_chart_mesh(surface.complex), std::move(is_feature), options,
-    [&](const internal::Corner_index h) {
-      return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
-    });
-  auto output = internal::quad_mesh_output(tmesh, quads, internal::strip(np2));
-  const auto locate = [&] {
-    const auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
-      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    const internal::Point_locator locator(surface.input, surface.complex, extractor.mesh());
-    const auto locate_point = [&](const internal::Lattice_point& p) { return locator.locate(p); };
-    output.template locate<ConcurrencyTag>(
-      extractor, internal::make_embedding(tmesh, point_map, locate_point));
-  };
-  if(extractor.template run<ConcurrencyTag>(locate))
-    output.template write<ConcurrencyTag>(extractor);
-  return extractor.report();
+  return internal::extract_quads_of<ConcurrencyTag>(quantization, tmesh, quads,
+                                                    internal::strip(np1), internal::strip(np2),
+                                                    false);
 }
 
 } // namespace Seamless_snapping

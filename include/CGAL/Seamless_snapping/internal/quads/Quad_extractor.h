@@ -47,6 +47,7 @@ struct Extraction_options
   double scale = 1;
   std::size_t maximum_number = 100000000; // of quads
   bool allow_holes = false;
+  bool leave_out_folded_cells = false; // around points of one edge
 };
 
 // More darts than this have no 32-bit index.
@@ -80,7 +81,12 @@ public:
           m_mesh = Chart_mesh(); // the largest of all that is in memory
       },
       [&] { m_complex->cells.find(); });
-    return check_cells<ConcurrencyTag>();
+    if(!check_cells<ConcurrencyTag>())
+      return false;
+    if(m_options.leave_out_folded_cells)
+      m_complex->leave_out_folded_cells();
+    m_report.number_of_faces = m_complex->cells.size();
+    return true;
   }
 
   Extraction_report& report() { return m_report; }

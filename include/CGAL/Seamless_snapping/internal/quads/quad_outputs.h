@@ -85,6 +85,7 @@ public:
     if(!is_face_graph<ConcurrencyTag>(extractor, vertices))
       return;
     extractor.report().number_of_vertices = vertices.size();
+    move_points_of_folded_cells(complex, vertices);
     const Quads_to_write cells(complex, vertices);
     Cell_writer<QuadMesh, Quads_to_write> writer(cells, m_quads);
     add_vertices(vertices, writer);
@@ -93,8 +94,7 @@ public:
         const auto map =
           CGAL::parameters::get_parameter(m_np, CGAL::internal_np::edge_is_constrained);
         if constexpr(is_given_parameter(map))
-          put(map, e, complex.darts.is_feature(d) || !complex.has_cell(d) ||
-                        !complex.has_cell(complex.twin(d)));
+          put(map, e, complex.darts.is_feature(d) || complex.is_border(d));
       },
       [](const auto, std::size_t) { });
   }
@@ -104,6 +104,14 @@ private:
   { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_location); }
   auto cone_map() const
   { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::cone_index); }
+
+  // The opposite point takes the place of the one that is left out with the cell.
+  void move_points_of_folded_cells(const Quad_complex& complex, const Cell_vertices& vertices)
+  {
+    for(const Quad_complex::Folded_cell& folded : complex.folded_cells())
+      if(folded.is_opposite_free)
+        m_places[vertices.point(complex.origin(vertices, folded.rest[1]))] = m_places[folded.point];
+  }
 
   template <typename Writer>
   void add_vertices(const Cell_vertices& vertices, Writer& writer)

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -75,11 +76,13 @@ public:
   }
 
   // Brings the units nearer to the wanted ones; from a larger scale in steps, so that no part of
-  // the surface stays behind.
+  // the surface stays behind. One round is enough before the scale changes again.
   void improve()
   {
-    for(; growth > 1; growth = (std::max)(1., growth * std::sqrt(std::sqrt(0.5))))
-      move_and_flip();
+    for(; growth > 1; growth = (std::max)(1., growth * std::sqrt(std::sqrt(0.5)))) {
+      number_of_moves += Strip_moves(m_complex, grown_scales()).improve(1);
+      flip_edges();
+    }
     move_and_flip();
   }
 
@@ -94,6 +97,14 @@ public:
         s *= std::sqrt(ratio);
       move_and_flip();
     }
+  }
+
+  // Divides each quad into factor x factor.
+  void refine(const std::int64_t factor)
+  {
+    for(Intrinsic_corner& corner : m_complex.corners)
+      for(std::int64_t& coordinate : corner.units)
+        coordinate = checked_product(factor, coordinate);
   }
 
   const std::vector<int>& angles() const { return m_angles; }

@@ -39,6 +39,7 @@ struct Quantization_options
 {
   double number_of_quads = 0;
   bool is_coarsest = false; // as few as are found
+  int refinement = 1;       // each quad of a coarser mesh is divided into the square of this
 };
 
 class Surface_quantizer
@@ -140,6 +141,12 @@ private:
     m_result.number_of_coarse_faces = std::size_t(m_surface.complex.number_of_faces());
   }
 
+  // How many quads to make before they are divided.
+  double number_before_refinement() const
+  {
+    return m_options.number_of_quads / (m_options.refinement * m_options.refinement);
+  }
+
   // Units per step of each part's grid.
   std::vector<double> scales() const
   {
@@ -152,7 +159,7 @@ private:
     }
     std::vector<double> result(m_surface.input.steps);
     for(double& s : result)
-      s *= std::sqrt(m_options.number_of_quads / area);
+      s *= std::sqrt(number_before_refinement() / area);
     return result;
   }
 
@@ -163,9 +170,10 @@ private:
     m_result.first_scale = quantizer.growth;
     quantizer.improve();
     if(!m_options.is_coarsest)
-      quantizer.adjust(m_options.number_of_quads);
+      quantizer.adjust(number_before_refinement());
     m_result.number_of_moves = quantizer.number_of_moves;
     m_result.number_of_long_edges = quantizer.number_of_long_edges();
+    quantizer.refine(m_options.refinement);
     m_result.number_of_quads =
       std::size_t(std::llround(internal::number_of_quads(m_surface.complex)));
     if(!quantizer.is_feasible())
