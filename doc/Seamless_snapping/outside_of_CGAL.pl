@@ -10,7 +10,7 @@ use open qw(:std :encoding(UTF-8));
 
 my %symbols = (
   pm => '±', ne => '≠', le => '≤', ge => '≥', approx => '≈', cdot => '·', ldots => '…',
-  circ => '°', omega => 'ω', sigma => 'σ', sqrt => '√',
+  circ => '°', omega => 'ω', sigma => 'σ',
   chi => 'χ', varepsilon => 'ε', det => 'det', quad => '&emsp;', sum => '∑', in => '∈', to => '→',
   log => 'log', times => '×');
 
@@ -36,6 +36,9 @@ sub html
       my $font = $1;
       my $what = html(argument(\$tex));
       $html .= $font eq 'mathbf' ? "<b>$what</b>" : $font eq 'bar' ? "$what\x{0304}" : 'ℤ';
+    } elsif($tex =~ /\G\\sqrt ?/gc) {
+      my $what = html(argument(\$tex));
+      $html .= length $what > 1 ? "√($what)" : "√$what";
     } elsif($tex =~ /\G\\\|/gc) {
       $html .= '‖';
     } elsif($tex =~ /\G\\([a-z]+)/gc) {
