@@ -196,7 +196,8 @@ if(EXISTS "${folder}/quad_obj")
   expect_same_content(quads.off same_quads.off)
 endif()
 seamless(1 quads genus2.obj quads.obj)
-expect_message("${err}" "off the integer that it is rounded to")
+expect_message("${err}" "off the integer that it is rounded to, more than --rounding 0.01")
+expect_message("${err}" "scale the map up by --grid-scale or --number")
 seamless(1 quads genus2.obj quads.obj --number 500)
 expect_message("${err}" "try --repair-flips, or leave out the quads around these faces")
 expect("written all the same" NOT EXISTS "${WORK_DIR}/quads.obj")
@@ -258,6 +259,24 @@ file(WRITE "${WORK_DIR}/atlas.obj" "${atlas}f 1/1 2/2 3/3\nf 1/5 3/6 4/4\n")
 seamless(1 snap atlas.obj new.obj)
 expect_message("${err}" "vertices 1 and 3")
 expect_message("${err}" "1 of 1 cut edges don't fit: this looks like a texture atlas")
+
+# sides that differ by a twentieth of their length are no atlas, but seams that were not closed
+string(REPLACE "vt 7 6" "vt 6 6.05" near "${atlas}")
+file(WRITE "${WORK_DIR}/near.obj" "${near}f 1/1 2/2 3/3\nf 1/5 3/6 4/4\n")
+seamless(1 check near.obj)
+expect_message("${err}" "1 of 1 cut edges don't fit")
+expect("called an atlas: ${err}" NOT err MATCHES "atlas")
+seamless(0 snap near.obj near_snapped.obj --tolerance 0.05)
+seamless(1 quads near.obj new.obj --number 2)
+expect_message("${err}" "not seamless: the edge between vertices 1 and 3")
+
+# faces are counted as in the file, and remedies are options
+string(REPLACE "vt 0 1" "vt 0.75 0.25" flipped "${atlas}")
+file(WRITE "${WORK_DIR}/flipped.obj" "${flipped}f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+seamless(1 quads flipped.obj new.obj --rounding 1)
+expect_message("${err}" "the first is face 2; ask for more quads, try --repair-flips")
+seamless(1 layout flipped.obj new.obj)
+expect_message("${err}" "the first is face 2; repair them by --repair-flips")
 
 # --- the files that are written
 

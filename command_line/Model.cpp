@@ -20,6 +20,20 @@ namespace SS = CGAL::Seamless_snapping;
 
 namespace {
 
+// Options in place of the library's named parameters and functions.
+std::string with_options(std::string message)
+{
+  const char* const words[][2] = {
+    {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
+    {"by grid_scale, or call extract_quad_soup()", "by grid_scale"},
+    {"by grid_scale", "by --grid-scale or --number"},
+    {"the rounding_tolerance of", "--rounding"}};
+  for(const auto& [parameter, option] : words)
+    if(const std::size_t i = message.find(parameter); i != message.npos)
+      message.replace(i, std::string(parameter).size(), option);
+  return message;
+}
+
 // Names of formats are suffixes.
 const char* const obj = "obj";
 const char* const ply = "ply";
@@ -197,7 +211,7 @@ Uv_map copy_of_uv_map(Model& model)
   return copy;
 }
 
-std::string in_numbers_of_file(const std::string& message, const Model& model)
+std::string in_words_of_user(const std::string& message, const Model& model)
 {
   const std::size_t first_number = model.format == obj ? 1 : 0;
   const auto number_in_file = [&](const std::string& kind, const std::size_t i) {
@@ -205,7 +219,7 @@ std::string in_numbers_of_file(const std::string& message, const Model& model)
     return (is_vertex ? model.file_vertices[i] : i) + first_number;
   };
   std::string result, kind; // the kind of element that the last word was about
-  std::istringstream words(message);
+  std::istringstream words(with_options(message));
   for(std::string word; words >> word; ) {
     const std::size_t digits = (std::min)(word.find_first_not_of("0123456789"), word.size());
     const std::string rest = word.substr(digits);

@@ -63,7 +63,8 @@ void check_format(const std::string& filename);
 // A map of the mesh with the coordinates of now.
 Uv_map copy_of_uv_map(Model& model);
 
-// Numbers of vertices and faces, which the library counts from 0, as the file counts them.
-std::string in_numbers_of_file(const std::string& message, const Model& model);
+// What the library says, in the words of the command line: vertices and faces, which the library
+// counts from 0, as the file counts them, and options in place of named parameters.
+std::string in_words_of_user(const std::string& message, const Model& model);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H

@@ -65,7 +65,7 @@ void snap(const Layout_options& options, Model& model, const Edge_bool_map is_al
       .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
       .verbose(options.seams.reading.verbose));
   if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));
+    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
 } // namespace
@@ -86,7 +86,7 @@ void layout(const Arguments& arguments)
       : SS::motorcycle_graph(model.mesh, model.uv_map, np);
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
-                                in_numbers_of_file(graph.message(), model));
+                                in_words_of_user(graph.message(), model));
   std::ostringstream os;
   SS::IO::write_layout(os, graph);
   write_file(options.output, os.str());

@@ -102,7 +102,13 @@ Misfits count_misfits(const Model& model, const double tolerance)
     if((std::max)(largest_component(a - a_opposite), largest_component(b - b_opposite)) <= largest)
       continue;
     ++result.number_of_cut_edges;
-    result.number_of_misfits += misfit(b - a, b_opposite - a_opposite) > largest ? 1 : 0;
+    const Kernel::Vector_2 side = b - a, opposite = b_opposite - a_opposite;
+    const double distance = misfit(side, opposite);
+    const double length = (std::max)(largest_component(side), largest_component(opposite));
+    if(distance > largest) {
+      ++result.number_of_misfits;
+      result.number_of_gross_misfits += 8 * distance > length ? 1 : 0;
+    }
   }
   return result;
 }

@@ -39,9 +39,11 @@ CGAL::Seamless_snapping::Seamlessness measure(const Model& model, const Alignmen
 struct Misfits
 {
   std::size_t number_of_cut_edges = 0, number_of_misfits = 0;
+  std::size_t number_of_gross_misfits = 0; // which are off by more than an eighth of their length
 
-  // In an atlas, charts are laid out and scaled independently: hardly an edge fits by chance.
-  bool looks_like_atlas() const { return 2 * number_of_misfits > number_of_cut_edges; }
+  // In an atlas, charts are laid out and scaled independently: hardly an edge fits by chance. Where
+  // a solver was not asked to close the seams, most edges don't fit either, but are not far off.
+  bool looks_like_atlas() const { return 2 * number_of_gross_misfits > number_of_cut_edges; }
 };
 
 Misfits count_misfits(const Model& model, double tolerance);

@@ -9,7 +9,6 @@
 #include "plain_meshes.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <cmath>
@@ -69,12 +68,24 @@ struct Quad_options
   }
 };
 
+// Known before the seams are, so that it is their refusal that users see.
+double area_in_domain(const Model& model)
+{
+  const Mesh& mesh = model.mesh;
+  double result = 0;
+  for(const auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    result += CGAL::area(model.uv_map[h], model.uv_map[mesh.next(h)], model.uv_map[mesh.prev(h)]);
+  }
+  return result;
+}
+
 // The area in the domain becomes the number of quads.
 double scale_for_number(const Model& model, const Quad_options& options)
 {
   if(options.number == 0)
     return options.scale;
-  const double area = SS::measure_integer_grid(model.mesh, model.uv_map).area;
+  const double area = area_in_domain(model);
   if(!(area > 0))
     throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area");
   return std::sqrt(options.number / area);
@@ -91,18 +102,21 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
       .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
       .verbose(options.seams.reading.verbose));
   if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + in_numbers_of_file(to_text(report), model));
+    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
   return report;
 }
 
 // In the words of the command line.
-std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
+std::string flips_message(const Quad_options& options, const Model& model,
+                          const std::vector<std::size_t>& faces)
 {
-  return options.input + ": " + std::to_string(faces.size()) +
-         " faces of the integer-grid map are flipped or degenerate, the first is face " +
-         std::to_string(faces.front()) +
-         "; ask for more quads, " + (options.repair_flips ? "" : "try --repair-flips, ") +
-         "or leave out the quads around these faces by --allow-holes";
+  const std::string message =
+    std::to_string(faces.size()) +
+    " faces of the integer-grid map are flipped or degenerate, the first is face " +
+    std::to_string(faces.front()) +
+    "; ask for more quads, " + (options.repair_flips ? "" : "try --repair-flips, ") +
+    "or leave out the quads around these faces by --allow-holes";
+  return options.input + ": " + in_words_of_user(message, model);
 }
 
 } // namespace
@@ -121,10 +135,10 @@ void quads(const Arguments& arguments)
       model.mesh, model.uv_map, result,
       SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes));
   if(report.status == SS::Extraction_status::NOT_POSITIVE)
-    throw Failure(NOT_SOLVED, flips_message(options, report.nonpositive_faces));
+    throw Failure(NOT_SOLVED, flips_message(options, model, report.nonpositive_faces));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
-                                in_numbers_of_file(report.message, model));
+                                in_words_of_user(report.message, model));
   write_file(options.output, text_of_quads(result, options.output));
   std::ostream& os = summary_stream({options.output});
   os << report.number_of_faces - report.number_of_other_polygons << " quads, "

@@ -63,7 +63,7 @@ void snap(const Snap_options& options, Model& model, const Alignment& alignment,
   summary.has_report = true;
   summary.snapping_time = timer.time();
   if(!summary.report) {
-    std::string message = in_numbers_of_file(to_text(summary.report), model);
+    std::string message = in_words_of_user(to_text(summary.report), model);
     const Misfits misfits = count_misfits(model, options.seams.tolerance);
     if(misfits.number_of_misfits > 0)
       message += "\n" + to_text(misfits);

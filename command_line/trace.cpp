@@ -119,7 +119,7 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
   std::ostringstream outcome;
   outcome << report;
   if(!report)
-    throw Failure(NOT_SOLVED, model.filename + ": " + in_numbers_of_file(outcome.str(), model));
+    throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(outcome.str(), model));
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
             << " cycles: " << outcome.str() << ", largest change " << report.largest_change
             << std::endl;
