@@ -420,6 +420,29 @@ void test_repair()
   check_refusal(map, Status::NOT_INTEGER, "integer", parameters::repair_flips(true));
 }
 
+// A map of a mixed-integer solver, with 18 faces that are not positive. Untangling turns some of the
+// folds into cones, which are to be points of the grid, too: then there are quads only.
+void test_untangling()
+{
+  for(const auto& file : test_data::further_files("uv", ".obj")) {
+    if(file.filename() != "qex_duck_miq_4.obj")
+      continue;
+    Mesh mesh, quads;
+    UV_map uv = square_complex::uv_map(mesh);
+    CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
+    CHECK(bool(SS::snap_to_seamless(mesh, uv, parameters::integer_grid(true))));
+    const auto refusal = SS::extract_quad_mesh(mesh, uv, quads);
+    CHECK_EQUAL(refusal.nonpositive_faces.size(), std::size_t(18));
+    const auto report =
+      SS::extract_quad_mesh(mesh, uv, quads, parameters::repair_flips(SS::Flip_repair::UNTANGLE));
+    CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+    CHECK(CGAL::is_valid_polygon_mesh(quads));
+    CHECK_EQUAL(report.number_of_faces, std::size_t(1073));
+    CHECK_EQUAL(report.number_of_other_polygons, std::size_t(0));
+    CHECK_EQUAL(report.number_of_repaired_faces, std::size_t(18));
+  }
+}
+
 // --- what is known of each vertex and edge -------------------------------------------------------
 
 void test_property_maps()
@@ -785,6 +808,7 @@ int main()
   test_borders();
   test_flips();
   test_repair();
+  test_untangling();
   test_property_maps();
   test_forms();
   test_forms_of_files();

@@ -58,6 +58,9 @@ namespace internal {
 // Below, it is enough to move the vertices of the cuts.
 constexpr double negligible_rounding = 1e-4;
 
+// Of cones that untangling makes, one after the other.
+constexpr int largest_number_of_roundings = 8;
+
 // \tparam Given see Given_transitions
 // \tparam may_round whether rounding to an integer-grid map is compiled
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
@@ -65,6 +68,7 @@ template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typenam
 class Surface_snapper
 {
   using Options = Snapping_options<TriangleMesh>;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
 
@@ -104,13 +108,16 @@ private:
       return aligned_edges.refusal() ? aligned_edges.refusal() : constraints.refusal();
 
     if constexpr(may_round)
-      if(m_options.rounds)
-        constraints.add_large_cones(corners_of_large_cones<Group>(m_tmesh, m_uv_map,
-                                                                  unit_scale(transitions.extent)));
+      if(m_options.rounds) {
+        if(!m_has_spread) // else the displacement may hide them by folds
+          m_large_cones = corners_of_large_cones<Group>(m_tmesh, m_uv_map,
+                                                        unit_scale(transitions.extent));
+        constraints.add_large_cones(m_large_cones);
+      }
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
-    if(!m_has_spread)
+    if(!m_is_rounded)
       if(const auto refusal = check_paths(cuts.complex, constraints,
                                            m_options.connection_tolerance, m_report))
         return refusal;
@@ -121,7 +128,7 @@ private:
         if(const auto refusal = round_to_integers(cuts, constraints, roundings))
           return refusal;
         m_timer.finish("rounding");
-        if(!m_has_spread && m_report.largest_rounding > negligible_rounding)
+        if(!m_has_spread && largest_distance(roundings) > negligible_rounding)
           return spread_and_snap(cuts, roundings);
       }
 
@@ -166,7 +173,7 @@ private:
   std::optional<Refusal> spread_and_snap(const Cuts& cuts,
                                          const std::vector<Rounding<Group> >& roundings)
   {
-    m_has_spread = true;
+    m_is_rounded = m_has_spread = true;
     // those that the displacement may have made
     m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
     if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
@@ -175,6 +182,52 @@ private:
                      "surface; please report this", {}};
     m_timer.finish("displacement");
     return snap();
+  }
+
+  // Untangling can turn folds into cones, which are not rounded then. Rounds these, too, and
+  // untangles what that folds, until no cone is new; undoes what fails.
+  void round_new_cones()
+  {
+    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+    for(int i = 0; i < largest_number_of_roundings && has_cone_off_grid(); ++i) {
+      std::vector<std::pair<Halfedge, Point> > before;
+      for(const auto h : halfedges(m_tmesh))
+        if(!is_border(h, m_tmesh))
+          before.emplace_back(h, get(m_uv_map, h));
+      const Snapping_report report = m_report;
+      m_is_rounded = true;
+      m_has_spread = false;
+      if(!snap() && number_of_flips(m_report) <= number_of_flips(report)) {
+        // flips of the input: those since then came with the displacement
+        m_report.run.number_of_repaired_flips = report.run.number_of_repaired_flips;
+        continue;
+      }
+      for(const auto& [h, point] : before)
+        put(m_uv_map, h, point);
+      m_report = report;
+      return;
+    }
+  }
+
+  bool has_cone_off_grid() const
+  {
+    const auto cones = corners_of_large_cones<Group>(m_tmesh, m_uv_map,
+                                                     unit_scale(m_report.extent));
+    return std::any_of(cones.begin(), cones.end(), [&](const Halfedge h) {
+      const Uv u = get_uv(m_uv_map, h);
+      return u[0] != std::round(u[0]) || u[1] != std::round(u[1]);
+    });
+  }
+
+  static std::size_t number_of_flips(const Snapping_report& report)
+  { return report.lost_faces.size() + report.remaining_flips.size(); }
+
+  static double largest_distance(const std::vector<Rounding<Group> >& roundings)
+  {
+    double result = 0;
+    for(const Rounding<Group>& rounding : roundings)
+      result = (std::max)(result, rounding.distance);
+    return result;
   }
 
   // Adds equations to the complex: those of the integer-grid map near by.
@@ -198,7 +251,7 @@ private:
     }
     if(worst == nullptr)
       return std::nullopt;
-    if(m_has_spread)
+    if(m_is_rounded)
       return std::nullopt;
     m_report.largest_rounding = worst->distance;
     const double tolerance = m_options.rounding_tolerance;
@@ -268,7 +321,9 @@ private:
   Snapping_report m_report;
   Step_timer m_timer;
   Flip_repair m_flip_repair;
-  bool m_has_spread = false;
+  bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
+  bool m_has_spread = false; // the last roundings
+  std::vector<Halfedge> m_large_cones;
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
@@ -278,7 +333,11 @@ Snapping_report
 Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_round,
                 may_untangle>::run()
 {
-  if(std::optional<Refusal> refusal = snap()) {
+  std::optional<Refusal> refusal = snap();
+  if constexpr(may_round && may_untangle)
+    if(!refusal && m_options.rounds && m_flip_repair == Flip_repair::UNTANGLE)
+      round_new_cones();
+  if(refusal) {
     m_report.status = refusal->status;
     m_report.message = std::move(refusal->message);
     m_report.certificate = std::move(refusal->certificate);

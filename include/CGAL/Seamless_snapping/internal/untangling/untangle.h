@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -67,7 +68,7 @@ public:
     for(const Attempt& attempt : attempts)
       for(const std::vector<std::size_t>& patch : patches(m_map.not_positive(m_unknowns), attempt))
         if(work < allowed)
-          work += improve(patch, attempt.iterations);
+          work += improve(patch, attempt.iterations, &attempt == &attempts.back());
     return static_cast<std::size_t>(std::ceil(work / all));
   }
 
@@ -132,10 +133,29 @@ private:
     return result;
   }
 
+  // How many points have 720 degrees or more, of which each fold can make one.
+  std::size_t number_of_large_angles(const std::vector<std::size_t>& triangles) const
+  {
+    std::map<std::size_t, double> angles;
+    for(const std::size_t t : triangles) {
+      const Uv_triangle u = m_map.triangle(t, m_unknowns);
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Uv &p = u[k], &q = u[(k + 1) % 3], &r = u[(k + 2) % 3];
+        const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
+        angles[m_map.triangles[t].points[k]] += std::atan2(a[0] * b[1] - a[1] * b[0],
+                                                           a[0] * b[0] + a[1] * b[1]);
+      }
+    }
+    const double large = 8 * std::acos(0.) - 0.1;
+    return std::size_t(std::count_if(angles.begin(), angles.end(),
+                                     [&](const auto& a) { return a.second > large; }));
+  }
+
   // Keeps the result if fewer triangles are not positive. Returns the number of iterations times
   // that of triangles.
+  // \param may_add_cones whether regular vertices may get 720 degrees
   double improve(const std::vector<std::size_t>& patch,
-                 const std::size_t largest_number_of_iterations)
+                 const std::size_t largest_number_of_iterations, const bool may_add_cones)
   {
     std::vector<std::size_t> triangles;
     for(std::size_t k = 0; k < patch.size(); ++k) {
@@ -154,13 +174,15 @@ private:
       });
     };
     const auto before = number_of_bad();
+    const std::size_t large_before = number_of_large_angles(triangles);
     std::vector<FT> kept; // per unknown of the patch
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = -1;
       kept.push_back(m_unknowns[patch[k]]);
       m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
     }
-    if(number_of_bad() >= before)
+    if(number_of_bad() >= before ||
+       (!may_add_cones && number_of_large_angles(triangles) > large_before))
       for(std::size_t k = 0; k < patch.size(); ++k)
         m_unknowns[patch[k]] = kept[k];
     return static_cast<double>(iterations) * static_cast<double>(triangles.size());
