@@ -420,8 +420,8 @@ void test_repair()
   check_refusal(map, Status::NOT_INTEGER, "integer", parameters::repair_flips(true));
 }
 
-// A map of a mixed-integer solver, with 18 faces that are not positive. Untangling turns some of the
-// folds into cones, which are to be points of the grid, too: then there are quads only.
+// A map of a mixed-integer solver, with 18 faces that are not positive. Untangling turns some of
+// the folds into cones, which are to be points of the grid, too: then there are quads only.
 void test_untangling()
 {
   for(const auto& file : test_data::further_files("uv", ".obj")) {
