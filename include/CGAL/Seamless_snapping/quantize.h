@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Quantization.h>
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/internal/extract_cells.h>
 #include <CGAL/Seamless_snapping/internal/quantization/locate_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>

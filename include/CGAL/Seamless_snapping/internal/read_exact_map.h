@@ -24,6 +24,7 @@
 #include <CGAL/tags.h>
 
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -44,18 +45,18 @@ Status input_status(const Snapping_status status)
 
 // Fills `mesh`, unless it returns a refusal.
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
-          typename HalfedgeUVMap, typename NamedParameters>
+          typename HalfedgeUVMap, typename NamedParameters, typename Group>
 std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                                       const Flat_numbering<TriangleMesh>& numbering,
                                       const HalfedgeUVMap& uv_map, const NamedParameters& np,
-                                      Chart_mesh& mesh)
+                                      Basic_chart_mesh<Group>& mesh)
 {
   if(!is_arithmetic_exact())
     return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
   using Seams = decltype(seam_transitions(tmesh, uv_map, np));
-  static_assert(has_four_directions<Seams>,
+  static_assert(std::is_same_v<Group, Ray_group<Seams::order> >,
                 "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
-                "4 only");
+                "4 only; triangles those of 3 and 6");
   std::optional<Seams> found_seams;
   call_both<ConcurrencyTag>([&] { found_seams = seam_transitions(tmesh, uv_map, np); },
                             [&] {

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
+#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -30,6 +31,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {
@@ -38,7 +40,7 @@ namespace internal {
 
 // A property map that tells which edges lie on lines of the grid: features that do, and border
 // edges. They are to stay there.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename FeatureMap>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename FeatureMap>
 struct Edges_on_grid
 {
   using key_type = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
@@ -61,7 +63,10 @@ struct Edges_on_grid
     else if(!is_border(opposite(h, *tmesh), *tmesh) && !is_feature(e))
       return false;
     const Uv a = get_uv(uv_map, prev(h, *tmesh)), b = get_uv(uv_map, h);
-    return is_on_line(a[0], b[0]) || is_on_line(a[1], b[1]);
+    for(std::size_t c = 0; c < std::size_t(Group::number_of_functionals); ++c)
+      if(is_on_line(component<Group>(a, c), component<Group>(b, c)))
+        return true;
+    return false;
   }
 
   bool is_feature(const key_type& e) const
@@ -74,12 +79,15 @@ struct Edges_on_grid
 
   bool is_on_line(const double a, const double b) const
   { return a == b && a * scale == std::round(a * scale); }
+
+  bool is_on_line(const Exact_difference& a, const Exact_difference& b) const
+  { return a == b && a.error == 0 && is_on_line(a.rounded, b.rounded); }
 };
 
 // Copies the map, and moves what may move until as many faces are positive as can be. Cuts, cones,
 // and what lies on lines of the grid keep their integers: the report says if they are none.
 // \param np those of the extraction, with `repair_flips`
-template <typename TriangleMesh, typename HalfedgeUVMap, typename RepairedMap,
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename RepairedMap,
           typename NamedParameters>
 Snapping_report repair_integer_grid(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                                     const RepairedMap& repaired, const NamedParameters& np)
@@ -93,8 +101,9 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, const HalfedgeUVM
   const double scale = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::grid_scale), 1.);
   const auto features = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  const Edges_on_grid<TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(features)> > on_grid{
-    &tmesh, uv_map, features, scale};
+  using Features = std::decay_t<decltype(features)>;
+  const Edges_on_grid<Group, TriangleMesh, HalfedgeUVMap, Features> on_grid{&tmesh, uv_map,
+                                                                            features, scale};
   return snap_to_seamless(tmesh, repaired,
                           Named_parameters<NamedParameters>(np)
                             .integer_grid(true).rounding_tolerance(0.).grid_scale(scale)

@@ -131,7 +131,7 @@ private:
     if(!m_is_given.empty())
       for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
         is_given_corner.push_back(m_is_given[mesh.vertex(h)]);
-    Fan_splitter(mesh).run();
+    Fan_splitter<Quarter_turns>(mesh).run();
     if(m_is_given.empty())
       return;
     m_is_given.assign(mesh.number_of_vertices(), false);

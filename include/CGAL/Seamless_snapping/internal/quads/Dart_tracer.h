@@ -30,19 +30,25 @@ namespace Seamless_snapping {
 namespace internal {
 
 // One for each thread.
-class Dart_tracer
+template <typename Group>
+class Basic_dart_tracer
 {
+  using Mesh = Basic_chart_mesh<Group>;
+  using Decisions = Basic_integer_decisions<Group>;
+  using Walk = Isocurve_walk<Decisions, Group>;
+  using State = typename Decisions::State;
+
 public:
-  Dart_tracer(const Chart_mesh& mesh, const Lattice_points& points, const Grid_darts& darts,
-              const std::vector<char>& is_feature)
+  Basic_dart_tracer(const Mesh& mesh, const Lattice_points& points, const Grid_darts& darts,
+                    const std::vector<char>& is_feature)
     : m_mesh(mesh), m_points(points), m_darts(darts), m_decisions(mesh, is_feature, m_step)
   {
     m_limits.is_stop = [&mesh](const std::size_t v)
                        { return is_lattice_point(mesh.uv(mesh.corner_at_vertex[v])); };
   }
 
-  Dart_tracer(const Dart_tracer&) = delete; // its members refer to each other
-  Dart_tracer& operator=(const Dart_tracer&) = delete;
+  Basic_dart_tracer(const Basic_dart_tracer&) = delete; // its members refer to each other
+  Basic_dart_tracer& operator=(const Basic_dart_tracer&) = delete;
 
   // The twin, `open_dart`, or `untraced_dart`: then the dart meets a vertex that it can't pass.
   Dart_index trace(const std::size_t p, const int k)
@@ -52,7 +58,7 @@ public:
     case Lattice_place::EDGE:   return trace_from_edge(m_points[p], k);
     case Lattice_place::FACE:   break;
     }
-    return trace_through_face(m_points[p].corner, unit_step(m_points[p].uv, k), k);
+    return trace_through_face(m_points[p].corner, unit_step<Group>(m_points[p].uv, k), k);
   }
 
   // The twin of the dart that runs through a face of the chart, in this direction to `end`.
@@ -61,10 +67,10 @@ public:
     State state;
     state.halfedge = corner;
     state.direction = direction;
-    state.level = end[constant_component(direction)];
+    state.level = Group::value(int(constant_component<Group>(direction)), end);
     m_step = {};
     m_step.end = end;
-    leave_face_point<Integer_decisions>(m_mesh, state);
+    leave_face_point<Decisions>(m_mesh, state);
     if(m_decisions.ends_before(state))
       return twin_at_arrival();
     return walk([&](Walk& w) { return begin(w, state); });
@@ -77,7 +83,7 @@ public:
     state.is_at_vertex = true;
     state.halfedge = h;
     state.direction = direction;
-    state.level = end[constant_component(direction)];
+    state.level = Group::value(int(constant_component<Group>(direction)), end);
     state.arrival_key = m_mesh.edge_key(h);
     m_step = {};
     m_step.end = end;
@@ -92,18 +98,15 @@ public:
   std::size_t obstacle() const { return m_obstacle; }
 
 private:
-  using Walk = Isocurve_walk<Integer_decisions>;
-  using State = Integer_decisions::State;
-
   Dart_index trace_from_edge(const Lattice_point& p, const int k)
   {
-    const int direction = turned(Edge_directions(m_mesh, p.corner).first, k);
+    const int direction = turned<Group>(Edge_directions(m_mesh, p.corner).first, k);
     State state;
     state.halfedge = p.corner;
     state.direction = direction;
-    state.level = p.uv[constant_component(direction)];
+    state.level = Group::value(int(constant_component<Group>(direction)), p.uv);
     m_step = {};
-    m_step.end = unit_step(p.uv, direction);
+    m_step.end = unit_step<Group>(p.uv, direction);
     bool enters = false;
     leave_edge_point(m_mesh, m_decisions, state, enters);
     if(state.is_at_vertex && m_decisions.ends_on_edge(p.corner, state.halfedge, direction))
@@ -115,7 +118,7 @@ private:
   {
     const Vertex_ray ray = rays_from_vertex(m_mesh, m_mesh.vertex(p.corner))[std::size_t(k)];
     m_step = {};
-    m_step.end = unit_step(m_mesh.uv(ray.corner), ray.direction);
+    m_step.end = unit_step<Group>(m_mesh.uv(ray.corner), ray.direction);
     if(m_decisions.ends_on_first_step(ray))
       return twin_at_arrival();
     return walk([&](Walk& w) {
@@ -157,17 +160,17 @@ private:
 
   Dart_index twin_at_arrival() const
   {
-    const Direction back = reversed(m_step.direction);
+    const Direction back = reversed<Group>(m_step.direction);
     if(m_step.place == Lattice_place::FACE)
       return dart(face_of(m_step.corner), m_step.end, back);
     const Corner_index h = m_mesh.edge_key(m_step.corner);
     if(h == m_step.corner)
       return dart(face_of(h), m_step.end,
-                  turned(back, Quarter_turns::inverse(Edge_directions(m_mesh, h).first)));
-    const Corner_index from = m_step.corner, to = Chart_mesh::prev(h); // corners at the same vertex
-    const int rotation = m_mesh.rotation(from);
-    return dart(face_of(h), carried(m_step.end, rotation, m_mesh.uv(from), m_mesh.uv(to)),
-                turned(back, rotation));
+                  turned<Group>(back, Group::inverse(Edge_directions(m_mesh, h).first)));
+    const Corner_index from = m_step.corner, to = Mesh::prev(h); // corners at the same vertex
+    const typename Group::Element rotation = m_mesh.rotation(from);
+    return dart(face_of(h), carried<Group>(m_step.end, rotation, m_mesh.uv(from), m_mesh.uv(to)),
+                turned<Group>(back, rotation));
   }
 
   // Dart k of the point of a face; `untraced_dart` if there is none.
@@ -178,14 +181,16 @@ private:
              ? Dart_index(m_darts.first(p) + std::size_t(k)) : untraced_dart;
   }
 
-  const Chart_mesh& m_mesh;
+  const Mesh& m_mesh;
   const Lattice_points& m_points;
   const Grid_darts& m_darts;
   Unit_step m_step;
-  Integer_decisions m_decisions;
+  Decisions m_decisions;
   Walk_limits m_limits;
   std::size_t m_obstacle = 0;
 };
+
+using Dart_tracer = Basic_dart_tracer<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

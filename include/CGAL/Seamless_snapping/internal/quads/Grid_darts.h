@@ -42,14 +42,17 @@ struct Edge_directions
 {
   int first, number;
 
-  Edge_directions(const Chart_mesh& mesh, const Corner_index h) : first(0), number(4)
+  template <typename Group>
+  Edge_directions(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
+    : first(Group::identity()), number(Group::order)
   {
     if(mesh.opposite(h) != no_index)
       return;
-    const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
-    const bool is_aligned = a[0] == b[0] || a[1] == b[1]; // then it is a dart itself, both ways
-    first = turned(quadrant(a, b), is_aligned ? 0 : 1);
-    number = is_aligned ? 3 : 2;
+    const Direction along = sector<Group>(mesh.uv(mesh.prev(h)), mesh.uv(h));
+    // then the edge is a dart itself, both ways
+    const bool is_aligned = side_of_ray(mesh, mesh.prev(h), along, h) == 0;
+    first = turned<Group>(along, is_aligned ? 0 : 1);
+    number = Group::order / 2 + (is_aligned ? 1 : 0);
   }
 };
 
@@ -57,8 +60,8 @@ struct Edge_directions
 class Grid_darts
 {
 public:
-  template <typename ConcurrencyTag>
-  static Grid_darts make(const Chart_mesh& mesh, const Lattice_points& points)
+  template <typename ConcurrencyTag, typename Group>
+  static Grid_darts make(const Basic_chart_mesh<Group>& mesh, const Lattice_points& points)
   {
     Grid_darts result;
     result.m_first.assign(points.size() + 1, 0);
@@ -112,7 +115,8 @@ public:
 private:
   enum Mark { FIRST = 1, LAST = 2, BEFORE_BORDER = 4, FEATURE = 8 };
 
-  static Dart_index number_at(const Chart_mesh& mesh, const Lattice_point& p)
+  template <typename Group>
+  static Dart_index number_at(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
   {
     switch(p.place) {
     case Lattice_place::VERTEX:
@@ -122,11 +126,12 @@ private:
     case Lattice_place::FACE:
       break;
     }
-    return 4;
+    return Group::order;
   }
 
   // Whether the point lies inside of the surface.
-  static bool is_surrounded(const Chart_mesh& mesh, const Lattice_point& p)
+  template <typename Group>
+  static bool is_surrounded(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
   {
     switch(p.place) {
     case Lattice_place::VERTEX: return !mesh.is_border[mesh.vertex(p.corner)];

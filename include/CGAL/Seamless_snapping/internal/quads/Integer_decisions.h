@@ -33,18 +33,29 @@ namespace internal {
 
 // From the chart of a corner to that of another one at the same vertex. Both charts differ by whole
 // units, so that rounding is none.
-inline Uv carried(const Uv& u, const int rotation, const Uv& from, const Uv& to)
+template <typename Group = Quarter_turns>
+Uv carried(const Uv& u, const typename Group::Element rotation, const Uv& from, const Uv& to)
 {
-  const Uv r = Quarter_turns::apply(rotation, u), origin = Quarter_turns::apply(rotation, from);
-  return {r[0] + Exact_difference(to[0], origin[0]).rounded,
-          r[1] + Exact_difference(to[1], origin[1]).rounded};
+  const Uv r = Group::apply(rotation, u);
+  if constexpr(Group::is_signed_permutation) {
+    const Uv origin = Group::apply(rotation, from);
+    return {r[0] + Exact_difference(to[0], origin[0]).rounded,
+            r[1] + Exact_difference(to[1], origin[1]).rounded};
+  } else {
+    const auto translation = [&](const int c) {
+      const Signed_functional here = Group::act(Group::inverse(rotation), c);
+      return nearest_double(offset<Group>(component<Group>(from, std::size_t(here.index)),
+                                          here.sign, component<Group>(to, std::size_t(c))));
+    };
+    return {r[0] + translation(0), r[1] + translation(1)};
+  }
 }
 
-inline Uv unit_step(const Uv& u, const int direction)
+template <typename Group = Quarter_turns>
+Uv unit_step(const Uv& u, const Direction direction)
 {
-  Uv end = u;
-  end[running_component(direction)] += running_sign(direction);
-  return end;
+  const Uv step = Group::apply(direction, Uv{1, 0});
+  return {u[0] + step[0], u[1] + step[1]};
 }
 
 // A walk of one unit: its end, in the chart where the walk is; and once it has arrived, where that
@@ -54,19 +65,22 @@ struct Unit_step
   Uv end{};
   Lattice_place place = Lattice_place::VERTEX;
   Corner_index corner = no_index;                  // of the face, or on the edge
-  Direction direction = Quarter_turns::identity(); // of the walk
+  Direction direction = 0;                         // of the walk
   bool ran_along_feature = false;
 };
 
 // Copies share the step.
-class Integer_decisions
+template <typename Group>
+class Basic_integer_decisions
 {
+  using Mesh = Basic_chart_mesh<Group>;
+
 public:
   using Level = double;
   using State = Walk_state<Level>;
 
   // `is_feature` tells of corners whether their edge is one.
-  Integer_decisions(const Chart_mesh& mesh, const std::vector<char>& is_feature, Unit_step& step)
+  Basic_integer_decisions(const Mesh& mesh, const std::vector<char>& is_feature, Unit_step& step)
     : m_mesh(&mesh), m_is_feature(&is_feature), m_step(&step)
   { }
 
@@ -76,7 +90,7 @@ public:
   {
     if(!state.is_at_vertex) {
       const Corner_index h = state.halfedge;
-      const auto side = orientation({m_mesh->uv(Chart_mesh::prev(h)), m_mesh->uv(h), m_step->end});
+      const auto side = orientation({m_mesh->uv(Mesh::prev(h)), m_mesh->uv(h), m_step->end});
       return side != CGAL::NEGATIVE &&
              arrive(side == CGAL::ZERO ? Lattice_place::EDGE : Lattice_place::FACE, h,
                     state.direction);
@@ -99,38 +113,41 @@ public:
   {
     const Corner_index c = ray.corner;
     if(ray.kind == Ray_kind::ALONG_FIRST_EDGE)
-      return ends_on_edge(Chart_mesh::next(c), Chart_mesh::next(c), ray.direction);
+      return ends_on_edge(Mesh::next(c), Mesh::next(c), ray.direction);
     if(ray.kind == Ray_kind::ALONG_LAST_EDGE)
-      return ends_on_edge(c, Chart_mesh::prev(c), ray.direction);
+      return ends_on_edge(c, Mesh::prev(c), ray.direction);
     State state;
-    state.halfedge = Chart_mesh::prev(c);
+    state.halfedge = Mesh::prev(c);
     state.direction = ray.direction;
     return ends_before(state);
   }
 
   // The interface of the walk's template argument.
 
-  void cross(const Chart_transition& transition, State& state) const
+  void cross(const Basic_chart_transition<Group>& transition, State& state) const
   {
-    const Uv r = Quarter_turns::apply(transition.rotation, m_step->end);
-    m_step->end = {r[0] + transition.translation[0].rounded,
-                    r[1] + transition.translation[1].rounded};
-    state.direction = turned(state.direction, transition.rotation);
-    state.level = m_step->end[constant_component(state.direction)];
+    const Uv r = Group::apply(transition.rotation, m_step->end);
+    m_step->end = {r[0] + nearest_double(transition.translation[0]),
+                   r[1] + nearest_double(transition.translation[1])};
+    state.direction = turned<Group>(state.direction, transition.rotation);
+    state.level = Group::value(int(constant_component<Group>(state.direction)), m_step->end);
   }
 
   static double approximation(const Level level) { return level; }
   static int side_of(const Level level, const double coordinate)
   { return compare(coordinate, level); }
+  static int side_of(const Level level, const Exact_difference& coordinate)
+  { return compare(coordinate, Exact_difference(level, 0)); }
 
   // Whether the curve leads through the next face. If not, the end lies there.
   bool enters(const State& state) const
   {
-    const Corner_index apex = Chart_mesh::next(state.halfedge);
-    const int side = side_of(state.level, m_mesh->uv(apex)[constant_component(state.direction)]);
+    const Corner_index apex = Mesh::next(state.halfedge);
+    const int side = side_of(
+      state.level, m_mesh->component(apex, constant_component<Group>(state.direction)));
     State exit = state;
     exit.is_at_vertex = side == 0;
-    exit.halfedge = side == -left_sign(state.direction) ? Chart_mesh::next(apex) : apex;
+    exit.halfedge = side == -left_sign<Group>(state.direction) ? Mesh::next(apex) : apex;
     return !ends_before(exit);
   }
   static Isocurve_status failure() { return Isocurve_status::TARGET; }
@@ -138,13 +155,14 @@ public:
   Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
                              Vertex_ray& chosen) const
   {
-    const Isocurve_status status = Exact_decisions::straight_ray(*m_mesh, state, around, chosen);
+    const Isocurve_status status =
+      Basic_exact_decisions<Group>::straight_ray(*m_mesh, state, around, chosen);
     if(status != Isocurve_status::CONTINUES)
       return status;
-    const Quarter_turns::Element turn =
-      turned(chosen.direction, Quarter_turns::inverse(state.direction));
+    const typename Group::Element turn =
+      turned<Group>(chosen.direction, Group::inverse(state.direction));
     m_step->end =
-      carried(m_step->end, turn, m_mesh->uv(state.halfedge), m_mesh->uv(chosen.corner));
+      carried<Group>(m_step->end, turn, m_mesh->uv(state.halfedge), m_mesh->uv(chosen.corner));
     return ends_on_first_step(chosen) ? Isocurve_status::TARGET : Isocurve_status::CONTINUES;
   }
 
@@ -155,8 +173,9 @@ public:
 private:
   bool comes_before(const Corner_index vertex, const int direction) const
   {
-    const std::size_t c = running_component(direction);
-    return running_sign(direction) * compare(m_step->end[c], m_mesh->uv(vertex)[c]) < 0;
+    const std::size_t c = running_component<Group>(direction);
+    return running_sign<Group>(direction) * side_of(Group::value(int(c), m_step->end),
+                                                    m_mesh->component(vertex, c)) > 0;
   }
 
   bool arrive(const Lattice_place place, const Corner_index corner,
@@ -168,10 +187,12 @@ private:
     return true;
   }
 
-  const Chart_mesh* m_mesh;
+  const Mesh* m_mesh;
   const std::vector<char>* m_is_feature;
   Unit_step* m_step;
 };
+
+using Integer_decisions = Basic_integer_decisions<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -59,8 +59,8 @@ class Lattice_points
 public:
   // The coordinates must be at most `largest_grid_coordinate`, and all faces positive. Memory is
   // reserved for the expected number of points.
-  template <typename ConcurrencyTag>
-  static Lattice_points make(const Chart_mesh& mesh, const std::size_t expected_number)
+  template <typename ConcurrencyTag, typename Group>
+  static Lattice_points make(const Basic_chart_mesh<Group>& mesh, const std::size_t expected_number)
   {
     Lattice_points result;
     const std::size_t number_of_faces = mesh.corners.size() / 3;
@@ -86,8 +86,9 @@ public:
   }
 
 private:
-  template <typename ConcurrencyTag>
-  void add_points_of_faces(const Chart_mesh& mesh, const std::size_t begin, const std::size_t end)
+  template <typename ConcurrencyTag, typename Group>
+  void add_points_of_faces(const Basic_chart_mesh<Group>& mesh, const std::size_t begin,
+                           const std::size_t end)
   {
     const auto points = results_of_chunks<std::vector<Lattice_point>, ConcurrencyTag>(
       end - begin, [&](const Chunk& chunk) {
@@ -104,7 +105,8 @@ private:
     append<ConcurrencyTag>(points, m_points);
   }
 
-  static void add_points_of_face(const Chart_mesh& mesh, const std::size_t face,
+  template <typename Group>
+  static void add_points_of_face(const Basic_chart_mesh<Group>& mesh, const std::size_t face,
                                  std::vector<Lattice_point>& points)
   {
     const Uv_triangle t = triangle(mesh, face);
@@ -116,7 +118,7 @@ private:
       if(mesh.corner_at_vertex[mesh.vertex(h)] == h && is_lattice_point(mesh.uv(h)))
         points.push_back({mesh.uv(h), h, Lattice_place::VERTEX});
       if(mesh.edge_key(h) == h)
-        for_lattice_points_on_edge(mesh.uv(Chart_mesh::prev(h)), mesh.uv(h), [&](const Uv& p)
+        for_lattice_points_on_edge(mesh.uv(mesh.prev(h)), mesh.uv(h), [&](const Uv& p)
                                    { points.push_back({p, h, Lattice_place::EDGE}); });
     }
     for_lattice_points_inside(t, [&](const Uv& p)

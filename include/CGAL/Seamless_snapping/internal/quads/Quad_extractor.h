@@ -19,11 +19,13 @@
 // on the mesh data structure.
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
+#include <CGAL/Seamless_snapping/internal/quads/Cell_shape.h>
 #include <CGAL/Seamless_snapping/internal/quads/cells_with_border.h>
 #include <CGAL/Seamless_snapping/internal/quads/check_cells.h>
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/quads/pair_darts.h>
 #include <CGAL/Seamless_snapping/internal/quads/Quad_complex.h>
+#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
@@ -45,20 +47,25 @@ namespace internal {
 struct Extraction_options
 {
   double scale = 1;
-  std::size_t maximum_number = 100000000; // of quads
+  std::size_t maximum_number = 100000000; // of cells
   bool allow_holes = false;
   bool leave_out_folded_cells = false; // around points of one edge
 };
 
 // More darts than this have no 32-bit index.
-constexpr std::size_t largest_number_of_quads = std::size_t(1) << 28;
+constexpr std::size_t largest_number_of_cells = std::size_t(1) << 28;
 
-class Quad_extractor
+// \tparam Group that of the directions of the grid's lines
+template <typename Group>
+class Cell_extractor
 {
+  using Mesh = Basic_chart_mesh<Group>;
+  using Shape = Cell_shape<Group>;
+
 public:
   // `is_feature` tells of corners whether their edge is one; or is empty. `vertex_name` is for
   // messages: it is called with a corner of the mesh.
-  Quad_extractor(Chart_mesh&& mesh, std::vector<char>&& is_feature,
+  Cell_extractor(Mesh&& mesh, std::vector<char>&& is_feature,
                  const Extraction_options& options,
                  const std::function<std::string(Corner_index)>& vertex_name)
     : m_mesh(std::move(mesh)), m_is_feature(std::move(is_feature)), m_options(options),
@@ -78,7 +85,7 @@ public:
     call_both<ConcurrencyTag>(
       [&] {
         if(m_report.number_of_unaligned_border_edges == 0)
-          m_mesh = Chart_mesh(); // the largest of all that is in memory
+          m_mesh = Mesh(); // the largest of all that is in memory
       },
       [&] { m_complex->cells.find(); });
     if(!check_cells<ConcurrencyTag>())
@@ -90,7 +97,7 @@ public:
   }
 
   Extraction_report& report() { return m_report; }
-  const Chart_mesh& mesh() const { return m_mesh; }
+  const Mesh& mesh() const { return m_mesh; }
   const Quad_complex& complex() const { return *m_complex; }
 
   // The number of a face in the input.
@@ -112,7 +119,7 @@ private:
 
   std::string edge_name(const Corner_index h) const
   {
-    return "the edge from vertex " + vertex_name(Chart_mesh::prev(h)) + " to vertex " +
+    return "the edge from vertex " + vertex_name(Mesh::prev(h)) + " to vertex " +
            vertex_name(h);
   }
 
@@ -167,10 +174,8 @@ private:
       const Corner_index h = Corner_index(i);
       if(m_mesh.corner(h).transition == no_index)
         continue;
-      Chart_transition& t = m_mesh.transitions[std::size_t(m_mesh.corner(h).transition)];
-      const Uv from = Quarter_turns::apply(t.rotation, m_mesh.uv(Chart_mesh::prev(h)));
-      const Uv& to = m_mesh.uv(m_mesh.opposite(h));
-      t.translation = {{Exact_difference(to[0], from[0]), Exact_difference(to[1], from[1])}};
+      auto& t = m_mesh.transitions[std::size_t(m_mesh.corner(h).transition)];
+      t = make_transition(m_mesh, h, t.rotation);
     }
   }
 
@@ -191,7 +196,7 @@ private:
 
   bool check_translations()
   {
-    const auto is_bad = [](const Chart_transition& t)
+    const auto is_bad = [](const Basic_chart_transition<Group>& t)
                         { return !is_integer(t.translation[0]) || !is_integer(t.translation[1]); };
     if(std::none_of(m_mesh.transitions.begin(), m_mesh.transitions.end(), is_bad))
       return true;
@@ -234,7 +239,7 @@ private:
     if(faces.empty()) {
       const std::vector<char>& is_border = m_mesh.is_border;
       if(std::find(is_border.begin(), is_border.end(), true) != is_border.end())
-        Fan_splitter(m_mesh).run();
+        Fan_splitter<Group>(m_mesh).run();
       return true;
     }
     if(!m_options.allow_holes)
@@ -243,8 +248,8 @@ private:
                     " flipped or degenerate in the domain, the first is face " +
                     std::to_string(faces.front()) + "; repair them by snap_to_seamless() with "
                     "repair_flips(true), or leave out the cells around them: allow_holes(true)");
-    const Face_remover remover(m_mesh, faces);
-    Chart_mesh rest = remover.run();
+    const Face_remover<Group> remover(m_mesh, faces);
+    Mesh rest = remover.run();
     if(!m_is_feature.empty())
       for(std::size_t i = 0; i < rest.corners.size(); ++i)
         m_is_feature[i] = m_is_feature[std::size_t(3 * remover.kept()[i / 3]) + i % 3];
@@ -278,17 +283,17 @@ private:
       [&](const Chunk& faces) { return grid_size(m_mesh, faces.begin, faces.end); });
     double crossings = 0;
     for(const Grid_size& size : sizes) {
-      m_report.area += size.area;
+      m_report.area += Shape::cells_of_unit * size.area;
       crossings += size.crossings;
     }
-    const double largest = double((std::min)(m_options.maximum_number, largest_number_of_quads));
-    const bool has_too_many_quads = m_report.area > largest;
-    if(!has_too_many_quads && crossings <= 16 * (largest + double(m_mesh.corners.size())))
+    const double largest = double((std::min)(m_options.maximum_number, largest_number_of_cells));
+    const bool has_too_many_cells = m_report.area > largest;
+    if(!has_too_many_cells && crossings <= 16 * (largest + double(m_mesh.corners.size())))
       return true;
     return fail(Extraction_status::TOO_LARGE,
-                has_too_many_quads
-                  ? "there would be " + std::to_string(m_report.area) +
-                    " quads; raise maximum_number, or shrink the map by grid_scale"
+                has_too_many_cells
+                  ? "there would be " + std::to_string(m_report.area) + " " + Shape::plural() +
+                    "; raise maximum_number, or shrink the map by grid_scale"
                   : "the lines of the grid would cross edges of the mesh " +
                     std::to_string(crossings / 2) + " times; shrink the map by grid_scale");
   }
@@ -302,13 +307,14 @@ private:
       twice_area += (*m_parts)[i].twice_area;
       m_report.number_of_unaligned_border_edges += (*m_parts)[i].number_of_unaligned_edges;
     }
-    m_report.area = CGAL::to_double(twice_area) / 2;
+    m_report.area = Shape::cells_of_unit * (CGAL::to_double(twice_area) / 2);
   }
 
   template <typename ConcurrencyTag>
   bool make_darts()
   {
-    const double expected = 1.01 * m_report.area + 0.01 * double(m_mesh.is_border.size());
+    const double expected =
+      1.01 * m_report.area / Shape::cells_of_unit + 0.01 * double(m_mesh.is_border.size());
     Lattice_points points;
     call_both<ConcurrencyTag>(
       [&] { measure_parts<ConcurrencyTag>(); },
@@ -336,7 +342,7 @@ private:
     const std::vector<Cell_counts> counts =
       count_cells<ConcurrencyTag>(m_complex->points, m_complex->darts, m_complex->cells, *m_parts);
     bool is_area_right = true;
-    const std::size_t part = first_bad_part(*m_parts, counts, is_area_right);
+    const std::size_t part = first_bad_part<Group>(*m_parts, counts, is_area_right);
     if(part < m_parts->size()) {
       const bool may_be_coarse = is_area_right || counts[part].points == 0;
       return fail(may_be_coarse ? Extraction_status::TOO_COARSE : Extraction_status::INTERNAL_ERROR,
@@ -354,8 +360,8 @@ private:
                 "the surface holds no whole cell of the grid; scale the map up by grid_scale");
   }
 
-  // Four darts at a regular vertex; at others, their number is that of quarter turns, of which the
-  // rotations around the vertex know the number modulo 4.
+  // A dart in each direction at a regular vertex; at others, their number is that of turns of the
+  // group, of which the rotations around the vertex know the number modulo a full turn.
   bool is_valence_right(const std::size_t p) const
   {
     const Lattice_point& point = m_complex->points[p];
@@ -364,17 +370,18 @@ private:
     const std::size_t n = m_complex->darts.degree(p), v = m_mesh.vertex(point.corner);
     if(m_mesh.is_border[v])
       return true;
-    Quarter_turns::Element turns = Quarter_turns::element(int(n));
+    typename Group::Element turns = Group::element(int(n));
     for_each_corner(m_mesh, v, [&](const Corner_index c)
-                    { turns = Quarter_turns::compose(m_mesh.rotation(c), turns); });
-    return (n == 4) != bool(m_mesh.is_singular[v]) && turns == Quarter_turns::identity();
+                    { turns = Group::compose(m_mesh.rotation(c), turns); });
+    return (n == std::size_t(Group::order)) != bool(m_mesh.is_singular[v]) &&
+           turns == Group::identity();
   }
 
   std::size_t other_polygons(const Chunk& cells) const
   {
     std::size_t n = 0;
     for(std::size_t c = cells.begin; c < cells.end; ++c)
-      n += m_complex->cells.degree(c) != 4 ? 1 : 0;
+      n += m_complex->cells.degree(c) != std::size_t(Shape::number_of_corners) ? 1 : 0;
     return n;
   }
 
@@ -382,13 +389,13 @@ private:
   {
     m_report.number_of_cut_cells = m_complex->cells.number_of_cut_cells();
     if(m_report.number_of_unaligned_border_edges > 0) {
-      const std::vector<char> is_cut = Border_cells(m_mesh, *m_complex).find();
+      const std::vector<char> is_cut = Border_cells<Group>(m_mesh, *m_complex).find();
       m_report.number_of_cut_cells += std::size_t(std::count(is_cut.begin(), is_cut.end(), true));
       m_complex->cells.remove(is_cut);
     }
   }
 
-  Chart_mesh m_mesh;
+  Mesh m_mesh;
   std::vector<char> m_is_feature;
   Extraction_options m_options;
   std::function<std::string(Corner_index)> m_vertex_name;
@@ -397,6 +404,8 @@ private:
   std::unique_ptr<Surface_parts> m_parts;
   std::unique_ptr<Quad_complex> m_complex;
 };
+
+using Quad_extractor = Cell_extractor<Quarter_turns>;
 
 } // namespace internal
 } // namespace Seamless_snapping

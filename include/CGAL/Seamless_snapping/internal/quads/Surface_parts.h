@@ -44,10 +44,15 @@ struct Surface_part
 };
 
 // Whether the edge runs along a line of the grid.
-inline bool is_on_grid_line(const Chart_mesh& mesh, const Corner_index h)
+template <typename Group>
+bool is_on_grid_line(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
 {
-  const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
-  return (a[0] == b[0] && is_integer(a[0])) || (a[1] == b[1] && is_integer(a[1]));
+  for(std::size_t c = 0; c < std::size_t(Group::number_of_functionals); ++c) {
+    const auto a = mesh.component(mesh.prev(h), c);
+    if(a == mesh.component(h, c) && is_integer(a))
+      return true;
+  }
+  return false;
 }
 
 // a x b
@@ -65,8 +70,8 @@ inline std::array<Exact_rational, 2> exact(const Uv& u)
 class Surface_parts
 {
 public:
-  template <typename ConcurrencyTag = CGAL::Sequential_tag>
-  explicit Surface_parts(const Chart_mesh& mesh, ConcurrencyTag = ConcurrencyTag())
+  template <typename Group, typename ConcurrencyTag = CGAL::Sequential_tag>
+  explicit Surface_parts(const Basic_chart_mesh<Group>& mesh, ConcurrencyTag = ConcurrencyTag())
   {
     number_parts(mesh);
     const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
@@ -89,7 +94,8 @@ private:
     Surface_part data;
   };
 
-  void number_parts(const Chart_mesh& mesh)
+  template <typename Group>
+  void number_parts(const Basic_chart_mesh<Group>& mesh)
   {
     const std::size_t n = mesh.corners.size() / 3;
     std::vector<std::int32_t> ranks(n, 0), parents(n);
@@ -112,7 +118,8 @@ private:
       std::vector<std::int32_t>().swap(m_parts);
   }
 
-  std::vector<Run> measure(const Chart_mesh& mesh, const Chunk& faces) const
+  template <typename Group>
+  std::vector<Run> measure(const Basic_chart_mesh<Group>& mesh, const Chunk& faces) const
   {
     std::vector<Run> runs;
     for(std::size_t f = faces.begin; f < faces.end; ++f) {
@@ -132,11 +139,13 @@ private:
     part.twice_area += more.twice_area;
   }
 
-  static void add_corner(const Chart_mesh& mesh, const Corner_index h, Surface_part& part)
+  template <typename Group>
+  static void add_corner(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                         Surface_part& part)
   {
     part.euler_characteristic += (h % 3 == 0 ? 1 : 0) - (mesh.edge_key(h) == h ? 1 : 0) +
                                  (mesh.corner_at_vertex[mesh.vertex(h)] == h ? 1 : 0);
-    const Corner_index p = Chart_mesh::prev(h), g = mesh.opposite(h);
+    const Corner_index p = mesh.prev(h), g = mesh.opposite(h);
     if(g == no_index) {
       part.number_of_unaligned_edges += is_on_grid_line(mesh, h) && !ends_slit(mesh, h) ? 0 : 1;
       part.twice_area += cross_product(exact(mesh.uv(p)), exact(mesh.uv(h)));
@@ -146,27 +155,31 @@ private:
   }
 
   // Whether the border turns back at the end of the edge, on a line of the grid but between its
-  // points: the angle is 180 degrees, with three rays, or a larger multiple of it.
-  static bool ends_slit(const Chart_mesh& mesh, const Corner_index h)
+  // points: the angle is 180 degrees, with a ray along each side, or a larger multiple of it.
+  template <typename Group>
+  static bool ends_slit(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
   {
     if(is_lattice_point(mesh.uv(h)))
       return false;
     const std::size_t v = mesh.vertex(h);
-    const Corner_index next_edge = Chart_mesh::next(mesh.corner_at_vertex[v]);
+    const Corner_index next_edge = mesh.next(mesh.corner_at_vertex[v]);
     return mesh.opposite(next_edge) == no_index && is_on_grid_line(mesh, next_edge) &&
-           rays_from_vertex(mesh, v).size() != 3;
+           rays_from_vertex(mesh, v).size() != std::size_t(Group::order / 2 + 1);
   }
 
   // The area is the sum of the cross products of the ends of all halfedges. The two of an edge add
   // up to 0 if both charts are the same, and to the cross product of t and a' - b' if not.
-  static void add_cut(const Chart_mesh& mesh, const Corner_index h, Surface_part& part)
+  template <typename Group>
+  static void add_cut(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                      Surface_part& part)
   {
     const Corner_index g = mesh.opposite(h);
     const auto& t = mesh.transitions[std::size_t(mesh.corner(h).transition)].translation;
-    if(t[0].rounded == 0 && t[1].rounded == 0)
+    const Uv translation{nearest_double(t[0]), nearest_double(t[1])};
+    if(translation[0] == 0 && translation[1] == 0)
       return;
-    const auto a = exact(mesh.uv(g)), b = exact(mesh.uv(Chart_mesh::prev(g)));
-    part.twice_area += cross_product(exact({t[0].rounded, t[1].rounded}),
+    const auto a = exact(mesh.uv(g)), b = exact(mesh.uv(mesh.prev(g)));
+    part.twice_area += cross_product(exact(translation),
                                      {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])});
   }
 

@@ -16,9 +16,10 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // What the theorem says of the cells, checked exactly for each part of the surface whose border
-// lies on the grid: as many corners as the area has quarters of units, and the surface's Euler
+// lies on the grid: as many corners as cells of its area have, and the surface's Euler
 // characteristic.
 
+#include <CGAL/Seamless_snapping/internal/quads/Cell_shape.h>
 #include <CGAL/Seamless_snapping/internal/quads/Grid_cells.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
 
@@ -88,21 +89,22 @@ std::vector<Cell_counts> count_cells(const Lattice_points& points, const Grid_da
 
 // The first part whose cells are not discs; or the number of parts. `is_area_right` tells whether
 // that is all that is wrong there.
-inline std::size_t first_bad_part(const Surface_parts& parts,
-                                  const std::vector<Cell_counts>& counts, bool& is_area_right)
+template <typename Group>
+std::size_t first_bad_part(const Surface_parts& parts, const std::vector<Cell_counts>& counts,
+                           bool& is_area_right)
 {
   std::size_t i = 0;
   for(is_area_right = true; i < parts.size(); ++i) {
     const Surface_part& part = parts[i];
     const Cell_counts& count = counts[i];
+    const Exact_rational corners(Cell_shape<Group>::corners_of_unit * part.twice_area / 2);
     if(part.number_of_unaligned_edges > 0) {
-      is_area_right = 2 * part.twice_area >= Exact_rational(count.corners);
+      is_area_right = corners >= Exact_rational(count.corners);
       if(!is_area_right)
         break;
       continue;
     }
-    is_area_right = count.open_darts == 0 &&
-                    2 * part.twice_area == Exact_rational(count.corners);
+    is_area_right = count.open_darts == 0 && corners == Exact_rational(count.corners);
     if(!is_area_right || count.euler_characteristic() != part.euler_characteristic)
       break;
   }

@@ -35,11 +35,6 @@ inline double distance_to_integer(const Uv& u)
   return (std::max)(distance_to_integer(u[0]), distance_to_integer(u[1]));
 }
 
-inline bool is_integer(const Exact_difference& d)
-{
-  return d.error == 0 && d.rounded == std::round(d.rounded);
-}
-
 inline double distance_to_integer(const Exact_difference& d)
 {
   return std::abs((d.rounded - std::round(d.rounded)) + d.error);
@@ -59,11 +54,14 @@ enum class Cone_place { ON_POINT, ON_LINE, IN_CELL };
 
 // The coordinates of a cone are integers or not in all charts alike, where these differ by
 // integers.
-inline Cone_place cone_place(const Chart_mesh& mesh, const std::size_t vertex)
+template <typename Group>
+Cone_place cone_place(const Basic_chart_mesh<Group>& mesh, const std::size_t vertex)
 {
-  const Uv& u = mesh.uv(mesh.corner_at_vertex[vertex]);
-  const int n = int(u[0] == std::round(u[0])) + int(u[1] == std::round(u[1]));
-  return n == 2 ? Cone_place::ON_POINT : n == 1 ? Cone_place::ON_LINE : Cone_place::IN_CELL;
+  int lines = 0;
+  for(int c = 0; c < Group::number_of_functionals; ++c)
+    lines +=
+      is_integer(mesh.component(mesh.corner_at_vertex[vertex], std::size_t(c))) ? 1 : 0;
+  return lines > 1 ? Cone_place::ON_POINT : lines == 1 ? Cone_place::ON_LINE : Cone_place::IN_CELL;
 }
 
 // Half-integers, both.

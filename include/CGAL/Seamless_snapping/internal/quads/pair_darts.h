@@ -16,8 +16,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // All darts and their twins. Which darts are traced does not depend on the number of threads: first
-// those in the directions +u and +v of their own charts, which in a single chart is one of each
-// pair; then those whose twin has not been found this way.
+// those in the first half of the directions of their own charts, which in a single chart is one of
+// each pair; then those whose twin has not been found this way.
 
 #include <CGAL/Seamless_snapping/internal/quads/Dart_tracer.h>
 
@@ -57,19 +57,19 @@ inline bool complete_twins(Grid_darts& darts)
   return true;
 }
 
-template <typename ConcurrencyTag>
-Dart_failure pair_darts(const Chart_mesh& mesh, const Lattice_points& points,
+template <typename ConcurrencyTag, typename Group>
+Dart_failure pair_darts(const Basic_chart_mesh<Group>& mesh, const Lattice_points& points,
                         const std::vector<char>& is_feature, Grid_darts& darts)
 {
   const std::vector<Chunk> chunks = chunks_of(points.size());
   std::vector<Dart_failure> failures(chunks.size());
   for(const bool is_first_round : {true, false}) {
     for_each_chunk<ConcurrencyTag>(chunks, [&](const Chunk& chunk) {
-      Dart_tracer tracer(mesh, points, darts, is_feature);
+      Basic_dart_tracer<Group> tracer(mesh, points, darts, is_feature);
       for(std::size_t p = chunk.begin; p < chunk.end; ++p)
         for(std::size_t k = 0; k < darts.degree(p); ++k) {
           const std::size_t d = darts.first(p) + k;
-          if(is_first_round ? k > 1 : darts.twins[d] != untraced_dart)
+          if(is_first_round ? k >= std::size_t(Group::order / 2) : darts.twins[d] != untraced_dart)
             continue;
           darts.twins[d] = tracer.trace(p, int(k));
           if(tracer.ran_along_feature())

@@ -49,7 +49,8 @@ inline double area_near(const Uv& a, const Uv& b, const Uv& c)
                                        {Exact_rational(w[0] - u[0]), Exact_rational(w[1] - u[1])}));
 }
 
-inline Weights weights(const Chart_mesh& mesh, const Lattice_point& p)
+template <typename Group>
+Weights weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
 {
   Weights result{};
   const std::size_t corner = std::size_t(p.corner % 3);
@@ -58,7 +59,7 @@ inline Weights weights(const Chart_mesh& mesh, const Lattice_point& p)
     result[corner] = 1;
     return result;
   case Lattice_place::EDGE: {
-    const Uv &a = mesh.uv(Chart_mesh::prev(p.corner)), &b = mesh.uv(p.corner);
+    const Uv &a = mesh.uv(mesh.prev(p.corner)), &b = mesh.uv(p.corner);
     const std::size_t c = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
     result[corner] = (p.uv[c] - a[c]) / (b[c] - a[c]);
     result[(corner + 2) % 3] = (b[c] - p.uv[c]) / (b[c] - a[c]);

@@ -19,6 +19,7 @@
 // computed in floating point, with a bound of the error; where that leaves a doubt, the exact
 // orientation decides.
 
+#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <algorithm>
@@ -36,12 +37,21 @@ namespace internal {
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
 
 inline bool is_integer(const double x) { return static_cast<double>(std::int64_t(x)) == x; }
+inline bool is_integer(const Exact_difference& x)
+{
+  return x.error == 0 && x.rounded == std::round(x.rounded);
+}
 inline bool is_lattice_point(const Uv& u) { return is_integer(u[0]) && is_integer(u[1]); }
 
 inline std::int64_t floor_integer(const double x)
 {
   const std::int64_t i = std::int64_t(x);
   return i - std::int64_t(static_cast<double>(i) > x);
+}
+inline std::int64_t floor_integer(const Exact_difference& x)
+{
+  const std::int64_t i = floor_integer(x.rounded);
+  return i - std::int64_t(x.error < 0 && static_cast<double>(i) == x.rounded);
 }
 inline std::int64_t ceil_integer(const double x) { return -floor_integer(-x); }
 

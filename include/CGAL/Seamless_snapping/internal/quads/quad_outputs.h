@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,17 +39,18 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename ConcurrencyTag>
-bool is_face_graph(Quad_extractor& extractor, const Cell_vertices& vertices)
+template <typename ConcurrencyTag, typename Group>
+bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertices)
 {
   const std::size_t v = vertex_with_double_edges<ConcurrencyTag>(extractor.complex(), vertices);
   if(v == vertices.size())
     return true;
   extractor.report().status = Extraction_status::NO_FACE_GRAPH;
   extractor.report().message =
-    "the quads around point " + std::to_string(v) + " of the grid meet themselves, or each other "
-    "twice, which no face graph can hold; scale the map up by grid_scale, or call "
-    "extract_quad_soup()";
+    "the " + std::string(Cell_shape<Group>::plural()) + " around point " + std::to_string(v) +
+    " of the grid meet themselves, or each other twice, which no face graph can hold; scale the "
+    "map up by grid_scale, or call " +
+    (Cell_shape<Group>::is_square ? "extract_quad_soup()" : "extract_triangle_soup()");
   return false;
 }
 
@@ -61,8 +63,8 @@ class Quad_mesh_output
 public:
   Quad_mesh_output(QuadMesh& quads, const NamedParameters& np) : m_quads(quads), m_np(np) { }
 
-  template <typename ConcurrencyTag, typename Embedding>
-  void locate(const Quad_extractor& extractor, const Embedding& embedding)
+  template <typename ConcurrencyTag, typename Group, typename Embedding>
+  void locate(const Cell_extractor<Group>& extractor, const Embedding& embedding)
   {
     const Quad_complex& complex = extractor.complex();
     m_places = embedding.template places<ConcurrencyTag>(complex.points);
@@ -76,8 +78,8 @@ public:
         m_cones.push_back(cone_index(extractor.mesh(), complex, p));
   }
 
-  template <typename ConcurrencyTag>
-  void write(Quad_extractor& extractor)
+  template <typename ConcurrencyTag, typename Group>
+  void write(Cell_extractor<Group>& extractor)
   {
     const Quad_complex& complex = extractor.complex();
     const auto vertices =
@@ -154,7 +156,7 @@ struct Is_array : public std::false_type
 template <typename Index, std::size_t n>
 struct Is_array<std::array<Index, n> > : public std::true_type
 {
-  static_assert(n == 4, "quads have four corners");
+  static_assert(n == 3 || n == 4, "the cells are triangles or quads");
 };
 
 // The corners of a cell, from the index of the first vertex on.
@@ -166,23 +168,30 @@ Polygon polygon(const Quad_complex& complex, const Cell_vertices& vertices, cons
   complex.cells.for_darts(cell, [&](const std::size_t d)
                           { corners.push_back(first + vertices.vertex(d)); });
   if constexpr(Is_array<Polygon>::value) {
-    using Index = typename Polygon::value_type;
-    return {Index(corners[0]), Index(corners[1]), Index(corners[2]), Index(corners[3])};
+    Polygon result{};
+    for(std::size_t k = 0; k < result.size(); ++k)
+      result[k] = typename Polygon::value_type(corners[k]);
+    return result;
   } else {
     return Polygon(corners.begin(), corners.end());
   }
 }
 
 // Whether all cells can be stored as polygons of this type.
-template <typename Polygon>
+template <typename Polygon, typename Group>
 bool fits(Extraction_report& report)
 {
+  using Shape = Cell_shape<Group>;
+  if constexpr(Is_array<Polygon>::value)
+    static_assert(std::tuple_size<Polygon>::value == std::size_t(Shape::number_of_corners),
+                  "quads have four corners, triangles three");
   if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
     return true;
   report.status = Extraction_status::NOT_INTEGER;
   report.message = std::to_string(report.number_of_other_polygons) +
-                   " cells around cones are no quads, which arrays of four indices can't hold; "
-                   "double the map, grid_scale(2), if the cones are half-integers, or use "
+                   " cells around cones are no " + Shape::plural() + ", which arrays of " +
+                   std::to_string(Shape::number_of_corners) + " indices can't hold; double the "
+                   "map, grid_scale(2), if the cones are half-integers, or use "
                    "std::vector<std::size_t> for polygons";
   return false;
 }
@@ -196,18 +205,18 @@ public:
     : m_points(points), m_polygons(polygons)
   { }
 
-  template <typename ConcurrencyTag, typename Embedding>
-  void locate(const Quad_extractor& extractor, const Embedding& embedding)
+  template <typename ConcurrencyTag, typename Group, typename Embedding>
+  void locate(const Cell_extractor<Group>& extractor, const Embedding& embedding)
   {
     m_places = embedding.template places<ConcurrencyTag>(extractor.complex().points);
   }
 
-  template <typename ConcurrencyTag>
-  void write(Quad_extractor& extractor)
+  template <typename ConcurrencyTag, typename Group>
+  void write(Cell_extractor<Group>& extractor)
   {
     using Polygon = typename PolygonRange::value_type;
     const Quad_complex& complex = extractor.complex();
-    if(!fits<Polygon>(extractor.report()))
+    if(!fits<Polygon, Group>(extractor.report()))
       return;
     const auto vertices =
       Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts, complex.cells);

@@ -122,12 +122,14 @@ auto make_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
   return Grid_embedding<TriangleMesh, VertexPointMap, Locate>(tmesh, point_map, locate);
 }
 
-// The index of the cone at a point, in quarter turns; 0 where there is none.
-inline int cone_index(const Chart_mesh& mesh, const Quad_complex& complex, const std::size_t p)
+// The index of the cone at a point, in turns of the group; 0 where there is none.
+template <typename Group>
+int cone_index(const Basic_chart_mesh<Group>& mesh, const Quad_complex& complex,
+               const std::size_t p)
 {
   const Lattice_point& point = complex.points[p];
   return point.place == Lattice_place::VERTEX && mesh.is_singular[mesh.vertex(point.corner)]
-           ? 4 - int(complex.darts.degree(p)) : 0;
+           ? Group::order - int(complex.darts.degree(p)) : 0;
 }
 
 // The cells for `Cell_writer`.

@@ -119,7 +119,24 @@ void mark_singular_vertices(Basic_chart_mesh<Group>& mesh)
   });
 }
 
-// Sets the transition across a halfedge whose rotation is known.
+// The transition across a halfedge whose rotation is known.
+template <typename Group>
+Basic_chart_transition<Group> make_transition(const Basic_chart_mesh<Group>& mesh,
+                                              const Corner_index h,
+                                              const typename Group::Element rotation)
+{
+  const auto translation = [&](const int c) {
+    const Signed_functional here = Group::act(Group::inverse(rotation), c);
+    return offset<Group>(mesh.component(mesh.prev(h), std::size_t(here.index)), here.sign,
+                         mesh.component(mesh.opposite(h), std::size_t(c)));
+  };
+  if constexpr(Group::number_of_functionals == 2)
+    return {rotation, {{translation(0), translation(1)}}};
+  else
+    return {rotation, {{translation(0), translation(1), translation(2)}}};
+}
+
+// Sets it, unless the coordinates are the same on both sides.
 template <typename Group>
 void add_transition(Basic_chart_mesh<Group>& mesh, const Corner_index h,
                     const typename Group::Element rotation)
@@ -129,21 +146,9 @@ void add_transition(Basic_chart_mesh<Group>& mesh, const Corner_index h,
   if(rotation == Group::identity() && mesh.uv(h) == mesh.uv(mesh.prev(g)) &&
      mesh.uv(p) == mesh.uv(g))
     return;
-  const auto translation = [&](const int c) {
-    const Signed_functional here = Group::act(Group::inverse(rotation), c);
-    return offset<Group>(mesh.component(p, std::size_t(here.index)), here.sign,
-                         mesh.component(g, std::size_t(c)));
-  };
   mesh.corners[std::size_t(h)].transition = std::int32_t(mesh.transitions.size());
-  if constexpr(Group::number_of_functionals == 2)
-    mesh.transitions.push_back({rotation, {{translation(0), translation(1)}}});
-  else
-    mesh.transitions.push_back({rotation, {{translation(0), translation(1), translation(2)}}});
+  mesh.transitions.push_back(make_transition(mesh, h, rotation));
 }
-
-// For what knows of four directions only.
-template <typename SeamTransitions>
-constexpr bool has_four_directions = Ray_group<SeamTransitions::order>::order == 4;
 
 // The connectivity and the coordinates. Vertices with several fans of faces do no harm here: the
 // border keeps their fans apart.

@@ -28,10 +28,13 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+template <typename Group>
 class Fan_splitter
 {
 public:
-  explicit Fan_splitter(Chart_mesh& mesh) : m_mesh(mesh), m_is_done(mesh.corners.size(), false) { }
+  explicit Fan_splitter(Basic_chart_mesh<Group>& mesh)
+    : m_mesh(mesh), m_is_done(mesh.corners.size(), false)
+  { }
 
   void run()
   {
@@ -66,15 +69,18 @@ private:
     });
   }
 
-  Chart_mesh& m_mesh;
+  Basic_chart_mesh<Group>& m_mesh;
   std::vector<char> m_is_done; // per corner
 };
 
+template <typename Group>
 class Face_remover
 {
+  using Mesh = Basic_chart_mesh<Group>;
+
 public:
   // `faces` in ascending order.
-  Face_remover(const Chart_mesh& mesh, const std::vector<std::size_t>& faces)
+  Face_remover(const Mesh& mesh, const std::vector<std::size_t>& faces)
     : m_original(mesh), m_new_index(mesh.corners.size() / 3, 0)
   {
     for(const std::size_t f : faces)
@@ -89,9 +95,9 @@ public:
   // The faces that are left, by their former numbers.
   const std::vector<std::int32_t>& kept() const { return m_kept; }
 
-  Chart_mesh run() const
+  Mesh run() const
   {
-    Chart_mesh mesh = m_original;
+    Mesh mesh = m_original;
     for(std::size_t i = 0; i < m_original.corners.size(); ++i)
       if(m_new_index[i / 3] == no_index)
         mesh.is_border[m_original.vertex(Corner_index(i))] = true;
@@ -105,7 +111,7 @@ public:
     }
     for(Corner_index& h : mesh.corner_at_vertex)
       h = new_corner(h);
-    Fan_splitter(mesh).run();
+    Fan_splitter<Group>(mesh).run();
     return mesh;
   }
 
@@ -116,7 +122,7 @@ private:
     return f == no_index ? no_index : 3 * f + h % 3;
   }
 
-  const Chart_mesh& m_original;
+  const Mesh& m_original;
   std::vector<std::int32_t> m_new_index; // per face
   std::vector<std::int32_t> m_kept;
 };
