@@ -1,9 +1,12 @@
 // From a mesh to exactly seamless parametrizations: computes the four types of orbifold Tutte
 // embeddings of a sphere, which are seamless up to rounding, and snaps them. Each type has a
-// rotational symmetry of its own. Writes them as OBJ files to a folder, if one is given.
+// rotational symmetry of its own. In the end, makes a mesh of nearly equilateral triangles from one
+// of them. Writes them as OBJ and OFF files to a folder, if one is given.
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/Rotational_symmetry.h>
+#include <CGAL/Seamless_snapping/extract_triangle_mesh.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -12,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
+#include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/subdivision_method_3.h>
@@ -122,6 +126,24 @@ bool snap(const Mesh& mesh, UV_map uv_map)
   return report && Snapping::is_seamless(mesh, uv_map, np);
 }
 
+// The isocurves of integer levels of u, v, and u + v, as a mesh of about so many triangles.
+bool extract_triangles(const Mesh& mesh, UV_map uv_map, double number, Mesh& triangles)
+{
+  Snapping::convert_to_lattice_coordinates(mesh, uv_map);
+  const auto np = Snapping::parameters::rotational_symmetry(Snapping::Rotational_symmetry<6>());
+  const double area = Snapping::measure_integer_grid(mesh, uv_map, np).area;
+  const auto snapped = Snapping::snap_to_seamless(
+    mesh, uv_map,
+    np.integer_grid(true).grid_scale(std::sqrt(number / (2 * area))).rounding_tolerance(10.));
+  std::cout << "  " << snapped << ", rounded by up to " << snapped.largest_rounding << "\n";
+  const auto extracted = Snapping::extract_triangle_mesh(mesh, uv_map, triangles, np);
+  std::cout << "  " << extracted << ", " << extracted.number_of_faces << " triangles\n";
+  for(Vertex v : vertices(triangles))
+    if(degree(v, triangles) != 6)
+      std::cout << "  a vertex of valence " << degree(v, triangles) << "\n";
+  return bool(extracted);
+}
+
 int main(int argc, char* argv[])
 {
   Mesh mesh = make_sphere();
@@ -152,5 +174,11 @@ int main(int argc, char* argv[])
   std::cout << "Parallelogram, with four cones" << std::endl;
   all = parameterize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) &&
         write("parallelogram") && all;
+
+  // Rotations by 180 degrees are some of those by 60 degrees.
+  Mesh triangles;
+  all = extract_triangles(mesh, uv_map, 2000, triangles) && all;
+  if(argc > 1)
+    all = CGAL::IO::write_OFF(std::string(argv[1]) + "/triangles.off", triangles) && all;
   return all ? EXIT_SUCCESS : EXIT_FAILURE;
 }

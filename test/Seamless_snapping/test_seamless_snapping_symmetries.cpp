@@ -2,7 +2,8 @@
 // by code that shares nothing with the package, and keep their cuts, cones, and orientations; all
 // kinds of constraints hold; results are as close as can be, and the same in all charts; a wrong
 // symmetry is refused, and the right one named. Isocurves are traced as rationals say, along all
-// directions, from vertices, edges, and faces.
+// directions, from vertices, edges, and faces; and integer-grid maps give the triangles that they
+// were made of.
 
 #include "checking.h"
 #include "exact_reference.h"
@@ -13,6 +14,7 @@
 #include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_checks.h"
+#include "triangle_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/Rotational_symmetry.h>
@@ -42,11 +44,7 @@ namespace SS = CGAL::Seamless_snapping;
 namespace internal = SS::internal;
 using namespace hexagonal_maps;
 
-template <int N>
-auto symmetry()
-{
-  return SS::parameters::rotational_symmetry(SS::Rotational_symmetry<N>());
-}
+using triangle_checks::symmetry;
 
 std::vector<Kernel::Point_2> all_points(const Mesh& mesh, const UV_map uv)
 {
@@ -681,6 +679,9 @@ void test_integer_grid(Mesh mesh, const std::string& name)
                (measure.number_of_nonpositive_faces == 0) == report.lost_faces.empty());
       if(report.lost_faces.empty()) // around folds, the angle of a regular vertex is another one
         CHECK_IN(context, bool(measure) && measure.cone_distance == 0);
+      if(report.lost_faces.empty() && (aligns || CGAL::is_closed(mesh)))
+        triangle_checks::check_snapped(mesh, uv, triangle_checks::valences_of_cones(mesh),
+                                       symmetric, context);
       // as large as asked for, up to the rounding
       const double area = scale * scale * double(mesh.number_of_faces()) / 2;
       CHECK_IN(context, std::abs(measure.area / area - 1) < (scale == 1 ? 1e-5 : 0.5));
@@ -1029,6 +1030,12 @@ void test_data_file()
   const SS::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
   CHECK(tracer.separatrices().empty());
   std::cout << path.filename() << check_isocurves<6>(tracer, mesh, uv, 10, "data") << std::endl;
+  for(const double scale : {1., 2.}) {
+    const auto integers = SS::snap_to_seamless(
+      mesh, uv, symmetry<6>().integer_grid(true).grid_scale(scale).rounding_tolerance(1));
+    CHECK_IN(integers.message, bool(integers));
+    triangle_checks::check_snapped(mesh, uv, {}, symmetry<6>(), "data");
+  }
 }
 
 int main()
@@ -1073,5 +1080,6 @@ int main()
   test_conversion();
   test_wrong_symmetries();
   test_data_file();
+  triangle_checks::test_triangles();
   return report_checks();
 }

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// How the extraction of quads ends.
+// How the extraction of quads or triangles ends.
 
 #include <cstddef>
 #include <ostream>
@@ -32,7 +32,7 @@ The outcome of an extraction. After any other than `EXTRACTED` the output is unt
 */
 enum class Extraction_status
 {
-  EXTRACTED,        ///< the quads were written, and all checks held
+  EXTRACTED,        ///< the result was written, and all checks held
   INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
   INVALID_ARGUMENT, ///< a scale that is not positive and finite, and the like
   NOT_TRIANGULAR,   ///< a face of the input is not a triangle
@@ -40,9 +40,9 @@ enum class Extraction_status
   NOT_SEAMLESS,     ///< the map is not exactly seamless
   NOT_INTEGER,      ///< a translation or a cone is not where an integer-grid map has it
   NOT_POSITIVE,     ///< faces are flipped or degenerate in the domain
-  TOO_LARGE,        ///< there are more quads than allowed, or coordinates too large to count units
+  TOO_LARGE,        ///< there are more cells than allowed, or coordinates too large to count units
   TOO_COARSE,       ///< parts of the surface are too small for the grid to enclose them by cells
-  NO_FACE_GRAPH,    ///< the quads form no face graph: they have loops or double edges
+  NO_FACE_GRAPH,    ///< the cells form no face graph: they have loops or double edges
   INTERNAL_ERROR    ///< the result failed its own exact verification and was discarded
 };
 
@@ -72,8 +72,8 @@ inline const char* to_string(const Extraction_status status)
 /*!
 \ingroup PkgSeamlessSnappingQuads
 
-What `extract_quad_mesh()` and `extract_quad_soup()` return. Converts to `bool`: `true` if and only
-if the quads were written.
+What `extract_quad_mesh()`, `extract_quad_soup()`, `extract_triangle_mesh()`, and
+`extract_triangle_soup()` return. Converts to `bool`: `true` if and only if the result was written.
 */
 struct Extraction_report
 {
@@ -85,7 +85,7 @@ struct Extraction_report
   std::size_t number_of_vertices = 0; ///< vertices that were written
   std::size_t number_of_faces = 0;    ///< faces that were written
   /// those of them that are no quads: \f$ (4 - i) \f$-gons around cones of index \f$ i \f$ that lie
-  /// between the lines of the grid
+  /// between the lines of the grid; or that are no triangles, around such cones
   std::size_t number_of_other_polygons = 0;
   /// pieces of cells that the border cuts off, or holes; they were left out
   std::size_t number_of_cut_cells = 0;
@@ -93,7 +93,7 @@ struct Extraction_report
 
   /// \name Input
   /// @{
-  double area = 0;                  ///< of all faces, in units of one quad
+  double area = 0;                  ///< of all faces, in units of one quad or one triangle
   std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
   std::size_t number_of_cones_in_cells = 0; ///< those that lie between the lines of the grid
   /// border edges that lie on no line of the grid, or lead to the end of a slit that is no point of
@@ -106,7 +106,7 @@ struct Extraction_report
   std::vector<std::size_t> nonpositive_faces;
   /// @}
 
-  /// returns `true` if and only if the quads were written.
+  /// returns `true` if and only if the result was written.
   explicit operator bool() const { return status == Extraction_status::EXTRACTED; }
 };
 
