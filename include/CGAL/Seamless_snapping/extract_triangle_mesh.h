@@ -122,8 +122,8 @@ threads. Nothing is written unless the extraction succeeds.
     \cgalParamExtra{More than \f$ 2^{28} \f$ triangles are always refused.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges. Those on lines of the lattice become edges of the
-                          result.}
+    \cgalParamDescription{the feature edges. Those on lines of the lattice become edges of
+                          triangles.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -132,8 +132,8 @@ threads. Nothing is written unless the extraction succeeds.
   \cgalParamNBegin{repair_flips}
     \cgalParamDescription{whether faces that are flipped or degenerate in the domain are repaired
                           first where that is possible near by, as by `snap_to_seamless()`: on a
-                          copy of the map. Integers, and features and borders on lines of the lattice,
-                          stay where they are.}
+                          copy of the map. Integers, and features and borders on lines of the
+                          lattice, stay where they are.}
     \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
