@@ -558,10 +558,9 @@ void test_closeness()
 }
 
 // Systems with hundreds of cones of 120 degrees, or 60: each leaves a coefficient of 3, or none.
-// Thousands of the former leave rows with large coefficients, which amplify the rounding to the
-// grid, so that the solution is exact, but not as close.
+// Pivots without regard to these leave some of 10^10, which amplify the rounding to the grid.
 template <int N>
-void test_large_system(const unsigned int times, const double closeness = 1.01)
+void test_large_system(const unsigned int times)
 {
   const std::string context = "large system, N = " + std::to_string(N);
   auto complex = random_complexes::net_of_cuts<N>(subdivided(icosahedron(), times), 1);
@@ -574,7 +573,7 @@ void test_large_system(const unsigned int times, const double closeness = 1.01)
   std::mt19937 random(1);
   for(Vector& u : complex.coordinates)
     for(double& x : u)
-      x += std::ldexp(int(random() % 2001) - 1000, -30);
+      x += std::ldexp(int(random() % 2001) - 1000, -36); // up to 1.5e-8
   CHECK_IN(context, !random_complexes::is_solution<N>(complex, complex.coordinates));
   Solver solver(complex, format);
   CHECK_IN(context, !solver.solve(snapped));
@@ -586,9 +585,10 @@ void test_large_system(const unsigned int times, const double closeness = 1.01)
     squares += a * a + a * b + b * b;
   }
   const double ratio = std::sqrt(squares / snapped.optimal_squares) / snapped.unit;
-  CHECK_IN(context, ratio > 0.99999 && ratio < closeness);
+  CHECK_IN(context, ratio > 0.99999 && ratio < 1.0001);
   const auto& figures = solver.linear_solver().figures();
   CHECK_EQUAL(figures.number_of_eliminations, 1u);
+  CHECK_IN(context, figures.largest_coefficient < 100);
   std::cout << context << ": " << figures.number_of_constraints << " rows in "
             << figures.number_of_unknowns << " unknowns, " << ratio << " times the optimum"
             << std::endl;
@@ -1063,7 +1063,7 @@ int main()
   test_cycles();
   test_turned_maps();
   test_large_system<3>(3);
-  test_large_system<3>(4, 2);
+  test_large_system<3>(4);
   test_large_system<6>(4);
   test_closeness<3>();
   test_closeness<4>();

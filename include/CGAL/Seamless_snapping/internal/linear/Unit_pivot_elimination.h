@@ -18,8 +18,9 @@
 // Sparse exact elimination that pivots on coefficients +-1 only, and leaves the rows in echelon
 // order (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution).
 // What has no unit pivot left is handed on as the core. Pivots are chosen freely, always in a
-// shortest row and there in the column that the fewest other rows share: this keeps both the fill
-// and the coefficients small.
+// shortest row and there in the column that the fewest other rows share, or, where coefficients
+// would grow, that these hold with the smallest coefficients: this keeps both the fill and the
+// coefficients small.
 //
 // Columns that a single row holds, with coefficients unlike +-1, would pile up in ever longer rows:
 // each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one
@@ -177,6 +178,8 @@ private:
       m_states[std::size_t(i)] = CORE; // until another pivot changes it
       return;
     }
+    if(leaves_large_coefficients(i, *pivot))
+      pivot = gentlest_unit(i, pivot);
     const Row& pivot_row = row(i);
     m_states[std::size_t(i)] = DONE;
     m_pivots.push_back({i, pivot->column});
@@ -199,6 +202,53 @@ private:
         best_count = count;
         if(count == 1)
           break;
+      }
+    }
+    return best;
+  }
+
+  // Whether rows that hold the pivot's column would get coefficients above 4, about. Since columns
+  // are chosen freely, there is nearly always one that avoids it; without that, thousands of cones
+  // of 120 degrees, each with a coefficient of 3, leave some of 10^10, by which implied values
+  // multiply the rounding of the free ones.
+  bool leaves_large_coefficients(const Row_index i, const Entry<Integer>& pivot) const
+  {
+    if(m_largest_coefficient <= 2)
+      return false;
+    Integer largest(1);
+    for(const Entry<Integer>& e : row(i))
+      largest = (std::max)(largest, Integer(absolute_value(e.coefficient)));
+    return largest_elsewhere(i, pivot.column) > Integer(4) / largest;
+  }
+
+  // Of the coefficients of a column in other rows that still wait.
+  Integer largest_elsewhere(const Row_index i, const Column_index column) const
+  {
+    Integer largest(0);
+    m_columns.for_rows(column, [&](const Row_index j) {
+      const Entry<Integer>* const found =
+        j == i || m_states[std::size_t(j)] == DONE ? nullptr : find_entry(row(j), column);
+      if(found != nullptr)
+        largest = (std::max)(largest, Integer(absolute_value(found->coefficient)));
+    });
+    return largest;
+  }
+
+  // The unit whose column has the smallest coefficients in other rows; the rarest of these.
+  // \param rarest the one in the rarest column: others that are much less rare would cost more fill
+  const Entry<Integer>* gentlest_unit(const Row_index i, const Entry<Integer>* const rarest) const
+  {
+    const int most_rows = m_columns.count(rarest->column) + 2;
+    const Entry<Integer>* best = nullptr;
+    Integer smallest(0);
+    for(const Entry<Integer>& e : row(i)) {
+      if(!is_unit(e.coefficient) || m_columns.count(e.column) > most_rows)
+        continue;
+      const Integer largest = largest_elsewhere(i, e.column);
+      if(best == nullptr || largest < smallest ||
+         (largest == smallest && m_columns.count(e.column) < m_columns.count(best->column))) {
+        best = &e;
+        smallest = largest;
       }
     }
     return best;

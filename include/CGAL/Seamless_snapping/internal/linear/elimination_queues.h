@@ -95,6 +95,14 @@ public:
 
   int count(const Column_index column) const { return m_count[std::size_t(column)]; }
 
+  // Calls f(row) for the list of `column`.
+  template <typename Function>
+  void for_rows(const Column_index column, const Function& f) const
+  {
+    for(std::int32_t i = m_head[std::size_t(column)]; i >= 0; i = m_nodes[std::size_t(i)].next)
+      f(m_nodes[std::size_t(i)].row);
+  }
+
   // Moves the list of `column` to `rows`.
   void take(const Column_index column, std::vector<Row_index>& rows)
   {
