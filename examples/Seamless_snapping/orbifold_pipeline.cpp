@@ -1,7 +1,7 @@
 // From a mesh to exactly seamless parametrizations: computes the four types of orbifold Tutte
 // embeddings of a sphere, which are seamless up to rounding, and snaps them. Each type has a
-// rotational symmetry of its own. In the end, makes a mesh of nearly equilateral triangles from one
-// of them. Writes them as OBJ and OFF files to a folder, if one is given.
+// rotational symmetry of its own. In the end, makes a mesh of triangles, nearly all of valence six,
+// from one of them. Writes them as OBJ and OFF files to a folder, if one is given.
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/Rotational_symmetry.h>

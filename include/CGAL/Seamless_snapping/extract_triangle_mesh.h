@@ -52,8 +52,8 @@ auto with_six_directions(const NamedParameters& np)
 extracts the triangle mesh that an exactly seamless integer-grid map in lattice coordinates
 describes, as `snap_to_seamless()` makes them with `integer_grid(true)` and `rotational_symmetry` of
 order 6 or 3: its vertices are the points of the surface with integer coordinates, its edges the
-pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. Where the lattice is
-drawn with triangles of equal sides, they are nearly equilateral.
+pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. Where the map
+preserves angles, the triangles are nearly equilateral.
 
 If the map is exactly seamless with integer translations, all cones have integer coordinates, border
 edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
@@ -71,8 +71,8 @@ Beyond that:
 - Where the border does not lie on lines of the lattice, the result consists of the triangles that
   the border leaves whole; the others are counted.
 - Connected parts of the surface do not concern each other.
-- A result with loops or double edges, as coarse lattices have them, is no face graph, and refused;
-  `extract_triangle_soup()` gives it.
+- A result with loops or double edges, as coarse lattices have them, and cones of 60 and 120
+  degrees, is no face graph, and refused; `extract_triangle_soup()` gives it.
 
 The result is added to what is in `triangles`. It is the same, to the bit, for any number of
 threads. Nothing is written unless the extraction succeeds.
