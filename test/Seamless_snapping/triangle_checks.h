@@ -86,8 +86,8 @@ inline void unfold_from_first(const Mesh& mesh, UV_map uv)
       uv[h] = moved(uv[h], back);
 }
 
-// Moves all inner vertices but cones a little along lines of the lattice, which go on to meet them, in
-// coordinates that fill a number, so that sums of two don't fit.
+// Moves all inner vertices but cones a little along lines of the lattice, which go on to meet them,
+// in coordinates that fill a number, so that sums of two don't fit.
 template <int N>
 void creep(const Mesh& mesh, UV_map uv, std::mt19937& random)
 {
