@@ -11,7 +11,10 @@
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/Polyhedron_3.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -584,6 +587,62 @@ void test_remeshing()
   CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
+// No map aligns three sides of a triangle, as all of these edges are features or border.
+template <typename Quad_mesh>
+void check_aligned_triangles(const std::vector<Point_3>& points,
+                          const std::vector<std::array<Mesh::size_type, 3> >& triangles)
+{
+  Mesh mesh;
+  for(const Point_3& p : points)
+    mesh.add_vertex(p);
+  for(const auto& t : triangles)
+    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
+  Quad_mesh quads;
+  const SS::Remeshing_report report = SS::quad_remesh(
+    mesh, quads, parameters::edge_is_constrained_map(is_feature).target_number_of_quads(300));
+  CHECK_IN(report.message, bool(report));
+  CHECK(CGAL::is_valid_polygon_mesh(quads));
+  CHECK_EQUAL(faces(quads).size(), report.number_of_quads);
+  const auto point_map = get(CGAL::vertex_point, quads);
+  std::set<Point_3> corners;
+  for(const auto v : vertices(quads))
+    corners.insert(get(point_map, v));
+  for(const Point_3& p : points)
+    CHECK(corners.count(p) == 1 || report.number_of_released_edges > 0);
+  // As long in both meshes: where two quads meet at an angle, or at the border.
+  double length = 0, expected = 0;
+  for(const auto e : edges(mesh))
+    expected += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
+                                                 mesh.point(mesh.vertex(e, 1))));
+  const auto is_on_edge = [&](const Point_3& p, const auto e) {
+    const Point_3 &a = mesh.point(mesh.vertex(e, 0)), &b = mesh.point(mesh.vertex(e, 1));
+    return CGAL::squared_distance(p, Kernel::Segment_3(a, b)) <
+           1e-20 * CGAL::squared_distance(a, b);
+  };
+  for(const auto f : edges(quads)) {
+    const auto p = get(point_map, source(f, quads)), q = get(point_map, target(f, quads));
+    for(const auto e : edges(mesh))
+      if(is_on_edge(p, e) && is_on_edge(q, e))
+        length += std::sqrt(CGAL::squared_distance(p, q));
+  }
+  CHECK(report.number_of_released_edges > 0 || std::abs(length - expected) < 1e-9 * expected);
+  CHECK(report.number_of_released_edges == 0 || triangles.size() > 1);
+}
+
+void test_triangles()
+{
+  const Point_3 a(0, 0, 0);
+  const std::vector<std::array<Mesh::size_type, 3> > one{{{0, 1, 2}}};
+  for(const Point_3& c : {Point_3(0, 1, 0), Point_3(0.5, 0.9, 0), Point_3(2, 1, 0),
+                          Point_3(0.5, 0.29, 0), Point_3(0.1, 8, 3)})
+    check_aligned_triangles<Mesh>({a, Point_3(1, 0, 0), c}, one);
+  for(const Point_3& d : {Point_3(0, 0, 1), Point_3(0.3, 0.4, 0.3), Point_3(2, 2, 3)})
+    check_aligned_triangles<CGAL::Polyhedron_3<Kernel> >(
+      {a, Point_3(1, 0, 0), Point_3(0, 1, 0), d},
+      {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}});
+}
+
 // --- refusals ------------------------------------------------------------------------------------
 
 void check_refusal(const Grid_map& map, const Status status, const std::string& word,
@@ -643,6 +702,7 @@ int main()
   test_optimum();
   test_maps();
   test_remeshing();
+  test_triangles();
   test_refusals();
   return report_checks();
 }

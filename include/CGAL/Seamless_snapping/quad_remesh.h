@@ -19,12 +19,12 @@
 
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 #include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -102,7 +102,7 @@ struct Remeshing_report
   /// @{
   /// faces that were flipped in the approximate parametrization
   std::size_t number_of_flipped_faces = 0;
-  /// feature edges that are not kept, as faces would be flipped at them
+  /// feature edges, or parts of them, that are not kept, as faces would be flipped at them
   std::size_t number_of_released_edges = 0;
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;
@@ -146,24 +146,51 @@ std::size_t close_folds(QuadMesh& quads)
   return holes.size();
 }
 
-// Invariant: `m_report` tells why the last step failed, if it did.
+struct Remeshing_options
+{
+  Quantization_options quantization;
+  double curvature_alignment;
+  std::size_t number_of_smoothing_rounds;
+  bool verbose;
+};
+
 template <typename TriangleMesh, typename NamedParameters>
+Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return {quantization_options(tmesh, np),
+          static_cast<double>(
+            choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.)),
+          static_cast<std::size_t>(
+            choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5)),
+          choose_parameter(get_parameter(np, internal_np::verbose), false)};
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  return Surface_to_remesh(
+    tmesh,
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                     CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
+    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                     CGAL::Static_boolean_property_map<Edge, false>()));
+}
+
+// Invariant: `m_report` tells why the last step failed, if it did.
 class Quad_remesher
 {
-  using Uv_point = CGAL::Simple_cartesian<double>::Point_2;
-  using Uv_map = typename boost::property_map<
-    TriangleMesh, CGAL::dynamic_halfedge_property_t<Uv_point> >::const_type;
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using Feature_map = typename boost::property_map<
-    TriangleMesh, CGAL::dynamic_edge_property_t<bool> >::const_type;
+  using Mesh = Surface_to_remesh::Mesh;
 
 public:
+  template <typename TriangleMesh, typename NamedParameters>
   Quad_remesher(const TriangleMesh& tmesh, const NamedParameters& np)
-    : m_tmesh(tmesh), m_np(np), m_uv_map(get(CGAL::dynamic_halfedge_property_t<Uv_point>(), tmesh)),
-      m_feature_map(get(CGAL::dynamic_edge_property_t<bool>(), tmesh)),
-      m_options(quantization_options(tmesh, np)),
-      m_timer(m_report, CGAL::parameters::choose_parameter(
-                          CGAL::parameters::get_parameter(np, internal_np::verbose), false))
+    : m_surface(surface_to_remesh(tmesh, np)), m_options(remeshing_options(tmesh, np)),
+      m_timer(m_report, m_options.verbose)
   { }
 
   // Adds the quads to the mesh, if all steps succeed.
@@ -188,61 +215,42 @@ private:
     return false;
   }
 
-  auto surface_points() const
-  {
-    return CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::vertex_point),
-      CGAL::get_const_property_map(CGAL::vertex_point, m_tmesh));
-  }
+  const Mesh& mesh() const { return m_surface.mesh(); }
 
-  auto alignment() const
-  {
-    return parameters::edge_is_constrained_map(m_feature_map).align_border(true)
-                      .vertex_point_map(surface_points());
-  }
-
-  void read_features()
-  {
-    const auto is_feature = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::edge_is_constrained),
-      CGAL::Static_boolean_property_map<Edge, false>());
-    for(const Edge e : edges(m_tmesh))
-      put(m_feature_map, e, bool(get(is_feature, e)));
-  }
+  auto features() const { return parameters::edge_is_constrained_map(m_surface.is_feature()); }
 
   // From here on, edges that no field can follow without flips are not features.
   template <typename Edges>
   void release(const Edges& released)
   {
     for(const auto& [v, w] : released)
-      for(const auto h : CGAL::halfedges_around_target(w, m_tmesh))
-        if(source(h, m_tmesh) == v)
-          put(m_feature_map, edge(h, m_tmesh), false);
+      m_surface.is_feature()[mesh().edge(mesh().halfedge(v, w))] = false;
     m_report.number_of_released_edges = released.size();
   }
 
   // An exactly seamless map without flips.
   bool parametrize()
   {
-    read_features();
-    const double curvature = static_cast<double>(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::curvature_alignment), 0.));
     const auto made = approximate_seamless_parameterization(
-      m_tmesh, m_uv_map, alignment().curvature_alignment(curvature).release_alignment(true)
-                                    .largest_cone_index(largest_cone_index));
+      mesh(), m_surface.uv_map(),
+      features().align_border(true).curvature_alignment(m_options.curvature_alignment)
+                .release_alignment(true).largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)
       return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
     release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     const auto snapped =
-      snap_to_seamless(m_tmesh, m_uv_map, alignment().repair_flips(Flip_repair::UNTANGLE));
+      snap_to_seamless(mesh(), m_surface.uv_map(),
+                       features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
       return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
     m_report.remaining_flips = snapped.remaining_flips;
     m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
                                     snapped.lost_faces.end());
+    for(std::size_t& face : m_report.remaining_flips)
+      face = m_surface.original(face);
     if(!m_report.remaining_flips.empty())
       return fail(Remeshing_status::NOT_POSITIVE,
                   std::to_string(m_report.remaining_flips.size()) +
@@ -258,15 +266,15 @@ private:
   template <typename QuadMesh, typename FeatureMap>
   bool extract(QuadMesh& quads, const FeatureMap& is_feature)
   {
-    for(m_options.refinement = 1; m_options.refinement <= 4; m_options.refinement *= 2) {
+    Quantization_options options = m_options.quantization;
+    for(options.refinement = 1; options.refinement <= 4; options.refinement *= 2) {
       const Quantization quantization =
-        quantize_map(m_tmesh, m_uv_map, strip(parameters::edge_is_constrained_map(m_feature_map)),
-                     m_options);
+        quantize_map(mesh(), m_surface.uv_map(), strip(features()), options);
       m_timer.finish("quantization");
       if(!quantization)
         return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
       const Extraction_report extracted = extract_quads_of<CGAL::Sequential_tag>(
-        quantization, m_tmesh, quads, strip(parameters::vertex_point_map(surface_points())),
+        quantization, mesh(), quads, CGAL::parameters::default_values(),
         strip(parameters::edge_is_constrained_map(is_feature)), true);
       m_timer.finish("extraction");
       if(extracted) {
@@ -296,13 +304,8 @@ private:
           return true;
       return false;
     };
-    const auto surface_map = surface_points();
-    Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)>, TriangleMesh,
-                  std::decay_t<decltype(surface_map)> >
-      smoother(quads, point_map, m_tmesh, surface_map);
-    smoother.smooth(static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-                      CGAL::parameters::get_parameter(m_np, internal_np::number_of_iterations), 5)),
-                    is_held);
+    Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)> > smoother(quads, point_map, mesh());
+    smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     m_timer.finish("smoothing");
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
@@ -313,11 +316,8 @@ private:
 
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
-  const TriangleMesh& m_tmesh;
-  const NamedParameters& m_np;
-  Uv_map m_uv_map;
-  Feature_map m_feature_map;
-  Quantization_options m_options;
+  Surface_to_remesh m_surface;
+  Remeshing_options m_options;
   Remeshing_report m_report;
   Step_timer m_timer;
 };
@@ -332,7 +332,7 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 The steps are `approximate_seamless_parameterization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Borders are aligned, and
 so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
-smoothed.
+smoothed. Triangles with three sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -429,7 +429,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
   const auto& input = internal::strip(np1);
-  return internal::Quad_remesher<TriangleMesh, std::decay_t<decltype(input)> >(tmesh, input).run(
+  return internal::Quad_remesher(tmesh, input).run(
     quads, CGAL::parameters::choose_parameter(
              CGAL::parameters::get_parameter(internal::strip(np2), CGAL::internal_np::vertex_point),
              CGAL::get_property_map(CGAL::vertex_point, quads)));

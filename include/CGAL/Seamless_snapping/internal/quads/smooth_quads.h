@@ -18,6 +18,8 @@
 // Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
 // their neighbors; and measures the result. All of this is floating point.
 
+#include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/version_macros.h>
@@ -81,16 +83,15 @@ inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_
 }
 
 // Invariant: vertices that are held stay where they are, all others on the surface.
-template <typename QuadMesh, typename VertexPointMap, typename TriangleMesh,
-          typename TrianglePointMap>
+template <typename QuadMesh, typename VertexPointMap>
 class Quad_smoother
 {
   using Graph_traits = boost::graph_traits<QuadMesh>;
   using Vertex = typename Graph_traits::vertex_descriptor;
   using Face = typename Graph_traits::face_descriptor;
-  using Surface_point = typename boost::property_traits<TrianglePointMap>::value_type;
-  using Surface_kernel = typename CGAL::Kernel_traits<Surface_point>::Kernel;
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<TriangleMesh, TrianglePointMap>;
+  using Surface_kernel = Surface_to_remesh::Kernel;
+  using Surface_point = Surface_kernel::Point_3;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface_to_remesh::Mesh>;
 #if CGAL_VERSION_NR >= 1060000000
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Surface_kernel, Primitive> >;
 #else
@@ -99,10 +100,10 @@ class Quad_smoother
   using Quad = std::array<Space_vector, 4>;
 
 public:
-  Quad_smoother(const QuadMesh& quads, const VertexPointMap& point_map, const TriangleMesh& tmesh,
-                const TrianglePointMap& surface_point_map)
+  Quad_smoother(const QuadMesh& quads, const VertexPointMap& point_map,
+                const Surface_to_remesh::Mesh& surface)
     : m_quads(quads), m_point_map(point_map),
-      m_tree(faces(tmesh).begin(), faces(tmesh).end(), tmesh, surface_point_map)
+      m_tree(faces(surface).begin(), faces(surface).end(), surface)
   {
     m_tree.accelerate_distance_queries();
   }
@@ -179,9 +180,8 @@ private:
 
   Space_vector nearest(const Space_vector& p) const
   {
-    using FT = typename Surface_kernel::FT;
-    const Surface_point q = m_tree.closest_point(Surface_point(FT(p[0]), FT(p[1]), FT(p[2])));
-    return {CGAL::to_double(q.x()), CGAL::to_double(q.y()), CGAL::to_double(q.z())};
+    const Surface_point q = m_tree.closest_point(Surface_point(p[0], p[1], p[2]));
+    return {q.x(), q.y(), q.z()};
   }
 
   void move(const Vertex v)

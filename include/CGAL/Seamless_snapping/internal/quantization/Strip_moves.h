@@ -35,6 +35,13 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// So few that another search for more, which takes as long, is not worth it; none in small
+// complexes.
+inline std::size_t few_moves(const Intrinsic_complex& complex)
+{
+  return std::size_t(complex.number_of_faces() / 100);
+}
+
 // Invariant: no move makes a positive triangle otherwise; nor does it change the angle around a
 // vertex where all triangles are positive, since they stay positive all along the move.
 class Strip_moves
@@ -52,12 +59,13 @@ public:
     }
   }
 
-  // Moves that lower the sum of weighted squares of deviations, until there is none. Returns their
+  // Moves that lower the sum of weighted squares of deviations, until there are few. Returns their
   // number.
   std::size_t improve(const std::size_t most_rounds)
   {
-    std::size_t number = 0, before = 1;
-    for(std::size_t round = 0; round < most_rounds && number != before; ++round) {
+    std::size_t number = 0, before = 0;
+    for(std::size_t round = 0;
+        round < most_rounds && (round == 0 || number - before > few_moves(m_complex)); ++round) {
       before = number;
       for(const State s : improving_states())
         while(cost(s) < -least_gain && find_strip(s, -cost(s)) && apply(s, -least_gain))

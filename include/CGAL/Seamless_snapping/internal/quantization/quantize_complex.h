@@ -66,7 +66,7 @@ public:
   {
     const Unit_rounder rounder(m_complex, m_scales);
     for(growth = least_growth();; growth *= std::sqrt(2.)) {
-      if(rounder.round(m_scales, growth, m_complex) && repair())
+      if(rounder.round(m_scales, growth, m_complex) && is_repairable() && repair())
         return;
       if(is_as_fine_as_input()) {
         take_multiples_of_vectors();
@@ -169,9 +169,18 @@ private:
     for(int i = 0; i < 3; ++i) {
       const std::size_t moves = Strip_moves(m_complex, grown_scales()).improve(most_rounds);
       number_of_moves += moves;
-      if((moves == 0 && i > 0) || flip_edges() == 0)
+      if((moves <= few_moves(m_complex) && i > 0) || flip_edges() == 0)
         break;
     }
+  }
+
+  // Of many triangles, an eighth is the most that is worth trying.
+  bool is_repairable() const
+  {
+    Flat_face_index number = 0;
+    for(Flat_face_index f = 0; f < m_complex.number_of_faces(); ++f)
+      number += orientation(m_complex, f, &Intrinsic_corner::units) <= 0;
+    return number <= 8 + m_complex.number_of_faces() / 8;
   }
 
   // Of few triangles that can't be repaired, some can be when others are; many are hopeless.
