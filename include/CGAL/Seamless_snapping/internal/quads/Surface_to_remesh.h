@@ -25,7 +25,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -41,8 +40,9 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Invariant: no triangle has three sides that are features or border, which no map without flips
-// aligns. Such ones are divided into nine, and their neighbors so that there are triangles only.
+// Invariant: no triangle with an area has three sides that are features or border, which no map
+// without flips aligns. Such ones are divided into nine, and their neighbors so that there are
+// triangles only.
 class Surface_to_remesh
 {
 public:
@@ -90,7 +90,7 @@ private:
   {
     std::set<Edge> sides;
     for(const Face f : faces)
-      if(has_aligned_sides_only(f))
+      if(has_aligned_sides_only(f) && has_area(f))
         for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
           sides.insert(m_mesh.edge(h));
     for(const Edge e : sides)
@@ -106,6 +106,13 @@ private:
       if(!m_is_feature[m_mesh.edge(h)] && !m_mesh.is_border(m_mesh.edge(h)))
         return false;
     return true;
+  }
+
+  bool has_area(const Face f) const
+  {
+    const Halfedge h = m_mesh.halfedge(f);
+    return !CGAL::collinear(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                            m_mesh.point(m_mesh.target(m_mesh.next(h))));
   }
 
   void divide_side(const Edge e)
