@@ -36,7 +36,9 @@ def save(figure, filename):
     else:
         figure.savefig(filename, dpi=110, metadata={"Software": None})
         image = Image.open(filename).convert("RGB")
-        image.quantize(256, dither=Image.Dither.NONE).save(filename, optimize=True)
+        # colors of few pixels, such as those of marks, have to stay what they are
+        method = Image.Quantize.MAXCOVERAGE
+        image.quantize(256, method, kmeans=4, dither=Image.Dither.NONE).save(filename, optimize=True)
     plt.close(figure)
 
 

@@ -57,7 +57,7 @@ def draw_triangles(axis, mesh, camera):
             axis.plot(*piece.T, color=BLUE, lw=0.5)
     cones = mesh.points[mesh.irregular_vertices()]
     seen = camera.project(cones[buffer.visible(cones)])
-    axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=4)
+    axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=6)
     axis.set_axis_off()
 
 
@@ -74,7 +74,7 @@ def main(diamond, triangle, triangles, out):
         axis.imshow(buffer.image(colors))
         cones = mesh.points[[0, 3, 11]]
         seen = camera.project(cones[buffer.visible(cones)])
-        axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=4)
+        axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=6)
         axis.set_axis_off()
     mesh = Triangles(triangles)
     camera = Camera(-mesh.points[mesh.irregular_vertices()].sum(axis=0) - (0.2, 0.5, 0.1),
