@@ -7,37 +7,22 @@ import sys
 
 from matplotlib.lines import Line2D
 
+from polygon_mesh import Polygon_mesh, draw_edges, draw_points
 from renderer import Buffer, Camera, distance_to_isolines, visible_pieces
 from style import BLACK, BLUE, ORANGE, VERMILLION, np, plt, rgb, save, show
 from uv_mesh import read_obj
 
 
-class Triangles:
-    """What the renderer asks of a mesh: quads, each as two triangles."""
-
-    def __init__(self, filename):
-        self.points, self.quads = [], []
-        with open(filename, encoding="utf-8") as lines:
-            for line in lines:
-                words = line.split()
-                if words[:1] == ["v"]:
-                    self.points.append([float(x) for x in words[1:4]])
-                elif words[:1] == ["f"]:
-                    self.quads.append([int(w.split("/")[0]) - 1 for w in words[1:]])
-        self.points, self.quads = np.array(self.points), np.array(self.quads)
-        self.faces = np.concatenate([self.quads[:, [0, 1, 2]], self.quads[:, [0, 2, 3]]])
-
-    def face_normals(self):
-        p = self.points[self.faces]
-        return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-
-    def edges(self):
-        ends = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
-        return np.unique(np.sort(ends, axis=1), axis=0)
-
-    def irregular_vertices(self):
-        valence = np.bincount(self.quads.reshape(-1), minlength=len(self.points))
-        return np.nonzero(valence != 4)[0]
+def read_quads(filename):
+    points, quads = [], []
+    with open(filename, encoding="utf-8") as lines:
+        for line in lines:
+            words = line.split()
+            if words[:1] == ["v"]:
+                points.append([float(x) for x in words[1:4]])
+            elif words[:1] == ["f"]:
+                quads.append([int(w.split("/")[0]) - 1 for w in words[1:]])
+    return Polygon_mesh(points, quads)
 
 
 def draw_map(axes, mesh, camera):
@@ -64,12 +49,8 @@ def draw_map(axes, mesh, camera):
 def draw_quads(axes, mesh, camera):
     buffer = Buffer(mesh, camera)
     show(axes, buffer.image(np.full(((buffer.face >= 0).sum(), 3), 0.95), is_smooth=False))
-    for edge in mesh.edges():
-        for piece in visible_pieces(buffer, mesh.points[edge]):
-            axes.plot(*piece.T, color=BLACK, lw=0.6)
-    irregular = mesh.points[mesh.irregular_vertices()]
-    seen = camera.project(irregular[buffer.visible(irregular)])
-    axes.plot(seen[:, 0], seen[:, 1], "o", color=VERMILLION, ms=6)
+    draw_edges(axes, buffer, mesh, BLACK, 0.6)
+    draw_points(axes, buffer, camera, mesh.points[mesh.irregular_vertices(4)], VERMILLION)
     axes.legend(
         [Line2D([], [], color=VERMILLION, marker="o", lw=0, ms=6)],
         ["vertices whose valence is not 4: the cones"],
@@ -80,13 +61,13 @@ def draw_quads(axes, mesh, camera):
 
 
 def main(map_name, quads_name, out):
-    mesh, quads = read_obj(map_name), Triangles(quads_name)
+    mesh, quads = read_obj(map_name), read_quads(quads_name)
     camera = Camera((0.35, 1, -0.95), (0, 0, 1), mesh.points.mean(axis=0), 5.5, (700, 520))
     figure = plt.figure(figsize=(14, 6))
     titles = (
         "A seamless map: its grid breaks where cuts\nhave translations that are not integers",
         "Its integer-grid map: the grid goes on everywhere,\nand is a mesh of %d quads"
-        % len(quads.quads),
+        % len(quads.polygons),
     )
     for i, (draw, shown) in enumerate(((draw_map, mesh), (draw_quads, quads))):
         axes = figure.add_axes([0.5 * i, 0.07, 0.5, 0.8])

@@ -7,7 +7,8 @@
 
 import sys
 
-from renderer import Buffer, Camera, distance_to_isolines, visible_pieces
+from polygon_mesh import Polygon_mesh, draw_edges, draw_points
+from renderer import Buffer, Camera, distance_to_isolines
 from style import BLUE, VERMILLION, np, plt, rgb, save
 from uv_mesh import read_obj
 
@@ -26,38 +27,20 @@ def with_isolines(mesh, cones, number):
     return mesh.with_uv(np.stack([a, b, a + b], axis=-1))
 
 
-class Triangles:
-    """What the renderer asks of a mesh, from an OFF file."""
-
-    def __init__(self, filename):
-        with open(filename, encoding="utf-8") as file:
-            words = file.read().split()[1:]
-        n, m = int(words[0]), int(words[1])
-        self.points = np.array(words[3 : 3 + 3 * n], float).reshape(n, 3)
-        self.faces = np.array(words[3 + 3 * n :], int).reshape(m, 4)[:, 1:]
-
-    def face_normals(self):
-        p = self.points[self.faces]
-        return np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
-
-    def edges(self):
-        ends = np.stack([self.faces, np.roll(self.faces, -1, axis=1)], axis=-1).reshape(-1, 2)
-        return np.unique(np.sort(ends, axis=1), axis=0)
-
-    def irregular_vertices(self):
-        return np.nonzero(np.bincount(self.faces.reshape(-1)) != 6)[0]
+def read_off(filename):
+    with open(filename, encoding="utf-8") as file:
+        words = file.read().split()[1:]
+    n, m = int(words[0]), int(words[1])
+    return Polygon_mesh(np.array(words[3 : 3 + 3 * n], float).reshape(n, 3),
+                        np.array(words[3 + 3 * n :], int).reshape(m, 4)[:, 1:])
 
 
-def draw_triangles(axis, mesh, camera):
+def draw_triangles(axis, mesh, cones, camera):
     buffer = Buffer(mesh, camera)
     colors = np.tile(SURFACE, (np.count_nonzero(buffer.face >= 0), 1))
     axis.imshow(buffer.image(colors, is_smooth=False))
-    for edge in mesh.edges():
-        for piece in visible_pieces(buffer, mesh.points[edge]):
-            axis.plot(*piece.T, color=BLUE, lw=0.5)
-    cones = mesh.points[mesh.irregular_vertices()]
-    seen = camera.project(cones[buffer.visible(cones)])
-    axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=6)
+    draw_edges(axis, buffer, mesh, BLUE, 0.5)
+    draw_points(axis, buffer, camera, cones, CONE)
     axis.set_axis_off()
 
 
@@ -72,14 +55,13 @@ def main(diamond, triangle, triangles, out):
         colors = np.tile(SURFACE, (np.count_nonzero(buffer.face >= 0), 1))
         colors[distance_to_isolines(buffer, mesh.uv).min(axis=1) < 0.006] = LINE
         axis.imshow(buffer.image(colors))
-        cones = mesh.points[[0, 3, 11]]
-        seen = camera.project(cones[buffer.visible(cones)])
-        axis.plot(seen[:, 0], seen[:, 1], "o", color=CONE, markersize=6)
+        draw_points(axis, buffer, camera, mesh.points[[0, 3, 11]], CONE)
         axis.set_axis_off()
-    mesh = Triangles(triangles)
-    camera = Camera(-mesh.points[mesh.irregular_vertices()].sum(axis=0) - (0.2, 0.5, 0.1),
-                    (0, 0, 1), (0, 0, 0), size, (pixels, pixels))
-    draw_triangles(axes[2], mesh, camera)
+    mesh = read_off(triangles)
+    cones = mesh.points[mesh.irregular_vertices(6)]
+    camera = Camera(-cones.sum(axis=0) - (0.2, 0.5, 0.1), (0, 0, 1), (0, 0, 0), size,
+                    (pixels, pixels))
+    draw_triangles(axes[2], mesh, cones, camera)
     figure.subplots_adjust(0, 0, 1, 1, 0, 0)
     save(figure, out)
 
