@@ -25,10 +25,12 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <boost/container/static_vector.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -104,24 +106,15 @@ inline bool is_in_range(const Uv& u)
   return std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate;
 }
 
-// The bounding box of coordinates. Ignores NaN, and what comes together with NaN.
+// The bounding box of coordinates. Ignores NaN.
 class Uv_box
 {
 public:
-  void add(const Uv& u) { add(u, u); }
-
-  // Two at a time, since most are inside.
-  void add(const Uv& u, const Uv& v)
+  void add(const Uv& u)
   {
-    const Uv low{{(std::min)(u[0], v[0]), (std::min)(u[1], v[1])}};
-    const Uv high{{(std::max)(u[0], v[0]), (std::max)(u[1], v[1])}};
-    const bool is_inside = (int(low[0] >= m_low[0]) & int(low[1] >= m_low[1]) &
-                            int(high[0] <= m_high[0]) & int(high[1] <= m_high[1])) != 0;
-    if(is_inside)
-      return;
-    for(std::size_t c = 0; c < 2; ++c) {
-      m_low[c] = (std::min)(m_low[c], low[c]);
-      m_high[c] = (std::max)(m_high[c], high[c]);
+    for(std::size_t c = 0; c < 2; ++c) { // without branches
+      m_low[c] = u[c] < m_low[c] ? u[c] : m_low[c];
+      m_high[c] = u[c] > m_high[c] ? u[c] : m_high[c];
     }
   }
 
@@ -174,7 +167,8 @@ bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
   return next(h, tmesh) == prev(h, tmesh);
 }
 
-constexpr std::size_t survey_lookahead = 24; // edges
+// Edges whose corners are on their way from the memory, while those before them are compared.
+constexpr std::size_t surveyed_together = 64;
 
 // `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
 template <typename TriangleMesh,
@@ -186,7 +180,9 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh,
                                   const VertexIndexMap& vertex_indices,
                                   const Predicate& is_open_anyway)
 {
-  Uv_survey<TriangleMesh> survey;
+  using Survey = Uv_survey<TriangleMesh>;
+  using Halfedge = typename Survey::Halfedge;
+  Survey survey;
   // growing would copy and touch more memory
   survey.mismatched_edges.reserve(std::size_t(num_edges(tmesh)) / 16);
   Uv_box box;
@@ -194,43 +190,53 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh,
   std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
   // NaN differs from itself, so that only open edges and the border can hide it
   bool in_range = true;
-  const auto range = edges(tmesh);
-  auto ahead = std::begin(range);
-  for(std::size_t i = 0; i < survey_lookahead && ahead != std::end(range); ++i)
-    ++ahead;
-  for(const auto e : range) {
-    if(ahead != std::end(range)) {
-      const auto soon = halfedge(*ahead, tmesh);
-      for(const auto side : {soon, opposite(soon, tmesh)})
-        if(!is_border(side, tmesh)) // else the map need not have a value
-          prefetch(uv_map, prev(side, tmesh));
-      ++ahead;
-    }
-    const auto h = halfedge(e, tmesh);
-    const auto g = opposite(h, tmesh);
-    number_of_digons += std::size_t(is_in_digon(h, tmesh)) + std::size_t(is_in_digon(g, tmesh));
-    if(is_border(h, tmesh) || is_border(g, tmesh)) {
-      for(const auto corner : {h, g})
-        if(!is_border(corner, tmesh)) {
-          ++number_of_corners;
-          box.add(get_uv(uv_map, corner));
-          in_range = in_range && is_in_range(get_uv(uv_map, corner));
-        }
-      continue;
-    }
+
+  const auto add_border_corner = [&](const Halfedge h) {
+    ++number_of_corners;
+    box.add(get_uv(uv_map, h));
+    in_range = in_range && is_in_range(get_uv(uv_map, h));
+  };
+  const auto compare_sides = [&](const Halfedge h) {
+    const Halfedge g = opposite(h, tmesh);
     number_of_corners += 2;
+    box.add(get_uv(uv_map, h));
+    box.add(get_uv(uv_map, g));
     // Points are compared where they are: copying them first would take as long again.
-    const auto& h_point = get(uv_map, h);
-    const auto& g_point = get(uv_map, g);
-    box.add(Uv{static_cast<double>(h_point.x()), static_cast<double>(h_point.y())},
-            Uv{static_cast<double>(g_point.x()), static_cast<double>(g_point.y())});
-    if(are_equal(h_point, get(uv_map, prev(g, tmesh))) &&
-       are_equal(g_point, get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
-      continue;
+    if(are_equal(get(uv_map, h), get(uv_map, prev(g, tmesh))) &&
+       are_equal(get(uv_map, g), get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
+      return;
     const Edge_sides sides = edge_sides(tmesh, uv_map, h);
     survey.mismatched_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
-                                  std::size_t(get(vertex_indices, target(h, tmesh)))}, sides});
+                                        std::size_t(get(vertex_indices, target(h, tmesh)))},
+                                       sides});
     in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
+  };
+
+  const auto range = edges(tmesh);
+  auto edge = std::begin(range);
+  const auto last = std::end(range);
+  std::array<boost::container::static_vector<Halfedge, surveyed_together>, 2> inner_edges;
+  const auto read_edges = [&](auto& inner) {
+    inner.clear();
+    for(; edge != last && inner.size() < surveyed_together; ++edge) {
+      const Halfedge h = halfedge(*edge, tmesh), g = opposite(h, tmesh);
+      number_of_digons += std::size_t(is_in_digon(h, tmesh)) + std::size_t(is_in_digon(g, tmesh));
+      if(!is_border(h, tmesh) && !is_border(g, tmesh)) {
+        prefetch(uv_map, prev(h, tmesh));
+        prefetch(uv_map, prev(g, tmesh));
+        inner.push_back(h);
+        continue;
+      }
+      for(const Halfedge side : {h, g})
+        if(!is_border(side, tmesh)) // else the map need not have a value
+          add_border_corner(side);
+    }
+  };
+  read_edges(inner_edges[0]);
+  for(std::size_t i = 0; !inner_edges[i].empty(); i = 1 - i) {
+    read_edges(inner_edges[1 - i]);
+    for(const Halfedge h : inner_edges[i])
+      compare_sides(h);
   }
   survey.extent = box.extent();
   // If faces have at least three corners, all are triangles if there are no more corners than that.
