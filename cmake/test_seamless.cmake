@@ -202,6 +202,18 @@ seamless(1 quads genus2.obj quads.obj --number 500)
 expect_message("${err}" "try --repair-flips, or leave out the quads around these faces")
 expect("written all the same" NOT EXISTS "${WORK_DIR}/quads.obj")
 seamless(4 quads genus2.obj ${missing}/quads.obj --number 20000)
+seamless(2 quads genus2.obj quads.obj --number 20000 --picture quads.png)
+expect_message("${err}" "pictures are written to .svg files")
+# which also shows a corner of a sharp body, in bold
+seamless(0 body box.off --genus 0 --sharp --edge-length 0.5)
+seamless(0 remesh box.off box_quads.obj --quads 200 --feature-angle 40 --picture box.svg)
+file(READ "${WORK_DIR}/box.svg" picture)
+string(REGEX MATCHALL "Z\" style=" faces_seen "${picture}")
+list(LENGTH faces_seen number_seen)
+string(REGEX MATCH "^([0-9]+) quads" counts "${out}")
+expect("${number_seen} of ${CMAKE_MATCH_1} quads are seen" number_seen GREATER 50)
+expect("${number_seen} of ${CMAKE_MATCH_1} quads are seen" number_seen LESS CMAKE_MATCH_1)
+expect_message("${picture}" "stroke=\"#000\" stroke-width=\"2\" stroke-linecap=\"round\" d=\"M")
 
 # other formats
 seamless(0 snap in.obj out.ply)

@@ -182,6 +182,12 @@ std::string suffix_of(const std::string& filename)
   return suffix.empty() ? suffix : suffix.substr(1);
 }
 
+void check_picture(const std::string& filename)
+{
+  if(!filename.empty() && suffix_of(filename) != "svg")
+    throw Failure(USAGE, "'" + filename + "': pictures are written to .svg files");
+}
+
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    const bool may_overwrite_input)
 {

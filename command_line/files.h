@@ -19,6 +19,9 @@ bool is_special_file(const std::string& filename);
 // What is behind the last point of a name, in lower case: "obj".
 std::string suffix_of(const std::string& filename);
 
+// Throws `Failure` if it is the name of a picture that cannot be written.
+void check_picture(const std::string& filename);
+
 // Throws `Failure` if two of the files that a command writes are one, or one of them is an input and
 // may not be. Empty names are ignored.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,

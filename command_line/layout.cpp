@@ -50,8 +50,7 @@ struct Layout_options
     seams.align_border = true;
     if(suffix_of(output) != "obj" && !is_special_file(output))
       throw Failure(USAGE, "'" + output + "': layouts are written to .obj files");
-    if(!picture.empty() && suffix_of(picture) != "svg")
-      throw Failure(USAGE, "'" + picture + "': pictures are written to .svg files");
+    check_picture(picture);
     check_outputs({input}, {output, picture}, false);
     return true;
   }
@@ -90,11 +89,8 @@ void layout(const Arguments& arguments)
   std::ostringstream os;
   SS::IO::write_layout(os, graph);
   write_file(options.output, os.str());
-  if(!options.picture.empty()) {
-    std::ostringstream picture;
-    Layout_picture(graph).write(picture);
-    write_file(options.picture, picture.str());
-  }
+  if(!options.picture.empty())
+    write_file(options.picture, layout_picture(graph));
   std::size_t junctions = 0;
   const std::size_t cut = graph.number_of_cut_patches();
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)

@@ -7,6 +7,7 @@
 #include "files.h"
 #include "measures.h"
 #include "plain_meshes.h"
+#include "quad_picture.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -25,7 +26,7 @@ namespace {
 struct Quad_options
 {
   Seam_options seams;
-  std::string input, output;
+  std::string input, output, picture;
   double scale = 1, number = 0, rounding = 0.01;
   bool repair_flips = false, allow_holes = false;
 
@@ -52,6 +53,7 @@ struct Quad_options
     options.add("allow-holes", allow_holes,
                 "leave out the quads around faces that are still flipped, instead of refusing "
                 "them");
+    options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     if(!options.parse(arguments))
       return false;
     seams.check(options);
@@ -63,7 +65,8 @@ struct Quad_options
       rounding = std::numeric_limits<double>::infinity();
     if(suffix_of(output) != "obj" && suffix_of(output) != "off")
       throw Failure(USAGE, "'" + output + "': quads are written to .obj and .off files");
-    check_outputs({input}, {output}, false);
+    check_picture(picture);
+    check_outputs({input}, {output, picture}, false);
     return true;
   }
 };
@@ -130,17 +133,21 @@ void quads(const Arguments& arguments)
   read_model(options.input, options.seams.reading, model);
   const SS::Snapping_report snapped = snap(options, model);
   Mesh result;
+  const Edge_bool_map is_feature = result.add_property_map<Edge, bool>("e:feature", false).first;
   const SS::Extraction_report report =
     SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
       model.mesh, model.uv_map, result,
-      SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes));
+      SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes),
+      SS::parameters::edge_is_constrained_map(is_feature));
   if(report.status == SS::Extraction_status::NOT_POSITIVE)
     throw Failure(NOT_SOLVED, flips_message(options, model, report.nonpositive_faces));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
                                 in_words_of_user(report.message, model));
   write_file(options.output, text_of_quads(result, options.output));
-  std::ostream& os = summary_stream({options.output});
+  if(!options.picture.empty())
+    write_file(options.picture, quad_picture(result, is_feature));
+  std::ostream& os = summary_stream({options.output, options.picture});
   os << report.number_of_faces - report.number_of_other_polygons << " quads, "
      << report.number_of_vertices << " vertices, " << report.number_of_cones << " cones\n"
      << "translations, cones, and levels rounded by up to " << snapped.largest_rounding << "\n";

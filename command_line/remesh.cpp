@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "files.h"
 #include "plain_meshes.h"
+#include "quad_picture.h"
 
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 
@@ -19,7 +20,7 @@ namespace {
 
 struct Remesh_options
 {
-  std::string input, output;
+  std::string input, output, picture;
   double number = 10000, edge_length = 0, feature_angle = 0, curvature = 0;
   bool coarsest = false, verbose = false;
 
@@ -37,6 +38,7 @@ struct Remesh_options
     options.add("coarsest", coarsest, "instead, make as few quads as are found");
     options.add("feature-angle", "DEGREES", feature_angle, "keep edges that are sharper");
     options.add("curvature", "STRENGTH", curvature, "how strongly to follow the curvature");
+    options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     options.add("verbose", verbose, "tell of each step");
     if(!options.parse(arguments))
       return false;
@@ -46,7 +48,8 @@ struct Remesh_options
       throw Failure(USAGE, "the length of edges must be positive");
     if(suffix_of(output) != "obj" && suffix_of(output) != "off")
       throw Failure(USAGE, "'" + output + "': quads are written to .obj and .off files");
-    check_outputs({input}, {output}, false);
+    check_picture(picture);
+    check_outputs({input}, {output, picture}, false);
     return true;
   }
 };
@@ -67,21 +70,25 @@ void remesh(const Arguments& arguments)
     SS::parameters::edge_is_constrained_map(is_feature).curvature_alignment(options.curvature)
                    .coarsest(options.coarsest).verbose(options.verbose)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
+  Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
+  const auto output = SS::parameters::edge_is_constrained_map(is_kept);
   const SS::Remeshing_report report =
     options.edge_length > 0
-      ? SS::quad_remesh(mesh, quads, parameters.target_edge_length(options.edge_length))
-      : SS::quad_remesh(mesh, quads, parameters);
+      ? SS::quad_remesh(mesh, quads, parameters.target_edge_length(options.edge_length), output)
+      : SS::quad_remesh(mesh, quads, parameters, output);
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
                                 report.message);
   write_file(options.output, text_of_quads(quads, options.output));
-  summary_stream({options.output})
+  if(!options.picture.empty())
+    write_file(options.picture, quad_picture(quads, is_kept));
+  summary_stream({options.output, options.picture})
     << report.number_of_quads << " quads, " << report.number_of_vertices << " vertices, "
     << report.number_of_cones << " cones\n"
     << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
     << report.mean_scaled_jacobian << "\n"
     << "largest distance from the input: " << report.largest_distance << "\n";
   if(report.number_of_released_edges > 0)
-    summary_stream({options.output}) << report.number_of_released_edges
+    summary_stream({options.output, options.picture}) << report.number_of_released_edges
                                      << " feature edges are not kept, as faces would be flipped\n";
 }

@@ -30,6 +30,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -194,15 +195,14 @@ public:
   { }
 
   // Adds the quads to the mesh, if all steps succeed.
-  template <typename QuadMesh, typename VertexPointMap>
-  Remeshing_report run(QuadMesh& quads, const VertexPointMap& point_map)
+  template <typename QuadMesh, typename NamedParameters>
+  Remeshing_report run(QuadMesh& quads, const NamedParameters& np)
   {
     QuadMesh result;
     const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), result);
     if(parametrize() && extract(result, is_feature)) {
       smooth(result, is_feature);
-      CGAL::copy_face_graph(result, quads, CGAL::parameters::default_values(),
-                            CGAL::parameters::vertex_point_map(point_map));
+      write(result, is_feature, quads, np);
     }
     return m_report;
   }
@@ -314,6 +314,26 @@ private:
     m_timer.finish("measurement");
   }
 
+  template <typename QuadMesh, typename FeatureMap, typename NamedParameters>
+  static void write(const QuadMesh& result, const FeatureMap& is_feature, QuadMesh& quads,
+                    const NamedParameters& np)
+  {
+    using CGAL::parameters::get_parameter;
+    const auto feature_map = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    const auto write_feature = [&](const auto& halfedges) {
+      if constexpr(is_given_parameter(feature_map))
+        put(feature_map, edge(halfedges.second, quads),
+            get(is_feature, edge(halfedges.first, result)));
+    };
+    CGAL::copy_face_graph(
+      result, quads,
+      CGAL::parameters::halfedge_to_halfedge_output_iterator(
+        boost::make_function_output_iterator(write_feature)),
+      CGAL::parameters::vertex_point_map(CGAL::parameters::choose_parameter(
+        get_parameter(np, CGAL::internal_np::vertex_point),
+        CGAL::get_property_map(CGAL::vertex_point, quads))));
+  }
+
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Surface_to_remesh m_surface;
@@ -415,6 +435,14 @@ features lie too close together for fewer.
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{receives for each new edge whether it runs along a feature edge that is
+                          kept, or is on the border}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the outcome, and figures of the result
@@ -428,11 +456,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1 = CGAL::parameters::default_values(),
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
-  const auto& input = internal::strip(np1);
-  return internal::Quad_remesher(tmesh, input).run(
-    quads, CGAL::parameters::choose_parameter(
-             CGAL::parameters::get_parameter(internal::strip(np2), CGAL::internal_np::vertex_point),
-             CGAL::get_property_map(CGAL::vertex_point, quads)));
+  return internal::Quad_remesher(tmesh, internal::strip(np1)).run(quads, internal::strip(np2));
 }
 
 } // namespace Seamless_snapping
