@@ -289,6 +289,16 @@ seamless(1 quads flipped.obj new.obj --rounding 1)
 expect_message("${err}" "the first is face 2; ask for more quads, try --repair-flips")
 seamless(1 layout flipped.obj new.obj)
 expect_message("${err}" "the first is face 2; repair them by --repair-flips")
+foreach(number IN ITEMS "" --float)
+  seamless(0 snap flipped.obj kept.obj ${number})
+  string(REGEX REPLACE " +" " " out "${out}")
+  expect_message("${out}" "flipped faces 1 1")
+  seamless(0 snap flipped.obj repaired.obj --repair-flips ${number})
+  string(REGEX REPLACE " +" " " out "${out}")
+  expect_message("${out}" "flipped faces 1 0")
+  seamless(0 check repaired.obj)
+  expect_message("${out}" "0 flipped faces")
+endforeach()
 
 # --- the files that are written
 

@@ -24,7 +24,7 @@ struct Layout_options
 {
   Seam_options seams;
   std::string input, output, picture;
-  bool base_complex = false, repair_flips = false;
+  bool base_complex = false;
 
   bool parse(const Arguments& arguments)
   {
@@ -41,8 +41,7 @@ struct Layout_options
     seams.add_to(options);
     options.add("base-complex", base_complex,
                 "let curves run on where they meet others, to a cone, corner, border, or feature");
-    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
-                "need be by changing the coordinates around them");
+    seams.add_repair_to(options);
     options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
     if(!options.parse(arguments))
       return false;
@@ -61,7 +60,7 @@ void snap(const Layout_options& options, Model& model, const Edge_bool_map is_al
   const SS::Snapping_report report = SS::snap_to_seamless(
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
-      .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
+      .repair_flips(options.seams.flip_repair())
       .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));

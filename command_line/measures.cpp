@@ -55,6 +55,17 @@ void Seam_options::add_to(Options& options)
   options.add("verbose", reading.verbose, "tell of each step on the error stream");
 }
 
+void Seam_options::add_repair_to(Options& options)
+{
+  options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
+              "need be by changing the coordinates around them");
+}
+
+SS::Flip_repair Seam_options::flip_repair() const
+{
+  return repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE;
+}
+
 void Seam_options::check(const Options& options)
 {
   has_tolerance = options.is_given("tolerance");

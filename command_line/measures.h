@@ -6,6 +6,7 @@
 #include "Model.h"
 #include "Options.h"
 
+#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 
 #include <cstddef>
@@ -16,10 +17,13 @@ struct Seam_options
   Reading_options reading;
   bool align_border = false;
   bool features = false;
+  bool repair_flips = false;
   double tolerance = 1e-4;
   bool has_tolerance = false; // given on the command line
 
   void add_to(Options& options);
+  void add_repair_to(Options& options);
+  CGAL::Seamless_snapping::Flip_repair flip_repair() const;
   void check(const Options& options); // after parsing
 };
 

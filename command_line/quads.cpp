@@ -28,7 +28,7 @@ struct Quad_options
   Seam_options seams;
   std::string input, output, picture;
   double scale = 1, number = 0, rounding = 0.01;
-  bool repair_flips = false, allow_holes = false;
+  bool allow_holes = false;
 
   bool parse(const Arguments& arguments)
   {
@@ -48,8 +48,7 @@ struct Quad_options
     options.add("rounding", "D", rounding,
                 "how far from integers translations, cones, and levels may be that are rounded to "
                 "them (default: 0.01; with --number, any distance)");
-    options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
-                "need be by changing the coordinates around them");
+    seams.add_repair_to(options);
     options.add("allow-holes", allow_holes,
                 "leave out the quads around faces that are still flipped, instead of refusing "
                 "them");
@@ -102,7 +101,7 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
     SS::parameters::edge_is_constrained_map(alignment.is_aligned).tolerance(options.seams.tolerance)
       .integer_grid(true).grid_scale(scale_for_number(model, options))
       .rounding_tolerance(options.rounding)
-      .repair_flips(options.repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE)
+      .repair_flips(options.seams.flip_repair())
       .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
@@ -117,7 +116,7 @@ std::string flips_message(const Quad_options& options, const Model& model,
     std::to_string(faces.size()) +
     " faces of the integer-grid map are flipped or degenerate, the first is face " +
     std::to_string(faces.front()) +
-    "; ask for more quads, " + (options.repair_flips ? "" : "try --repair-flips, ") +
+    "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
     "or leave out the quads around these faces by --allow-holes";
   return options.input + ": " + in_words_of_user(message, model);
 }

@@ -37,6 +37,7 @@ struct Snap_options
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
+    seams.add_repair_to(options);
     options.add("float", seams.reading.in_float,
                 "make the coordinates exact as 32-bit floats, for programs that read such numbers");
     options.add("overwrite", overwrite, "let OUT replace IN");

@@ -10,5 +10,6 @@ SS::Snapping_report snap_in_double(Model& model, const Alignment& alignment,
   return SS::snap_to_seamless(model.mesh, model.uv_map,
                               SS::parameters::edge_is_constrained_map(alignment.is_aligned)
                                              .tolerance(options.tolerance)
+                                             .repair_flips(options.flip_repair())
                                              .verbose(options.reading.verbose));
 }

@@ -17,6 +17,7 @@ SS::Snapping_report snap_in_float(Model& model, const Alignment& alignment,
     SS::snap_to_seamless(model.mesh, float_map,
                          SS::parameters::edge_is_constrained_map(alignment.is_aligned)
                                         .tolerance(options.tolerance)
+                                        .repair_flips(options.flip_repair())
                                         .verbose(options.reading.verbose));
   for(const Halfedge h : model.mesh.halfedges())
     model.uv_map[h] = Kernel::Point_2(float_map[h].x(), float_map[h].y());
