@@ -24,6 +24,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <tuple>
 #include <vector>
 
 using namespace quad_reference;
@@ -590,6 +591,92 @@ void test_remeshing()
   CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
+// --- improvement of quads ------------------------------------------------------------------------
+
+// A grid of 4 x 4 points at integers, times a height, and the surface below.
+struct Flat_quads
+{
+  explicit Flat_quads(const double height)
+  {
+    for(int j = 0; j < 4; ++j)
+      for(int i = 0; i < 4; ++i)
+        vertices.push_back(quads.add_vertex(Point_3(i, j * height, 0)));
+    const std::array<Point_3, 4> corners{Point_3(0, 0, 0), Point_3(3, 0, 0),
+                                         Point_3(3, 3 * height, 0), Point_3(0, 3 * height, 0)};
+    std::array<Vertex, 4> v;
+    for(std::size_t i = 0; i < 4; ++i)
+      v[i] = square.add_vertex(corners[i]);
+    square.add_face(v[0], v[1], v[2]);
+    square.add_face(v[2], v[3], v[0]);
+  }
+
+  void add_quad(const std::size_t first)
+  {
+    quads.add_face(vertices[first], vertices[first + 1], vertices[first + 5], vertices[first + 4]);
+  }
+
+  // The least scaled Jacobian before, and after; and the number of vertices that were removed.
+  std::tuple<double, double, std::size_t> improve()
+  {
+    using Point_map = Mesh::Property_map<Vertex, Point_3>;
+    using Smoother = SS::internal::Quad_smoother<Mesh, Point_map>;
+    using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+    const Feature_map is_feature =
+      quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+    for(const auto e : quads.edges())
+      is_feature[e] = quads.is_border(e);
+    const SS::internal::Surface_to_remesh surface(
+      square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+    Smoother smoother(quads, quads.points(), surface.mesh());
+    const SS::internal::Feature_lines lines(surface);
+    SS::internal::Quad_improver<Mesh, Feature_map, Smoother> improver(quads, is_feature, lines,
+                                                                      smoother);
+    const double before = smoother.measure_shape()[0];
+    improver.move_vertices();
+    const std::size_t removed = improver.remove_vertices_of_two_edges();
+    return {before, smoother.measure_shape()[0], removed};
+  }
+
+  Mesh square, quads;
+  std::vector<Vertex> vertices;
+};
+
+void test_improvement()
+{
+  for(const bool on_border : {false, true}) {
+    const double height = on_border ? 0.1 : 1;
+    Flat_quads flat(height);
+    for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      flat.add_quad(first);
+    if(on_border) { // toward one end
+      flat.quads.point(flat.vertices[1]) = Point_3(2.9, 0, 0);
+      flat.quads.point(flat.vertices[2]) = Point_3(2.95, 0, 0);
+    } else { // across both opposite edges
+      flat.quads.point(flat.vertices[5]) = Point_3(2.5, 2.5, 0);
+    }
+    const auto [before, after, removed] = flat.improve();
+    std::cout << "least scaled Jacobian " << before << ", improved " << after << std::endl;
+    CHECK(before < 0.2 && after >= 0.2 && removed == 0);
+    for(std::size_t i = 0; i < 4; ++i) { // still on the border, and its corners where they were
+      CHECK_EQUAL(flat.quads.point(flat.vertices[i]).y(), 0.);
+      CHECK(i % 3 > 0 || flat.quads.point(flat.vertices[i]).x() == double(i));
+    }
+    for(const auto v : flat.quads.vertices())
+      CHECK_EQUAL(flat.quads.point(v).z(), 0.);
+  }
+
+  Flat_quads flat(1); // the middle is two quads, around a vertex of two edges
+  for(const std::size_t first : {0, 1, 2, 4, 6, 8, 9, 10})
+    flat.add_quad(first);
+  const Vertex v = flat.quads.add_vertex(Point_3(1.5, 1.5, 0));
+  flat.quads.add_face(flat.vertices[5], flat.vertices[6], flat.vertices[10], v);
+  flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
+  const auto [before, after, removed] = flat.improve();
+  CHECK(before < 0.2 && after > 0.2 && removed == 1);
+  CHECK_EQUAL(flat.quads.number_of_faces(), 9u);
+  CHECK(CGAL::is_valid_polygon_mesh(flat.quads) && CGAL::is_quad_mesh(flat.quads));
+}
+
 // No map aligns three sides of a triangle, as all of these edges are features or border.
 template <typename Quad_mesh>
 void check_aligned_triangles(const std::vector<Point_3>& points,
@@ -712,6 +799,7 @@ int main()
   test_optimum();
   test_maps();
   test_remeshing();
+  test_improvement();
   test_triangles();
   test_refusals();
   return report_checks();

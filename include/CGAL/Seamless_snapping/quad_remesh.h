@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
+#include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -130,7 +131,7 @@ inline std::ostream& operator<<(std::ostream& os, const Remeshing_report& report
 namespace internal {
 
 // Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
-// Returns the number of holes; each makes two cones of one.
+// Returns the number of holes.
 template <typename QuadMesh>
 std::size_t close_folds(QuadMesh& quads)
 {
@@ -278,9 +279,7 @@ private:
         strip(parameters::edge_is_constrained_map(is_feature)), true);
       m_timer.finish("extraction");
       if(extracted) {
-        m_report.number_of_cones = extracted.number_of_cones + close_folds(quads);
-        m_report.number_of_quads = extracted.number_of_faces;
-        m_report.number_of_vertices = extracted.number_of_vertices;
+        close_folds(quads);
         m_report.status = Remeshing_status::REMESHED;
         m_report.message.clear();
         return true;
@@ -304,9 +303,18 @@ private:
           return true;
       return false;
     };
-    Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)> > smoother(quads, point_map, mesh());
+    using Smoother = Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)> >;
+    Smoother smoother(quads, point_map, mesh());
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
+    if(m_options.number_of_smoothing_rounds > 0) {
+      const Feature_lines lines(m_surface);
+      Quad_improver<QuadMesh, FeatureMap, Smoother> improver(quads, is_feature, lines, smoother);
+      improver.move_vertices();
+      if(improver.remove_vertices_of_two_edges() > 0)
+        improver.move_vertices();
+    }
     m_timer.finish("smoothing");
+    count(quads);
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
     m_report.mean_scaled_jacobian = shape[1];
@@ -334,6 +342,16 @@ private:
         CGAL::get_property_map(CGAL::vertex_point, quads))));
   }
 
+  template <typename QuadMesh>
+  void count(const QuadMesh& quads)
+  {
+    m_report.number_of_quads = faces(quads).size(); // num_faces() counts removed ones, too
+    m_report.number_of_vertices = vertices(quads).size();
+    for(const auto v : vertices(quads))
+      if(!CGAL::is_border(v, quads) && degree(v, quads) != 4)
+        ++m_report.number_of_cones;
+  }
+
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Surface_to_remesh m_surface;
@@ -352,7 +370,9 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 The steps are `approximate_seamless_parameterization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Borders are aligned, and
 so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
-smoothed. Triangles with three sides that are features or border are divided before, in a copy.
+smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
+along their feature, unless it turns or ends there, and two quads around a vertex of two edges
+become one. Triangles with three sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the

@@ -97,12 +97,13 @@ class Quad_smoother
 #else
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Surface_kernel, Primitive> >;
 #endif
-  using Quad = std::array<Space_vector, 4>;
 
 public:
+  using Quad = std::array<Space_vector, 4>;
+
   Quad_smoother(const QuadMesh& quads, const VertexPointMap& point_map,
                 const Surface_to_remesh::Mesh& surface)
-    : m_quads(quads), m_point_map(point_map),
+    : m_quads(quads), m_point_map(point_map), m_surface(surface),
       m_tree(faces(surface).begin(), faces(surface).end(), surface)
   {
     m_tree.accelerate_distance_queries();
@@ -129,7 +130,7 @@ public:
       least = (std::min)(least, value);
       sum += value;
     }
-    return {least, sum / static_cast<double>(num_faces(m_quads))};
+    return {least, sum / static_cast<double>(faces(m_quads).size())};
   }
 
   // The largest distance of the middles of faces and edges from the surface.
@@ -152,9 +153,6 @@ public:
     }
     return largest;
   }
-
-private:
-  static constexpr double well_shaped = 0.3; // as a scaled Jacobian
 
   Space_vector point(const Vertex v) const
   {
@@ -183,6 +181,27 @@ private:
     const Surface_point q = m_tree.closest_point(Surface_point(p[0], p[1], p[2]));
     return {q.x(), q.y(), q.z()};
   }
+
+  // The area vector, times two, of the triangle that is nearest to the middle of a quad.
+  Space_vector normal_of_surface(const Quad& q) const
+  {
+    std::array<double, 3> middle{};
+    for(const Space_vector& p : q)
+      for(std::size_t c = 0; c < 3; ++c)
+        middle[c] += p[c] / 4;
+    const auto f =
+      m_tree.closest_point_and_primitive(Surface_point(middle[0], middle[1], middle[2])).second;
+    std::array<Space_vector, 3> t;
+    std::size_t i = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {
+      const Surface_point& p = m_surface.point(v);
+      t[i++] = {p.x(), p.y(), p.z()};
+    }
+    return outer_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
+  }
+
+private:
+  static constexpr double well_shaped = 0.3; // as a scaled Jacobian
 
   void move(const Vertex v)
   {
@@ -217,6 +236,7 @@ private:
 
   const QuadMesh& m_quads;
   VertexPointMap m_point_map;
+  const Surface_to_remesh::Mesh& m_surface;
   Tree m_tree;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
