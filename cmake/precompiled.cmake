@@ -2,6 +2,8 @@
 # of them, and the functions on surfaces for the types that most of them use.
 
 add_library(seamless_snapping_precompiled OBJECT
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.cpp"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
@@ -28,6 +30,8 @@ target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <sstream>
   <string>
   <vector>
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.h"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.h"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.h"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.h")
 

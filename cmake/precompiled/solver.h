@@ -4,22 +4,45 @@
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 
-#define SEAMLESS_SNAPPING_INSTANTIATE(PREFIX, INTEGER)                                             \
+#include <optional>
+#include <vector>
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, INTEGER)                                     \
   PREFIX template class Unit_pivot_elimination<INTEGER>;                                           \
   PREFIX template class Kernel_lattice<INTEGER>;                                                   \
   PREFIX template class Lattice_reduction<INTEGER>;
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, GROUP)                                       \
+  PREFIX template class Reduced_system<GROUP>;                                                     \
+  PREFIX template class Complex_solver<GROUP>;                                                     \
+  PREFIX template bool is_exact(const Cut_complex<GROUP>&, const std::vector<Uv>&);
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_SOLVER(PREFIX)                                               \
+  SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, std::int64_t)                                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, Exact_integer)                                     \
+  PREFIX template std::optional<Refusal> snap_values(                                              \
+    const Scaled_system&, const std::vector<double>&, const Number_format&, std::vector<double>&,  \
+    Snapping_report&, Step_timer&);                                                                \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<2>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<4>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<6>)                                 \
+  PREFIX template class Orientation_repair<Rotation_group<4> >;                                    \
+  PREFIX template bool untangle_flips(const Movable_points<Rotation_group<4> >&,                   \
+                                      const Complex_solver<Rotation_group<4> >&, Uv_state&);
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-SEAMLESS_SNAPPING_INSTANTIATE(extern, std::int64_t)
-SEAMLESS_SNAPPING_INSTANTIATE(extern, Exact_integer)
-extern template class Complex_solver<Rotation_group<4> >;
-extern template class Orientation_repair<Rotation_group<4> >;
+SEAMLESS_SNAPPING_INSTANTIATE_SOLVER(extern)
 
 } // namespace internal
 } // namespace Seamless_snapping

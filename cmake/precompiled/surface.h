@@ -4,21 +4,18 @@
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_SURFACE_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_SURFACE_H
 
+#include "mesh.h"
+
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace seamless_snapping_precompiled {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Uv_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 // Without parameters, with features, and with features and borders.
 namespace SS = CGAL::Seamless_snapping;
@@ -29,6 +26,7 @@ using Aligned =
 
 // What all calls share that give no cuts and rotations, whatever else they ask for.
 using Group = SS::internal::Rotation_group<4>;
+using Vertex_point_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 using Vertex_index_map = std::decay_t<decltype(
     CGAL::get_initialized_vertex_index_map(std::declval<const Mesh&>(), std::declval<Plain>()))>;
 using Given = decltype(
@@ -37,6 +35,25 @@ using Scaled_uv_map = std::decay_t<decltype(
     get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), std::declval<const Mesh&>()))>;
 
 } // namespace seamless_snapping_precompiled
+
+// Transitions and singular vertices, and what snapping takes from the mesh without its coordinates.
+#define SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                              \
+  PREFIX template internal::Transition_data<seamless_snapping_precompiled::Mesh>                   \
+  internal::read_transitions<seamless_snapping_precompiled::Group>(                                \
+    const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
+    const seamless_snapping_precompiled::Vertex_index_map&, bool,                                  \
+    const seamless_snapping_precompiled::Given&, double);                                          \
+  PREFIX template std::vector<std::pair<SM_Vertex_index, int> >                                    \
+  internal::singular_vertices<seamless_snapping_precompiled::Group>(                               \
+    const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
+    double, const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                    \
+  PREFIX template std::optional<internal::Refusal> internal::check_paths(                          \
+    const internal::Cut_complex<seamless_snapping_precompiled::Group>&,                            \
+    const internal::Constraint_list<seamless_snapping_precompiled::Mesh>&, double,                 \
+    Snapping_report&);                                                                             \
+  PREFIX template std::size_t internal::number_of_coinciding_border_edges(                         \
+    const seamless_snapping_precompiled::Mesh&,                                                    \
+    const seamless_snapping_precompiled::Vertex_point_map&);
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND)                           \
   PREFIX template class internal::Transition_reader<                                               \
@@ -58,6 +75,7 @@ using Scaled_uv_map = std::decay_t<decltype(
                                                     const PARAMETERS&);
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
+  SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                                    \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Uv_map, false)      \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Scaled_uv_map,      \
                                         true)                                                      \

@@ -48,27 +48,7 @@ public:
   { }
 
   // To be called once. Throws `File_refusal`.
-  Soup parse()
-  {
-    // the fast path of `std::from_chars` multiplies in the current rounding mode
-    const Protect_exact_arithmetic protect;
-
-    for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
-        keyword = m_scanner.next_statement()) {
-      if(keyword == "v")
-        m_soup.points.push_back(parse_point());
-      else if(keyword == "vt")
-        m_soup.uvs.push_back(parse_uv());
-      else if(keyword == "f")
-        parse_triangle();
-      else if(keyword == "l")
-        parse_polyline();
-    }
-    if(m_soup.triangles.empty())
-      m_scanner.refuse("the file ends without a face");
-    check_indices();
-    return std::move(m_soup);
-  }
+  Soup parse();
 
 private:
   using Triangle = typename Soup::Triangle;
@@ -219,6 +199,30 @@ private:
   OBJ_scanner m_scanner;
   Soup m_soup;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename PointNumber, typename UVNumber>
+Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
+{
+  // the fast path of `std::from_chars` multiplies in the current rounding mode
+  const Protect_exact_arithmetic protect;
+
+  for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
+      keyword = m_scanner.next_statement()) {
+    if(keyword == "v")
+      m_soup.points.push_back(parse_point());
+    else if(keyword == "vt")
+      m_soup.uvs.push_back(parse_uv());
+    else if(keyword == "f")
+      parse_triangle();
+    else if(keyword == "l")
+      parse_polyline();
+  }
+  if(m_soup.triangles.empty())
+    m_scanner.refuse("the file ends without a face");
+  check_indices();
+  return std::move(m_soup);
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -56,28 +56,7 @@ public:
   { }
 
   // To be called once. Throws `File_refusal`.
-  Soup parse()
-  {
-    // parsing decimals may multiply in the current rounding mode
-    const Protect_exact_arithmetic protect;
-
-    for(const PLY_element& element : m_header.elements) {
-      if(element.properties.empty())
-        continue;
-      if(element.name == "vertex")
-        parse_vertices(element);
-      else if(element.name == "face")
-        parse_faces(element);
-      else if(element.name == "edge")
-        parse_edges(element);
-      else
-        for_each_row(element, [this](const PLY_property& p, std::size_t) { m_values.skip(p); });
-    }
-    if(m_soup.triangles.empty())
-      throw File_refusal(0, "the file has no face");
-    check_indices();
-    return std::move(m_soup);
-  }
+  Soup parse();
 
 private:
   // Calls `read(property, its index)` for all properties of all rows.
@@ -210,6 +189,31 @@ private:
   PLY_values m_values;
   Soup m_soup;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename PointNumber, typename UVNumber>
+Corner_soup<PointNumber, UVNumber> PLY_parser<PointNumber, UVNumber>::parse()
+{
+  // parsing decimals may multiply in the current rounding mode
+  const Protect_exact_arithmetic protect;
+
+  for(const PLY_element& element : m_header.elements) {
+    if(element.properties.empty())
+      continue;
+    if(element.name == "vertex")
+      parse_vertices(element);
+    else if(element.name == "face")
+      parse_faces(element);
+    else if(element.name == "edge")
+      parse_edges(element);
+    else
+      for_each_row(element, [this](const PLY_property& p, std::size_t) { m_values.skip(p); });
+  }
+  if(m_soup.triangles.empty())
+    throw File_refusal(0, "the file has no face");
+  check_indices();
+  return std::move(m_soup);
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

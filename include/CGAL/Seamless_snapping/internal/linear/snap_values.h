@@ -181,11 +181,13 @@ inline std::vector<Component_index> violated_components(const Linear_solver& sol
 }
 
 // Replaces `x` by values that solve the system exactly; those of components that hold are left
-// alone. Where it refuses, that is all of them.
-inline std::optional<Refusal> snap_values(const Scaled_system& scaled,
-                                          const std::vector<double>& weights,
-                                          const Number_format& format, std::vector<double>& x,
-                                          Snapping_report& report, Step_timer& timer)
+// alone. Where it refuses, that is all of them. A template, so that programs that share a library
+// can share this, too.
+template <typename Report>
+std::optional<Refusal> snap_values(const Scaled_system& scaled,
+                                   const std::vector<double>& weights,
+                                   const Number_format& format, std::vector<double>& x,
+                                   Report& report, Step_timer& timer)
 {
   const Integer_system& system = scaled.system;
   std::vector<bool> row_holds(system.number_of_rows());
