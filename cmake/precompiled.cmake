@@ -4,6 +4,7 @@
 add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
@@ -38,4 +39,19 @@ target_precompile_headers(seamless_snapping_precompiled PRIVATE
 function(seamless_snapping_use_precompiled target)
   target_precompile_headers(${target} REUSE_FROM seamless_snapping_precompiled)
   target_link_libraries(${target} PRIVATE seamless_snapping_precompiled)
+endfunction()
+
+# For sources of a target that parametrize or extract quads: what these share is in the library, but
+# its header would take time in all others. No option includes it after precompiled headers.
+function(seamless_snapping_share_remeshing target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS ARGN)
+    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_remeshing/${source}")
+    file(GENERATE OUTPUT "${unit}" CONTENT
+      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/remeshing.h\"\n\
+#include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
+    list(REMOVE_ITEM sources "${source}")
+    list(APPEND sources "${unit}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES SOURCES "${sources}")
 endfunction()

@@ -201,7 +201,7 @@ public:
   {
     QuadMesh result;
     const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), result);
-    if(parametrize() && extract(result, is_feature)) {
+    if(parametrize(m_surface) && extract(result, is_feature)) {
       smooth(result, is_feature);
       write(result, is_feature, quads, np);
     }
@@ -229,37 +229,9 @@ private:
     m_report.number_of_released_edges = released.size();
   }
 
-  // An exactly seamless map without flips.
-  bool parametrize()
-  {
-    const auto made = approximate_seamless_parameterization(
-      mesh(), m_surface.uv_map(),
-      features().align_border(true).curvature_alignment(m_options.curvature_alignment)
-                .release_alignment(true).largest_cone_index(largest_cone_index));
-    m_timer.finish("parametrization");
-    if(!made)
-      return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
-    release(made.released_edges);
-    m_report.number_of_flipped_faces = made.number_of_flipped_faces;
-    const auto snapped =
-      snap_to_seamless(mesh(), m_surface.uv_map(),
-                       features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
-    m_timer.finish("snapping");
-    if(!snapped)
-      return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
-    m_report.remaining_flips = snapped.remaining_flips;
-    m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
-                                    snapped.lost_faces.end());
-    for(std::size_t& face : m_report.remaining_flips)
-      face = m_surface.original(face);
-    if(!m_report.remaining_flips.empty())
-      return fail(Remeshing_status::NOT_POSITIVE,
-                  std::to_string(m_report.remaining_flips.size()) +
-                    " faces are flipped in the parametrization, the first is face " +
-                    std::to_string(m_report.remaining_flips.front()) +
-                    "; mark fewer features, or remesh the input there");
-    return true;
-  }
+  // An exactly seamless map without flips. A template: only programs that call it compile it.
+  template <typename Surface>
+  bool parametrize(Surface& surface);
 
   // Where quads meet themselves, or each other twice, fewer are made, and divided once or twice.
   // That ends it: once each quad is divided, no edge has the same vertex twice; once more, no two
@@ -359,6 +331,39 @@ private:
   Remeshing_report m_report;
   Step_timer m_timer;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Surface>
+bool Quad_remesher::parametrize(Surface& surface)
+{
+  const auto made = approximate_seamless_parameterization(
+    surface.mesh(), surface.uv_map(),
+    features().align_border(true).curvature_alignment(m_options.curvature_alignment)
+              .release_alignment(true).largest_cone_index(largest_cone_index));
+  m_timer.finish("parametrization");
+  if(!made)
+    return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
+  release(made.released_edges);
+  m_report.number_of_flipped_faces = made.number_of_flipped_faces;
+  const auto snapped =
+    snap_to_seamless(surface.mesh(), surface.uv_map(),
+                     features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
+  m_timer.finish("snapping");
+  if(!snapped)
+    return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
+  m_report.remaining_flips = snapped.remaining_flips;
+  m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
+                                  snapped.lost_faces.end());
+  for(std::size_t& face : m_report.remaining_flips)
+    face = surface.original(face);
+  if(!m_report.remaining_flips.empty())
+    return fail(Remeshing_status::NOT_POSITIVE,
+                std::to_string(m_report.remaining_flips.size()) +
+                  " faces are flipped in the parametrization, the first is face " +
+                  std::to_string(m_report.remaining_flips.front()) +
+                  "; mark fewer features, or remesh the input there");
+  return true;
+}
 
 } // namespace internal
 

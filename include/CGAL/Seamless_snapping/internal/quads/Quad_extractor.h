@@ -76,24 +76,10 @@ public:
   template <typename ConcurrencyTag, typename Locate>
   bool run(const Locate& locate)
   {
-    const bool has_darts = scale<ConcurrencyTag>() && check_faces<ConcurrencyTag>() &&
-                           check_integers() && check_size<ConcurrencyTag>() &&
-                           make_darts<ConcurrencyTag>();
-    if(!has_darts)
+    if(!find_points<ConcurrencyTag>())
       return false;
     locate();
-    call_both<ConcurrencyTag>(
-      [&] {
-        if(m_report.number_of_unaligned_border_edges == 0)
-          m_mesh = Mesh(); // the largest of all that is in memory
-      },
-      [&] { m_complex->cells.find(); });
-    if(!check_cells<ConcurrencyTag>())
-      return false;
-    if(m_options.leave_out_folded_cells)
-      m_complex->leave_out_folded_cells();
-    m_report.number_of_faces = m_complex->cells.size();
-    return true;
+    return find_cells<ConcurrencyTag>();
   }
 
   Extraction_report& report() { return m_report; }
@@ -105,6 +91,11 @@ public:
   { return m_kept_faces.empty() ? f : std::size_t(m_kept_faces[f]); }
 
 private:
+  template <typename ConcurrencyTag>
+  bool find_points();
+  template <typename ConcurrencyTag>
+  bool find_cells();
+
   bool fail(const Extraction_status status, const std::string& message)
   {
     m_report.status = status;
@@ -404,6 +395,33 @@ private:
   std::unique_ptr<Surface_parts> m_parts;
   std::unique_ptr<Quad_complex> m_complex;
 };
+
+// Outside of the class, so that programs that share a library can share these, too.
+template <typename Group>
+template <typename ConcurrencyTag>
+bool Cell_extractor<Group>::find_points()
+{
+  return scale<ConcurrencyTag>() && check_faces<ConcurrencyTag>() && check_integers() &&
+         check_size<ConcurrencyTag>() && make_darts<ConcurrencyTag>();
+}
+
+template <typename Group>
+template <typename ConcurrencyTag>
+bool Cell_extractor<Group>::find_cells()
+{
+  call_both<ConcurrencyTag>(
+    [&] {
+      if(m_report.number_of_unaligned_border_edges == 0)
+        m_mesh = Mesh(); // the largest of all that is in memory
+    },
+    [&] { m_complex->cells.find(); });
+  if(!check_cells<ConcurrencyTag>())
+    return false;
+  if(m_options.leave_out_folded_cells)
+    m_complex->leave_out_folded_cells();
+  m_report.number_of_faces = m_complex->cells.size();
+  return true;
+}
 
 using Quad_extractor = Cell_extractor<Quarter_turns>;
 

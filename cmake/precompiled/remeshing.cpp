@@ -1,0 +1,13 @@
+// Remeshing, compiled for all programs that use the precompiled headers and include remeshing.h.
+
+#include "remeshing.h"
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+SEAMLESS_SNAPPING_INSTANTIATE_REMESHING()
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL

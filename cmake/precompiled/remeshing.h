@@ -1,0 +1,46 @@
+// Parametrization, quantization and extraction of quads: declared here, they are compiled once, in
+// remeshing.cpp. Few programs need them, and these include this file by an option.
+
+#ifndef SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H
+#define SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H
+
+#include "mesh.h"
+
+#include <CGAL/Seamless_snapping/quad_remesh.h>
+
+namespace seamless_snapping_precompiled {
+
+using Matrix_of_systems = CGAL::Eigen_sparse_matrix<double>::EigenType;
+using Solver_of_systems = CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix_of_systems> >;
+using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal::strip(
+    CGAL::Seamless_snapping::parameters::edge_is_constrained_map(Edge_bool_map())))>;
+
+} // namespace seamless_snapping_precompiled
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, TAG)                                      \
+  PREFIX template bool Cell_extractor<Quarter_turns>::find_points<TAG>();                          \
+  PREFIX template bool Cell_extractor<Quarter_turns>::find_cells<TAG>();
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(PREFIX)                                            \
+  PREFIX template parameterization::Parameterization_result                                        \
+  parameterization::parameterize<seamless_snapping_precompiled::Solver_of_systems, double>(        \
+    parameterization::Triangle_surface&, const parameterization::Parameterization_options&,        \
+    Parameterization_report<SM_Vertex_index>&);                                                    \
+  PREFIX template Quantization quantize_map(                                                       \
+    const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
+    const seamless_snapping_precompiled::Features_of_map&, const Quantization_options&);           \
+  PREFIX template bool Quad_remesher::parametrize(Surface_to_remesh&);                             \
+  SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, CGAL::Sequential_tag)                           \
+  SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, CGAL::Parallel_if_available_tag)
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(extern)
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H
