@@ -536,6 +536,54 @@ void test_maps()
   CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
 }
 
+// --- quads around vertices of one edge -----------------------------------------------------------
+
+// Puts a square between the two sides of an edge that is folded around its corner 0, with an edge
+// to the end of the side.
+void insert_folded_square(surfaces::Square_complex& complex, const int i, const int s)
+{
+  const square_complex::Side other = complex.across(i, s);
+  const int q = complex.add_square();
+  complex.glue(q, 0, q, 3);
+  complex.glue(q, 1, i, s);
+  complex.glue(q, 2, other.square, other.side);
+}
+
+// The folded squares share vertices with each other, and with the border.
+void test_folded_squares(const surfaces::Square_complex& complex, const int i,
+                         const std::vector<int>& sides)
+{
+  surfaces::Square_complex folded = complex;
+  for(const int s : sides)
+    insert_folded_square(folded, i, s);
+  folded.unfold();
+  const Grid_map without(complex, 4, 4), map(folded, 4, 4);
+  const SS::Quantization quantization = SS::quantize(
+    map.mesh, map.uv, parameters::target_number_of_quads(std::size_t(folded.number_of_squares())));
+  CHECK_EQUAL(quantization.number_of_quads, std::size_t(folded.number_of_squares()));
+  Mesh quads;
+  const auto defaults = parameters::default_values();
+  const auto report = internal::extract_quads_of<CGAL::Sequential_tag>(
+    quantization, map.mesh, quads, defaults, defaults, true);
+  CHECK_IN(report.message, bool(report));
+  CHECK_EQUAL(internal::close_folds(quads), sides.size());
+  quads.collect_garbage();
+  CHECK(CGAL::is_valid_polygon_mesh(quads) && !has_double_edges(quads));
+  CHECK_EQUAL(quads.number_of_faces(), Mesh::size_type(complex.number_of_squares()));
+  CHECK_EQUAL(euler_characteristic(quads), euler_characteristic(without.mesh));
+}
+
+void test_folds()
+{
+  const std::vector<std::vector<int> > some_sides{{0}, {0, 1}, {0, 1, 2}, {1, 3}};
+  for(const auto& sides : some_sides)
+    test_folded_squares(surfaces::box(3, 3, 3), 4, sides);
+  for(int s = 0; s < 4; ++s) // of a square in a corner of the disc, two sides are border
+    for(int i = 0; i < 9; ++i)
+      if(!surfaces::disc(3, 3).across(i, s).is_border())
+        test_folded_squares(surfaces::disc(3, 3), i, {s});
+}
+
 // --- remeshing -----------------------------------------------------------------------------------
 
 void check_remeshing(const Parametrized_model& model, const std::size_t number,
@@ -798,6 +846,7 @@ int main()
   test_surfaces();
   test_optimum();
   test_maps();
+  test_folds();
   test_remeshing();
   test_improvement();
   test_triangles();

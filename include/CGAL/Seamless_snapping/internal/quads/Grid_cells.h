@@ -144,14 +144,15 @@ private:
   std::size_t m_number_of_corners = 0;    // of all cells
 };
 
-// The vertices of the cells: one for each point, but where cells around a point leave gaps, one for
-// each of their fans, since no halfedge data structure can hold several at a vertex.
+// The vertices of the cells: one for each point, but where cells around a point leave gaps that
+// stay, one for each of their fans, since no halfedge data structure can hold several at a vertex.
 class Cell_vertices
 {
 public:
-  template <typename ConcurrencyTag>
+  // is_gap(dart) tells of the cell at the left.
+  template <typename ConcurrencyTag, typename Is_gap>
   static Cell_vertices make(const std::size_t number_of_points, const Grid_darts& darts,
-                            const Grid_cells& cells)
+                            const Is_gap& is_gap)
   {
     Cell_vertices result;
     result.m_vertices.resize(darts.size(), boost::container::default_init);
@@ -160,7 +161,7 @@ public:
       number_of_points, [&](const Chunk& chunk) {
         std::vector<Point_index> points_of_fans;
         for(std::size_t p = chunk.begin; p < chunk.end; ++p)
-          result.add_fans(p, darts, cells, points_of_fans);
+          result.add_fans(p, darts, is_gap, points_of_fans);
         return points_of_fans;
       });
     const std::vector<Chunk> vertices = append<ConcurrencyTag>(fans, result.m_points);
@@ -179,22 +180,23 @@ public:
 
 private:
   // Numbers those of a point from the number of those before.
-  void add_fans(const std::size_t p, const Grid_darts& darts, const Grid_cells& cells,
+  template <typename Is_gap>
+  void add_fans(const std::size_t p, const Grid_darts& darts, const Is_gap& is_gap,
                 std::vector<Point_index>& fans)
   {
     const std::size_t first = darts.first(p), end = darts.first(p + 1);
     std::size_t start = first; // of a fan, if there is a gap
     for(std::size_t d = first; d < end; ++d)
-      if(cells.cell(d) == no_cell)
+      if(is_gap(d))
         start = d;
     bool is_in_fan = false;
     std::size_t d = start;
     for(std::size_t i = first; i < end; ++i, d = darts.counterclockwise(d)) {
-      const bool has_cell = cells.cell(d) != no_cell;
-      if(has_cell && !is_in_fan)
+      const bool is_fan = !is_gap(d);
+      if(is_fan && !is_in_fan)
         fans.push_back(Point_index(p));
-      m_vertices[d] = std::int32_t(fans.size()) - 1; // of no meaning where there is no cell
-      is_in_fan = has_cell;
+      m_vertices[d] = std::int32_t(fans.size()) - 1; // of no meaning in a gap
+      is_in_fan = is_fan;
     }
   }
 

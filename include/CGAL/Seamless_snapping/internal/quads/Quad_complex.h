@@ -79,7 +79,8 @@ public:
       mark_features(folded);
     }
     for(const Folded_cell& folded : m_folded_cells)
-      m_folded_darts.insert(m_folded_darts.end(), folded.rest.begin(), folded.rest.end());
+      for(const std::size_t d : {folded.rest[0], folded.rest[1], twin(folded.dart)})
+        m_folded_darts.push_back(d);
     std::sort(m_folded_darts.begin(), m_folded_darts.end());
     cells.remove(is_left_out);
   }
@@ -87,11 +88,14 @@ public:
   // Those that were left out.
   const std::vector<Folded_cell>& folded_cells() const { return m_folded_cells; }
 
+  // Whether there is no cell at the left of the dart, nor an edge in the place of a folded one.
+  bool is_gap(const std::size_t d) const { return !has_cell(d) && !is_folded(d); }
+
   // Whether the dart has its cell at one side only, and no other edge is to become one with it.
   bool is_border(const std::size_t d) const
-  { return (!has_cell(d) && !is_folded(d)) || (!has_cell(twin(d)) && !is_folded(twin(d))); }
+  { return is_gap(d) || is_gap(twin(d)); }
 
-  // Whether the dart is a side of a folded cell that was left out.
+  // Whether the dart is a side of a folded cell that was left out, but not from its point.
   bool is_folded(const std::size_t d) const
   { return std::binary_search(m_folded_darts.begin(), m_folded_darts.end(), d); }
 
@@ -132,7 +136,7 @@ private:
   }
 
   std::vector<Folded_cell> m_folded_cells;
-  std::vector<std::size_t> m_folded_darts; // their other sides, sorted
+  std::vector<std::size_t> m_folded_darts; // their sides but those from their points, sorted
 };
 
 // A vertex that has an edge to itself, or two edges to another one, or one edge in all, so that its

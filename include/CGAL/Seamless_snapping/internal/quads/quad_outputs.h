@@ -83,7 +83,8 @@ public:
   {
     const Quad_complex& complex = extractor.complex();
     const auto vertices =
-      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts, complex.cells);
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts,
+                                          [&](const auto d) { return complex.is_gap(d); });
     if(!is_face_graph<ConcurrencyTag>(extractor, vertices))
       return;
     extractor.report().number_of_vertices = vertices.size();
@@ -219,7 +220,8 @@ public:
     if(!fits<Polygon, Group>(extractor.report()))
       return;
     const auto vertices =
-      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts, complex.cells);
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts,
+                                          [&](const auto d) { return complex.is_gap(d); });
     extractor.report().number_of_vertices = vertices.size();
     const std::size_t first = m_points.size();
     for(std::size_t i = 0; i < vertices.size(); ++i)

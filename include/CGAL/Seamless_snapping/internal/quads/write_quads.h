@@ -147,13 +147,20 @@ public:
   std::size_t twin(const std::size_t d) const { return m_complex.twin(d); }
   Cell_index cell(const std::size_t d) const { return m_complex.cells.cell(d); }
 
-  // A dart of the border is followed by the one at the other end of the fan around its target.
+  // Around cells, and the holes that folded cells leave; a dart of the border is followed by the
+  // one at the other end of the fan around its target.
   std::size_t next(const std::size_t d) const
   {
     if(m_complex.has_cell(d))
       return m_complex.next(d);
+    if(m_complex.is_folded(d)) {
+      std::size_t following = m_complex.next(d);
+      while(!is_edge(following))
+        following = m_complex.next(following);
+      return following;
+    }
     std::size_t last = twin(d);
-    while(m_complex.has_cell(last))
+    while(!m_complex.is_gap(last))
       last = m_complex.darts.counterclockwise(last);
     return last;
   }
