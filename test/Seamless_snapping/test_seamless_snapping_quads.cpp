@@ -1,8 +1,12 @@
 // Tests of the extraction of quads: all of them are known in advance, from surfaces of squares, or
 // found by brute force; the result does not depend on numberings, mesh data structures, or threads.
 
+#ifdef SEAMLESS_SNAPPING_TEST_OPENMESH
+#include "open_mesh_checks.h"
+#endif
 #include "Polyhedron_copy.h"
 #include "quad_reference.h"
+#include "slit_checks.h"
 #include "test_data.h"
 #include "test_surfaces.h"
 
@@ -17,6 +21,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -309,6 +314,7 @@ void test_borders()
     inside += report.number_of_unaligned_border_edges;
   }
   CHECK(kept > 500 && cut > 500 && inside > 1000);
+  slits::check_all();
 }
 
 // A corner is moved across the opposite edge; what remains positive is as if the others were holes.
@@ -589,19 +595,15 @@ void check_forms(const Mesh& mesh, const UVMap& uv, const Mesh& quads)
   }
 }
 
-// Maps of other programs, made integer-grid maps of about 300 quads where they have none.
-void test_forms_of_files()
+// Maps of other programs, made integer-grid maps of about this many quads where they have none.
+void test_forms_of_files(const std::vector<std::filesystem::path>& files, const double wanted)
 {
-  std::vector<std::filesystem::path> files = test_data::package_files();
-  for(const auto& file : test_data::further_files("uv", ".obj"))
-    if(std::filesystem::file_size(file) < 120000)
-      files.push_back(file);
   std::size_t compared = 0;
   for(const auto& file : files) {
     Mesh mesh;
     UV_map uv = square_complex::uv_map(mesh);
     CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
-    const double scale = std::sqrt(300 / SS::measure_integer_grid(mesh, uv).area);
+    const double scale = std::sqrt(wanted / SS::measure_integer_grid(mesh, uv).area);
     const auto options =
       parameters::integer_grid(true).rounding_tolerance(1e9).grid_scale(scale).repair_flips(true);
     Mesh quads;
@@ -610,8 +612,22 @@ void test_forms_of_files()
     check_forms(mesh, uv, quads);
     ++compared;
   }
-  std::cout << compared << " of " << files.size() << " files compared in all forms" << std::endl;
+  std::cout << compared << " of " << files.size() << " files compared in all forms, at " << wanted
+            << " quads" << std::endl;
   CHECK(2 * compared > files.size());
+}
+
+// The small ones, or all of them at three sizes: that takes minutes.
+void test_forms_of_files()
+{
+  const bool is_long = std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") != nullptr;
+  std::vector<std::filesystem::path> files = test_data::package_files();
+  for(const auto& file : test_data::further_files("uv", ".obj"))
+    if(is_long || std::filesystem::file_size(file) < 120000)
+      files.push_back(file);
+  for(const double wanted : is_long ? std::vector<double>{500, 5000, 50000}
+                                    : std::vector<double>{300})
+    test_forms_of_files(files, wanted);
 }
 
 void test_forms()
@@ -621,6 +637,11 @@ void test_forms()
   Mesh quads;
   CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, quads)));
   check_forms(map.mesh, map.uv, quads);
+#ifdef SEAMLESS_SNAPPING_TEST_OPENMESH
+  open_mesh::check(map.mesh, map.uv);
+#else
+  checking::skip("meshes of OpenMesh, which the build system has not found");
+#endif
 
   Mesh scaled; // the result is added to what is there
   CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(2))));

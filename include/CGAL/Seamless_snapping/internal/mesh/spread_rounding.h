@@ -22,6 +22,7 @@
 // exact; this is not, and need not be.
 
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
@@ -29,7 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -292,7 +293,10 @@ private:
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(m_triplets.begin(), m_triplets.end());
     m_triplets.clear();
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+    Sparse_cholesky<Eigen::SparseMatrix<double> > solver;
+    solver.compute(matrix);
+    if(solver.info() != Eigen::Success)
+      return false;
     m_solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(m_rhs.data(), n));
     return solver.info() == Eigen::Success && m_solution.allFinite();
   }

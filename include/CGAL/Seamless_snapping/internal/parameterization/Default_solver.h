@@ -15,43 +15,20 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The solver of all sparse systems unless the caller names another one: CHOLMOD of SuiteSparse
-// where the build system has found it and defines CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE, and
-// Eigen's own elsewhere. CHOLMOD works on dense blocks, which pays where cones couple the two
-// coordinates.
+// The solver of all sparse systems unless the caller names another one.
+
+#include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Eigen_sparse_matrix.h>
-
-#ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
-#include <Eigen/CholmodSupport>
-#else
-#include <Eigen/SparseCholesky>
-#endif
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-using Eigen_matrix_of_systems = CGAL::Eigen_sparse_matrix<double>::EigenType;
-
-#ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
-
-// CHOLMOD would print each failure to the standard output, which belongs to the caller.
-class Default_solver
-  : public CGAL::Eigen_solver_traits<Eigen::CholmodDecomposition<Eigen_matrix_of_systems> >
-{
-public:
-  Default_solver() { solver().cholmod().print = 0; }
-};
-
-#else
-
 using Default_solver =
-  CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Eigen_matrix_of_systems> >;
-
-#endif
+  CGAL::Eigen_solver_traits<Sparse_cholesky<CGAL::Eigen_sparse_matrix<double>::EigenType> >;
 
 } // namespace parameterization
 } // namespace internal

@@ -329,7 +329,8 @@ private:
   template <typename ConcurrencyTag>
   bool check_cells()
   {
-    leave_out_cut_cells();
+    if(!leave_out_cut_cells())
+      return fail(Extraction_status::INTERNAL_ERROR, "a cell around the border has a wrong side");
     const std::vector<Cell_counts> counts =
       count_cells<ConcurrencyTag>(m_complex->points, m_complex->darts, m_complex->cells, *m_parts);
     bool is_area_right = true;
@@ -376,14 +377,17 @@ private:
     return n;
   }
 
-  void leave_out_cut_cells()
+  bool leave_out_cut_cells()
   {
     m_report.number_of_cut_cells = m_complex->cells.number_of_cut_cells();
     if(m_report.number_of_unaligned_border_edges > 0) {
-      const std::vector<char> is_cut = Border_cells<Group>(m_mesh, *m_complex).find();
-      m_report.number_of_cut_cells += std::size_t(std::count(is_cut.begin(), is_cut.end(), true));
-      m_complex->cells.remove(is_cut);
+      const auto is_cut = Border_cells<Group>(m_mesh, *m_complex).find();
+      if(!is_cut)
+        return false;
+      m_report.number_of_cut_cells += std::size_t(std::count(is_cut->begin(), is_cut->end(), true));
+      m_complex->cells.remove(*is_cut);
     }
+    return true;
   }
 
   Mesh m_mesh;

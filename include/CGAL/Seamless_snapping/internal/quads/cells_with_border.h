@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,9 @@ public:
       m_is_visited(mesh.corners.size() / 3, false)
   { }
 
-  // Marks, per cell.
-  std::vector<char> find()
+  // Marks, per cell; or nothing if a part of the border lies along no side of the cell around it,
+  // which can't be.
+  std::optional<std::vector<char> > find()
   {
     std::vector<char> is_found(m_complex.cells.size(), false);
     for(std::size_t i = 0; i < m_mesh.corners.size(); ++i) {
@@ -60,6 +62,8 @@ public:
       if(cell != no_cell)
         is_found[std::size_t(cell)] = true;
     }
+    if(m_is_lost)
+      return std::nullopt;
     return is_found;
   }
 
@@ -133,9 +137,12 @@ private:
     for(Corner_index h = corner; h < corner + 3 && twin == untraced_dart; ++h)
       if(is_on_grid_line(m_mesh, h)) {
         const Direction along = sector<Group>(m_mesh.uv(Mesh::prev(h)), m_mesh.uv(h));
-        while(side.direction != along)
+        for(int k = 0; k < Shape::number_of_corners && side.direction != along; ++k)
           side = side.next();
-        twin = m_tracer.trace_along_edge(h, side.end(), along);
+        if(side.direction == along)
+          twin = m_tracer.trace_along_edge(h, side.end(), along);
+        else
+          m_is_lost = true;
       }
     if(twin >= 0)
       cell = m_complex.cells.cell(m_complex.darts.clockwise(std::size_t(twin)));
@@ -170,6 +177,7 @@ private:
   Decisions m_decisions;
   Basic_dart_tracer<Group> m_tracer;
   std::vector<char> m_is_visited; // per face
+  bool m_is_lost = false;
 };
 
 } // namespace internal
