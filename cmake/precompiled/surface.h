@@ -55,17 +55,21 @@ using Scaled_uv_map = std::decay_t<decltype(
     const seamless_snapping_precompiled::Mesh&,                                                    \
     const seamless_snapping_precompiled::Vertex_point_map&);
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND)                           \
-  PREFIX template class internal::Transition_reader<                                               \
-      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
-      seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given>;      \
-  PREFIX template class internal::Cut_complex_reader<                                              \
-      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
-      seamless_snapping_precompiled::Vertex_index_map>;                                            \
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, MAY_UNTANGLE)             \
   PREFIX template class internal::Surface_snapper<                                                 \
-      seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,           \
-      seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given,       \
-      MAY_ROUND, false>;
+    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
+    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given,         \
+    MAY_ROUND, MAY_UNTANGLE>;
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, UV_MAP, MAY_ROUND)                          \
+  PREFIX template class internal::Transition_reader<                                               \
+    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
+    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given>;        \
+  PREFIX template class internal::Cut_complex_reader<                                              \
+    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
+    seamless_snapping_precompiled::Vertex_index_map>;                                              \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, false)                          \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, true)
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \
@@ -76,9 +80,9 @@ using Scaled_uv_map = std::decay_t<decltype(
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
   SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                                    \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Uv_map, false)      \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, seamless_snapping_precompiled::Scaled_uv_map,      \
-                                        true)                                                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, seamless_snapping_precompiled::Uv_map, false)     \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, seamless_snapping_precompiled::Scaled_uv_map,     \
+                                         true)                                                     \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Features)            \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Aligned)
