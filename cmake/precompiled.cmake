@@ -6,7 +6,8 @@ add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp"
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/symmetries.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)
@@ -41,14 +42,15 @@ function(seamless_snapping_use_precompiled target)
   target_link_libraries(${target} PRIVATE seamless_snapping_precompiled)
 endfunction()
 
-# For sources of a target that parametrize or extract quads: what these share is in the library, but
-# its header would take time in all others. No option includes it after precompiled headers.
-function(seamless_snapping_share_remeshing target)
+# For sources of a target that share what only a few programs need: it is in the library, and they
+# include its header, which would take time in all others. It has to be included after the
+# precompiled headers, which no option of the compiler does.
+function(seamless_snapping_share target header)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS ARGN)
-    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_remeshing/${source}")
+    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_${header}/${source}")
     file(GENERATE OUTPUT "${unit}" CONTENT
-      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/remeshing.h\"\n\
+      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${header}.h\"\n\
 #include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
     list(REMOVE_ITEM sources "${source}")
     list(APPEND sources "${unit}")

@@ -1,4 +1,4 @@
-// Remeshing, compiled for all programs that use the precompiled headers and include remeshing.h.
+// Remeshing, compiled for all programs that share it.
 
 #include "remeshing.h"
 

@@ -5,6 +5,7 @@
 #define SEAMLESS_SNAPPING_PRECOMPILED_SOLVER_H
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
@@ -21,7 +22,11 @@
 #define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, GROUP)                                       \
   PREFIX template class Reduced_system<GROUP>;                                                     \
   PREFIX template class Complex_solver<GROUP>;                                                     \
+  PREFIX template class Orientation_repair<GROUP>;                                                 \
   PREFIX template bool is_exact(const Cut_complex<GROUP>&, const std::vector<Uv>&);
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, GROUP)                                      \
+  PREFIX template class Integer_rounding<GROUP>;
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SOLVER(PREFIX)                                               \
   SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, std::int64_t)                                      \
@@ -34,7 +39,9 @@
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                                 \
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<4>)                                 \
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<6>)                                 \
-  PREFIX template class Orientation_repair<Rotation_group<4> >;                                    \
+  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<3>)                                \
+  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<4>)                                \
+  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<6>)                                \
   PREFIX template bool untangle_flips(const Movable_points<Rotation_group<4> >&,                   \
                                       const Complex_solver<Rotation_group<4> >&, Uv_state&);
 

@@ -25,10 +25,10 @@ using Aligned =
     decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()).align_border(true));
 
 // What all calls share that give no cuts and rotations, whatever else they ask for.
-using Group = SS::internal::Rotation_group<4>;
 using Vertex_point_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 using Vertex_index_map = std::decay_t<decltype(
     CGAL::get_initialized_vertex_index_map(std::declval<const Mesh&>(), std::declval<Plain>()))>;
+template <typename Group>
 using Given = decltype(
     SS::internal::given_transitions<Group>(std::declval<const Mesh&>(), std::declval<Plain>()));
 using Scaled_uv_map = std::decay_t<decltype(
@@ -39,37 +39,40 @@ using Scaled_uv_map = std::decay_t<decltype(
 // Transitions and singular vertices, and what snapping takes from the mesh without its coordinates.
 #define SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                              \
   PREFIX template internal::Transition_data<seamless_snapping_precompiled::Mesh>                   \
-  internal::read_transitions<seamless_snapping_precompiled::Group>(                                \
+  internal::read_transitions<internal::Quarter_turns>(                                             \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     const seamless_snapping_precompiled::Vertex_index_map&, bool,                                  \
-    const seamless_snapping_precompiled::Given&, double);                                          \
+    const seamless_snapping_precompiled::Given<internal::Quarter_turns>&, double);                 \
   PREFIX template std::vector<std::pair<SM_Vertex_index, int> >                                    \
-  internal::singular_vertices<seamless_snapping_precompiled::Group>(                               \
+  internal::singular_vertices<internal::Quarter_turns>(                                            \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     double, const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                    \
   PREFIX template std::optional<internal::Refusal> internal::check_paths(                          \
-    const internal::Cut_complex<seamless_snapping_precompiled::Group>&,                            \
+    const internal::Cut_complex<internal::Quarter_turns>&,                                         \
     const internal::Constraint_list<seamless_snapping_precompiled::Mesh>&, double,                 \
     Snapping_report&);                                                                             \
   PREFIX template std::size_t internal::number_of_coinciding_border_edges(                         \
     const seamless_snapping_precompiled::Mesh&,                                                    \
     const seamless_snapping_precompiled::Vertex_point_map&);
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, MAY_UNTANGLE)             \
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, MAY_UNTANGLE)      \
   PREFIX template class internal::Surface_snapper<                                                 \
-    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
-    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given,         \
+    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
+    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given<GROUP>,  \
     MAY_ROUND, MAY_UNTANGLE>;
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, UV_MAP, MAY_ROUND)                          \
+#define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                        \
   PREFIX template class internal::Transition_reader<                                               \
-    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
-    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given>;        \
+    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
+    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given<GROUP> >;\
   PREFIX template class internal::Cut_complex_reader<                                              \
-    seamless_snapping_precompiled::Group, seamless_snapping_precompiled::Mesh, UV_MAP,             \
-    seamless_snapping_precompiled::Vertex_index_map>;                                              \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, false)                          \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, UV_MAP, MAY_ROUND, true)
+    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
+    seamless_snapping_precompiled::Vertex_index_map>;
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, GROUP, UV_MAP, MAY_ROUND)                   \
+  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                              \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, false)                   \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, true)
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \
@@ -80,9 +83,10 @@ using Scaled_uv_map = std::decay_t<decltype(
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
   SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                                    \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, seamless_snapping_precompiled::Uv_map, false)     \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, seamless_snapping_precompiled::Scaled_uv_map,     \
-                                         true)                                                     \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
+                                         seamless_snapping_precompiled::Uv_map, false)             \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
+                                         seamless_snapping_precompiled::Scaled_uv_map, true)       \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Features)            \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Aligned)

@@ -74,27 +74,7 @@ public:
   }
 
   // The equations that make the complex that of an integer-grid map; or why there are none.
-  std::optional<Refusal> run(const Number_format& format, std::vector<Rounding<Group> >& roundings)
-  {
-    const Reduced_system<Group> system(m_shifted);
-    const Linear_solver solver(system.rows(), system.weights(), format,
-                               system.number_of_representable_columns(), false);
-    if(!solver.is_consistent())
-      return Refusal{Snapping_status::INCONSISTENT, {}, solver.certificate()};
-    const Coordinate_components<Group> components(m_shifted, system, solver);
-    const std::vector<Grid> integers(solver.number_of_components(), Grid(format, 0));
-    const Target_shifts<Group> no_shifts;
-    const Grid_coordinates<Group> coordinates(m_shifted, integers, no_shifts);
-    const Linear_target target{
-      integers, Linear_target_builder<Group>(m_shifted, system, components, coordinates).build()};
-    Linear_solution solution;
-    if(solver.solve(target, solution) >= 0 ||
-       std::any_of(solution.grids.begin(), solution.grids.end(),
-                   [](const Grid& grid) { return grid.exponent() < 0; }))
-      return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
-    collect(system, solver, solution, roundings);
-    return std::nullopt;
-  }
+  std::optional<Refusal> run(const Number_format& format, std::vector<Rounding<Group> >& roundings);
 
 private:
   void move_to_origin(const std::size_t v)
@@ -228,6 +208,31 @@ private:
   Sector_links<Group> m_links;
   Complex m_shifted;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group>
+std::optional<Refusal> Integer_rounding<Group>::run(const Number_format& format,
+                                                    std::vector<Rounding<Group> >& roundings)
+{
+  const Reduced_system<Group> system(m_shifted);
+  const Linear_solver solver(system.rows(), system.weights(), format,
+                             system.number_of_representable_columns(), false);
+  if(!solver.is_consistent())
+    return Refusal{Snapping_status::INCONSISTENT, {}, solver.certificate()};
+  const Coordinate_components<Group> components(m_shifted, system, solver);
+  const std::vector<Grid> integers(solver.number_of_components(), Grid(format, 0));
+  const Target_shifts<Group> no_shifts;
+  const Grid_coordinates<Group> coordinates(m_shifted, integers, no_shifts);
+  const Linear_target target{
+    integers, Linear_target_builder<Group>(m_shifted, system, components, coordinates).build()};
+  Linear_solution solution;
+  if(solver.solve(target, solution) >= 0 ||
+     std::any_of(solution.grids.begin(), solution.grids.end(),
+                 [](const Grid& grid) { return grid.exponent() < 0; }))
+    return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+  collect(system, solver, solution, roundings);
+  return std::nullopt;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
