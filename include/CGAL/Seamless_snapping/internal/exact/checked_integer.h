@@ -20,8 +20,10 @@
 // overflow. The smallest machine integer counts as an overflow too, so that values can be negated
 // freely.
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_integer.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
@@ -30,11 +32,19 @@
 #include <exception>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+static_assert(
+  std::is_convertible_v<CGAL::Algebraic_structure_traits<Exact_integer>::Algebraic_category,
+                        CGAL::Euclidean_ring_tag>,
+  "CGAL::Exact_integer is a type without division here, as CGAL 6 takes it without GMP if Boost is "
+  "older than 1.80: compile with GMP, with a newer Boost, or with the option "
+  "-DCMAKE_OVERRIDDEN_DEFAULT_ENT_BACKEND=BOOST_BACKEND");
 
 // Thrown where a result does not fit; callers repeat the computation with `Exact_integer`.
 struct Integer_overflow : std::exception
