@@ -1,13 +1,11 @@
-# What most programs include, precompiled; and compiled once, the solver, which is the same in all
-# of them, and the functions on surfaces for the types that most of them use.
+# What most programs include, precompiled; and compiled once, what is the same in most of them: the
+# mesh, readers of files, solvers, and the functions on surfaces for the types that most use.
 
 add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/symmetries.cpp")
+  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)
@@ -42,15 +40,23 @@ function(seamless_snapping_use_precompiled target)
   target_link_libraries(${target} PRIVATE seamless_snapping_precompiled)
 endfunction()
 
-# For sources of a target that share what only a few programs need: it is in the library, and they
-# include its header, which would take time in all others. It has to be included after the
-# precompiled headers, which no option of the compiler does.
-function(seamless_snapping_share target header)
+# What only a few programs share.
+foreach(part IN ITEMS remeshing symmetries)
+  add_library(seamless_snapping_${part} OBJECT
+    "${PROJECT_SOURCE_DIR}/cmake/precompiled/${part}.cpp")
+  seamless_snapping_options(seamless_snapping_${part})
+  seamless_snapping_use_precompiled(seamless_snapping_${part})
+endforeach()
+
+# For sources of a target that share such a part. They include its header, which would take time in
+# all others; as it has to follow the precompiled headers, no option of the compiler includes it.
+function(seamless_snapping_share target part)
+  target_link_libraries(${target} PRIVATE seamless_snapping_${part})
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS ARGN)
-    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_${header}/${source}")
+    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_${part}/${source}")
     file(GENERATE OUTPUT "${unit}" CONTENT
-      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${header}.h\"\n\
+      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${part}.h\"\n\
 #include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
     list(REMOVE_ITEM sources "${source}")
     list(APPEND sources "${unit}")

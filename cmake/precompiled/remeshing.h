@@ -1,5 +1,5 @@
 // Parametrization, quantization and extraction of quads: declared here, they are compiled once, in
-// remeshing.cpp. Few programs need them, and these include this file themselves, see share().
+// remeshing.cpp. Few programs need them, and only these include this file.
 
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H

@@ -1,5 +1,5 @@
 // Snapping of maps with other rotations than quarter turns: declared here, it is compiled once, in
-// symmetries.cpp. Few programs need it, and these include this file themselves, see share().
+// symmetries.cpp. Few programs need it, and only these include this file.
 
 #ifndef SEAMLESS_SNAPPING_PRECOMPILED_SYMMETRIES_H
 #define SEAMLESS_SNAPPING_PRECOMPILED_SYMMETRIES_H
