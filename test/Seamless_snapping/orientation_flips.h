@@ -65,11 +65,26 @@ inline void tangle(Named& named, const double distance, const unsigned int seed)
     uv[h] = uv[h] + by;
 }
 
+// The angles around each vertex, in full turns; borders need not have whole numbers.
+inline std::vector<double> turns(const Mesh& mesh, const UV_map& uv)
+{
+  std::vector<double> result(mesh.number_of_vertices(), 0);
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h)) {
+      const Kernel::Vector_2 a = uv[mesh.next(h)] - uv[h], b = uv[mesh.prev(h)] - uv[h];
+      const double angle = std::atan2(CGAL::to_double(a.x() * b.y() - a.y() * b.x()),
+                                      CGAL::to_double(a * b));
+      result[std::size_t(mesh.target(h))] += angle / (2 * std::acos(-1.));
+    }
+  return result;
+}
+
 // Half of the free vertices anywhere: moves near by don't help any more, untangling mostly does.
 inline void test_untangling()
 {
   Tally near_by, untangled;
   std::size_t remaining = 0; // of the first way, for the second
+  std::size_t without_flips = 0, with_other_cones = 0;
   for(const Named& original : test_meshes::all_meshes<Kernel>())
     for(const double distance : { 0.5, 2. })
       for(const auto repair : { SS::Flip_repair::NEAR_BY, SS::Flip_repair::UNTANGLE }) {
@@ -81,6 +96,7 @@ inline void test_untangling()
         const std::string context = named.name + ", tangled by " + std::to_string(distance);
         if(!are_all_positive(signs(mesh, uv)))
           continue;
+        const std::vector<double> turns_before = turns(mesh, uv);
         tangle(named, distance, 1);
         uv_noise::perturb(mesh, uv, 1e-9, 1);
         const auto np = SS::parameters::edge_is_constrained_map(features)
@@ -94,9 +110,19 @@ inline void test_untangling()
           remaining = report.remaining_flips.size();
         else
           CHECK_IN(context, report.remaining_flips.size() <= remaining);
+        if(are_all_positive(signs(mesh, uv))) {
+          ++without_flips;
+          const std::vector<double> turns_now = turns(mesh, uv);
+          with_other_cones +=
+            std::equal(turns_now.begin(), turns_now.end(), turns_before.begin(),
+                       [](double a, double b) { return std::abs(a - b) < 0.5; }) ? 0 : 1;
+        }
       }
   near_by.print("tangled, near by");
   untangled.print("tangled, untangled");
+  std::cout << without_flips << " tangled maps without flips, " << with_other_cones
+            << " of them with other cones" << std::endl;
+  CHECK(20 * with_other_cones < without_flips);
   CHECK(3 * (untangled.flips - untangled.repaired_flips) < near_by.flips - near_by.repaired_flips);
 }
 

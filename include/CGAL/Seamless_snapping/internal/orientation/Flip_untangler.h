@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
@@ -108,7 +109,24 @@ private:
       map.triangles.push_back({{{std::size_t(face.points[0]), std::size_t(face.points[1]),
                                  std::size_t(face.points[2])}}, wanted_shape(face)});
     }
+    add_angles(map);
     return map;
+  }
+
+  void add_angles(Constrained_triangles& map) const
+  {
+    const Vertex_angles<Group> angles(m_points);
+    for(std::size_t p = 0; p < m_points.stars().size(); ++p)
+      map.vertex.push_back(angles.vertex(Point_index(p)));
+    std::vector<typename Vertex_angles<Group>::Input_sum> sums(
+      m_points.complex().number_of_vertices() + map.start.size());
+    for(std::size_t f = 0; f < m_points.stars().number_of_faces(); ++f) {
+      const Domain_face& face = m_points.domain_face(Face_index(f));
+      for(std::size_t k = 0; k < 3; ++k)
+        angles.add(face, k, sums[map.vertex[std::size_t(face.points[k])]]);
+    }
+    for(const auto& sum : sums)
+      map.angle.push_back(sum.value());
   }
 
   static constexpr std::size_t largest_number_of_iterations = 200; // over all faces

@@ -21,6 +21,7 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_moves.h>
 
 #include <algorithm>
@@ -75,8 +76,11 @@ class Kernel_moves
 
 public:
   Kernel_moves(const Movable_points<Group>& points, const Number_format& format)
-    : m_points(points), m_format(format)
+    : m_points(points), m_angles(points), m_format(format)
   { }
+
+  // From now on, repairs of flips may leave other cones than those of the input.
+  void allow_other_cones() { m_keeps_cones = false; }
 
   // Returns the faces that remain.
   // \param reach the largest change of a functional, from the input
@@ -109,6 +113,7 @@ private:
   {
     Vertex_move<Group> move;
     double unit; // of areas and displacements
+    bool is_for_flip; // of the input
     std::vector<Ring_face> ring;
     Uv displacement; // in the coordinates of the map; half planes are Cartesian
   };
@@ -120,7 +125,7 @@ private:
     const Domain_face target_face = m_points.domain_face(target);
     std::vector<Plan> plans;
     for(const Point_index p : target_face.points) {
-      Plan plan{find_vertex_move(m_points, p), 0, {}, {}};
+      Plan plan{find_vertex_move(m_points, p), 0, !target_face.was_positive, {}, {}};
       plan.unit = m_points.spacing(p);
       if(plan.move.is_possible() && collect_ring(target, state, plan))
         plans.push_back(std::move(plan));
@@ -296,7 +301,11 @@ private:
        std::all_of(plan.ring.begin(), plan.ring.end(), [&](const Ring_face& f) {
          return !(f.is_positive || f.is_target || (all && f.is_wanted)) ||
                 m_points.is_positive(state, f.face);
-       }))
+       }) &&
+       (!plan.is_for_flip || !m_keeps_cones ||
+        std::all_of(plan.ring.begin(), plan.ring.end(), [&](const Ring_face& f) {
+          return m_angles.are_kept(state, f.face);
+        })))
       return true;
     for(std::size_t i = 0; i < before.size(); ++i)
       m_points.set_uv(state, plan.move.members[i].point, before[i]);
@@ -304,6 +313,8 @@ private:
   }
 
   const Movable_points<Group>& m_points;
+  Vertex_angles<Group> m_angles;
+  bool m_keeps_cones = true;
   Number_format m_format;
 };
 

@@ -87,6 +87,17 @@ private:
     count(report.run.number_of_faces_repaired_by_moves);
   }
 
+  // From exact coordinates on.
+  void make_all_attempts(Attempt& best, Snapping_report& report)
+  {
+    report.run.number_of_faces_repaired_by_moves = 0;
+    report.run.number_of_faces_repaired_by_program = 0;
+    report.run.number_of_faces_repaired_by_untangling = 0;
+    make_attempts(best, report);
+    if(m_untangle != nullptr && !best.flips.empty())
+      untangle(best, report);
+  }
+
   // Flips are repaired at no face's price here, too.
   void untangle(Attempt& best, Snapping_report& report)
   {
@@ -278,9 +289,18 @@ void Orientation_repair<Group>::run(Uv_state& state, Snapping_report& report)
   m_flip_reach = (std::max)(m_largest_repair, largest_reach * report.extent);
   m_optimum = state;
   Attempt best{state, {}, {}};
-  make_attempts(best, report);
-  if(m_untangle != nullptr && !best.flips.empty())
-    untangle(best, report);
+  make_all_attempts(best, report);
+  if(!best.flips.empty()) {
+    Snapping_report other_report = report;
+    Attempt other{state, {}, {}};
+    m_move.allow_other_cones();
+    m_work = 0;
+    make_all_attempts(other, other_report);
+    if(other.flips.size() < best.flips.size() && is_subset(other.lost, best.lost)) {
+      best = std::move(other);
+      report = std::move(other_report);
+    }
+  }
   report.lost_faces = m_stars.numbers_in_mesh(best.lost);
   if(m_repair_flips) {
     report.run.number_of_repaired_flips = flipped - best.flips.size();

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -122,10 +123,10 @@ public:
   // \param surface loses the alignment of the edges that are released
   Positive_solver(Triangle_surface& surface, const std::vector<char>& is_cut,
                   const std::vector<Quarter_turns::Element>& rotation,
-                  const std::vector<double>& angles, const Parameterization_options& options,
-                  Report& report)
+                  const std::vector<double>& angles, const std::vector<int>& index,
+                  const Parameterization_options& options, Report& report)
     : m_surface(surface), m_is_cut(is_cut), m_rotation(rotation), m_angles(angles),
-      m_options(options), m_report(report)
+      m_index(index), m_options(options), m_report(report)
   { }
 
   void run(const std::size_t number_of_untangling_iterations)
@@ -194,7 +195,19 @@ private:
          Reference_shape({{length * std::cos(angle), length * std::sin(angle)}},
                          {{-m_surface.length[h], 0}})});
     }
+    add_angles(result);
     return result;
+  }
+
+  // Those of the field, which leaves the border out.
+  void add_angles(Constrained_triangles& map) const
+  {
+    map.vertex.resize(m_complex->number_of_sectors());
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
+      map.vertex[m_complex->sector(h)] = m_surface.vertex(h);
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
+      map.angle.push_back(m_surface.is_border[v] ? std::numeric_limits<double>::quiet_NaN()
+                                                 : full_turn - m_index[v] * quarter_turn);
   }
 
   // Those that the constraints give the same u, or the same v, at all corners.
@@ -243,6 +256,7 @@ private:
   const std::vector<char>& m_is_cut;
   const std::vector<Quarter_turns::Element>& m_rotation;
   const std::vector<double>& m_angles;
+  const std::vector<int>& m_index; // per vertex
   const Parameterization_options& m_options;
   Report& m_report;
   std::size_t m_iterations_left = 0;

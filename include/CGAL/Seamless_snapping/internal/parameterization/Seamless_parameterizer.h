@@ -223,8 +223,8 @@ Parameterization_result parameterize(Triangle_surface& surface,
     comb(surface, graph.is_cut(), matching, angles);
   timer.finish("cut graph");
 
-  Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, options,
-                                         report);
+  Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, singular.index,
+                                         options, report);
   solver.run(options.number_of_untangling_iterations);
   result.uv = solver.take();
   update_indices(surface, solver.complex(), result);

@@ -64,6 +64,8 @@ struct Constrained_triangles
   std::vector<Triangle> triangles;
   std::vector<Uv> start;                        // per point
   std::vector<std::array<Sparse_row, 2> > rows; // per point: what is added to it
+  std::vector<std::size_t> vertex;              // per point: several have the same one at cuts
+  std::vector<double> angle; // per vertex: the sum of its angles, or not a number for any
 
   Uv point(const std::size_t p, const std::vector<double>& unknowns) const
   {

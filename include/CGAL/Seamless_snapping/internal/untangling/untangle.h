@@ -17,13 +17,14 @@
 
 // Makes triangles positive by changing what is around them, as far around as it takes.
 
+#include <CGAL/Seamless_snapping/internal/untangling/Angle_sum.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Distortion_minimizer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,12 @@ class Untangler
 public:
   explicit Untangler(const Constrained_triangles& map)
     : m_map(map), m_unknowns(map.number_of_unknowns, 0.),
-      m_number_of(map.number_of_unknowns, -1), m_triangles_of(map.number_of_unknowns)
+      m_number_of(map.number_of_unknowns, -1), m_triangles_of(map.number_of_unknowns),
+      m_angles(map.angle.size())
   {
+    std::vector<std::size_t> all(map.triangles.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    add_angles(all, 1);
     for(std::size_t t = 0; t < map.triangles.size(); ++t)
       for_each_unknown(t, [&](const std::size_t i) {
         if(m_triangles_of[i].empty() || m_triangles_of[i].back() != t)
@@ -133,29 +138,31 @@ private:
     return result;
   }
 
-  // How many points have 720 degrees or more, of which each fold can make one.
-  std::size_t number_of_large_angles(const std::vector<std::size_t>& triangles) const
+  // Adds the angles of triangles, or takes them away.
+  void add_angles(const std::vector<std::size_t>& triangles, const int sign)
   {
-    std::map<std::size_t, double> angles;
     for(const std::size_t t : triangles) {
       const Uv_triangle u = m_map.triangle(t, m_unknowns);
-      for(std::size_t k = 0; k < 3; ++k) {
-        const Uv &p = u[k], &q = u[(k + 1) % 3], &r = u[(k + 2) % 3];
-        const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
-        angles[m_map.triangles[t].points[k]] += std::atan2(a[0] * b[1] - a[1] * b[0],
-                                                           a[0] * b[0] + a[1] * b[1]);
-      }
+      for(std::size_t k = 0; k < 3; ++k)
+        m_angles[m_map.vertex[m_map.triangles[t].points[k]]].add(u, k, sign);
     }
-    const double large = 8 * std::acos(0.) - 0.1;
-    return std::size_t(std::count_if(angles.begin(), angles.end(),
-                                     [&](const auto& a) { return a.second > large; }));
+  }
+
+  // The number of corners at vertices that have no fold, but other angles than they are to have.
+  std::size_t number_of_wrong_angles(const std::vector<std::size_t>& triangles) const
+  {
+    std::size_t result = 0;
+    for(const std::size_t t : triangles)
+      for(const std::size_t p : m_map.triangles[t].points)
+        result += m_angles[m_map.vertex[p]].is_wrong(m_map.angle[m_map.vertex[p]]) ? 1 : 0;
+    return result;
   }
 
   // Keeps the result if fewer triangles are not positive. Returns the number of iterations times
   // that of triangles.
-  // \param may_add_cones whether regular vertices may get 720 degrees
+  // \param may_change_cones whether vertices may get other angles than they are to have
   double improve(const std::vector<std::size_t>& patch,
-                 const std::size_t largest_number_of_iterations, const bool may_add_cones)
+                 const std::size_t largest_number_of_iterations, const bool may_change_cones)
   {
     std::vector<std::size_t> triangles;
     for(std::size_t k = 0; k < patch.size(); ++k) {
@@ -174,17 +181,22 @@ private:
       });
     };
     const auto before = number_of_bad();
-    const std::size_t large_before = number_of_large_angles(triangles);
+    const std::size_t wrong_before = number_of_wrong_angles(triangles);
+    add_angles(triangles, -1);
     std::vector<FT> kept; // per unknown of the patch
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = -1;
       kept.push_back(m_unknowns[patch[k]]);
       m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
     }
+    add_angles(triangles, 1);
     if(number_of_bad() >= before ||
-       (!may_add_cones && number_of_large_angles(triangles) > large_before))
+       (!may_change_cones && number_of_wrong_angles(triangles) > wrong_before)) {
+      add_angles(triangles, -1);
       for(std::size_t k = 0; k < patch.size(); ++k)
         m_unknowns[patch[k]] = kept[k];
+      add_angles(triangles, 1);
+    }
     return static_cast<double>(iterations) * static_cast<double>(triangles.size());
   }
 
@@ -192,6 +204,7 @@ private:
   std::vector<FT> m_unknowns;
   std::vector<int> m_number_of; // per unknown: its number in the patch, or -1
   std::vector<std::vector<std::size_t> > m_triangles_of; // per unknown
+  std::vector<Angle_sum> m_angles; // per vertex
 };
 
 } // namespace internal
