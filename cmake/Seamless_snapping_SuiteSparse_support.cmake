@@ -1,5 +1,5 @@
 # The target Seamless_snapping::SuiteSparse_support, where SuiteSparse is found: programs that link
-# it compute parametrizations with its solver CHOLMOD.
+# it compute parametrizations, and spread roundings to integer grids, with its solver CHOLMOD.
 
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)

@@ -74,6 +74,57 @@ void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer
   CHECK_EQUAL(wrong, std::size_t(0));
 }
 
+// The curves from a corner meet the opposite edge one after the other, counterclockwise, in faces
+// of either orientation. Returns how many successive ones there are in flipped faces.
+std::size_t test_order_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
+{
+  std::size_t wrong = 0, flipped = 0;
+  for(const auto v : mesh.vertices()) {
+    const auto outgoing = tracer.outgoing(v);
+    const auto crossing = [&](const std::size_t i) {
+      const Mesh::Halfedge_index h = outgoing[i].first.halfedge;
+      const bool is_horizontal =
+        outgoing[i].second == Direction::PLUS_U || outgoing[i].second == Direction::MINUS_U;
+      const int c = is_horizontal ? 1 : 0;
+      const Exact_rational p(uv[h][c]), q(uv[mesh.next(h)][c]), r(uv[mesh.prev(h)][c]);
+      return Exact_rational((q - p) / (q - r)); // 0 at the first edge of the corner, 1 at the last
+    };
+    for(std::size_t i = 1; i < outgoing.size(); ++i) {
+      const Mesh::Halfedge_index h = outgoing[i].first.halfedge;
+      if(h != outgoing[i - 1].first.halfedge)
+        continue;
+      wrong += crossing(i - 1) > crossing(i) ? 1 : 0; // equal in a degenerate face
+      flipped += CGAL::orientation(uv[mesh.prev(h)], uv[h], uv[mesh.next(h)]) == CGAL::RIGHT_TURN
+                   ? 1 : 0;
+    }
+  }
+  CHECK_EQUAL(wrong, std::size_t(0));
+  return flipped;
+}
+
+// Vertices away from seams are moved to their neighbors' other sides.
+void test_order_in_folds(const Mesh& original, const UV_map& original_uv)
+{
+  Mesh mesh = original;
+  UV_map uv = square_complex::uv_map(mesh);
+  std::size_t i = 0;
+  for(const auto v : mesh.vertices()) {
+    const auto around = CGAL::halfedges_around_target(mesh.halfedge(v), mesh);
+    if(i++ % 5 != 0 || mesh.is_isolated(v) || CGAL::is_border(v, mesh) ||
+       std::any_of(around.begin(), around.end(), [&](const auto h)
+                   { return original_uv[h] != original_uv[*around.begin()] ||
+                            original_uv[mesh.prev(h)] != original_uv[mesh.opposite(h)]; }))
+      continue;
+    const auto opposite = mesh.next(mesh.opposite(mesh.prev(mesh.halfedge(v))));
+    for(const auto h : around)
+      uv[h] = uv[opposite];
+  }
+  const Tracer tracer(mesh, uv);
+  CHECK(tracer.is_exact());
+  if(tracer)
+    CHECK(test_order_of_directions(mesh, uv, tracer) > 0);
+}
+
 // Curves that start at random points of edges and faces.
 void test_other_starts(const Mesh& mesh, const UV_map& uv, const Tracer& tracer, const int number)
 {
@@ -351,6 +402,8 @@ void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact)
   if(!CHECK_EQUAL(bad, std::size_t(0)))
     std::cerr << "  in " << path << std::endl;
   test_numbers_of_directions(mesh, uv, tracer);
+  test_order_of_directions(mesh, uv, tracer);
+  test_order_in_folds(mesh, uv);
   test_other_starts(mesh, uv, tracer, 20);
   test_threads(mesh, uv);
 }

@@ -169,7 +169,7 @@ private:
 
   void launch_from(const std::size_t v)
   {
-    const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    const Vertex_rays rays = rays_from_vertex(m_mesh, v);
     const std::int32_t first_slot = slots_of_vertex(m_domain, v).first_ray;
     for(std::size_t k = 0; k < rays.size(); ++k) {
       if(is_along_wall(m_domain, rays[k]))

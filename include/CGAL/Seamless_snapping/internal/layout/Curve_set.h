@@ -85,7 +85,7 @@ inline std::size_t slot_of_arrival(const Chart_mesh& mesh, const Curve_segment& 
   state.direction = direction;
   if(segment.along != no_index)
     state.arrival_key = mesh.edge_key(segment.along);
-  const std::vector<Vertex_ray> rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
+  const Vertex_rays rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
   return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
                                   { return state.arrived_by(mesh, ray); }) - rays.begin());
 }

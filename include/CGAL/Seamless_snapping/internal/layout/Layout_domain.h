@@ -140,7 +140,7 @@ inline void mark_walls(const std::vector<char>& is_feature, const bool is_border
 // surface.
 inline bool is_straight_wall(const Layout_domain& domain, const std::size_t v)
 {
-  const std::vector<Vertex_ray> rays = rays_from_vertex(domain.mesh, v);
+  const Vertex_rays rays = rays_from_vertex(domain.mesh, v);
   std::size_t walls = 0, sum = 0;
   for(std::size_t k = 0; k < rays.size(); ++k)
     if(is_along_wall(domain, rays[k])) {

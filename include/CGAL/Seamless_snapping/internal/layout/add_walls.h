@@ -55,7 +55,7 @@ public:
 private:
   void add_walls_from(const std::size_t v)
   {
-    const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    const Vertex_rays rays = rays_from_vertex(m_mesh, v);
     for(std::size_t k = 0; k < rays.size(); ++k) {
       const Corner_index h = edge_of_ray(rays[k]);
       if(h != no_index && m_domain.is_wall[std::size_t(h)] && !m_is_done[std::size_t(h)])

@@ -152,7 +152,7 @@ private:
   {
     const std::size_t v = m_mesh.vertex(state.halfedge);
     const Corner_index c = m_mesh.corner_at_vertex[v];
-    const std::vector<Vertex_ray> rays = rays_from_vertex(m_mesh, v);
+    const Vertex_rays rays = rays_from_vertex(m_mesh, v);
     const auto ray = std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& r)
                                   { return state.arrived_by(m_mesh, r); });
     return dart(face_of(c), m_mesh.uv(c), int(ray - rays.begin()));

@@ -23,8 +23,11 @@
 // isocurves are still the level sets of a piecewise linear function; the direction of a ray then
 // tells its sides, not where it points to: in a flipped triangle, that is the opposite.
 
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -106,24 +109,40 @@ Corner_index first_corner(const Basic_chart_mesh<Group>& mesh, const Corner_inde
   return c;
 }
 
+// Those of most vertices need no memory of their own.
+using Vertex_rays = boost::container::small_vector<Vertex_ray, 8>;
+
+// Appends those that start at a corner, counterclockwise: directions follow each other, the first
+// after the last; in a flipped face, where sides are exchanged, in descending order.
+template <typename Group>
+void add_rays_at_corner(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
+                        Vertex_rays& rays)
+{
+  const std::size_t begin = rays.size();
+  for(int turns = 0; turns < Group::order; ++turns)
+    for_ray_at_corner(mesh, corner, Group::element(turns),
+                      [&](const Vertex_ray& r) { rays.push_back(r); });
+  if(rays.size() < begin + 2)
+    return;
+  const auto first = rays.begin() + std::ptrdiff_t(begin);
+  const auto gap = std::adjacent_find(first, rays.end(), [](const auto& a, const auto& b)
+                     { return b.direction != turned<Group>(a.direction, Group::element(1)); });
+  if(gap != rays.end())
+    std::rotate(first, gap + 1, rays.end());
+  if(orientation({{mesh.uv(corner), mesh.uv(mesh.next(corner)), mesh.uv(mesh.prev(corner))}}) ==
+     CGAL::NEGATIVE)
+    std::reverse(first, rays.end());
+}
+
 // All rays from a vertex, counterclockwise, each in the chart of its corner.
 template <typename Group>
-std::vector<Vertex_ray> rays_from_vertex(const Basic_chart_mesh<Group>& mesh,
-                                         const std::size_t vertex)
+Vertex_rays rays_from_vertex(const Basic_chart_mesh<Group>& mesh, const std::size_t vertex)
 {
-  std::vector<Vertex_ray> rays;
+  Vertex_rays rays;
   const Corner_index start = mesh.corner_at_vertex[vertex];
   Corner_index corner = start;
   do {
-    const std::size_t begin = rays.size();
-    for(int turns = 0; turns < Group::order; ++turns)
-      for_ray_at_corner(mesh, corner, Group::element(turns),
-                        [&](const Vertex_ray& r) { rays.push_back(r); });
-    // +u comes after the last direction
-    for(std::size_t i = begin + 1; i < rays.size(); ++i)
-      if(rays[i].direction != turned<Group>(rays[i - 1].direction, Group::element(1)))
-        std::rotate(rays.begin() + std::ptrdiff_t(begin), rays.begin() + std::ptrdiff_t(i),
-                    rays.end());
+    add_rays_at_corner(mesh, corner, rays);
     corner = mesh.counterclockwise(corner);
   } while(corner != no_index && corner != start);
   return rays;
