@@ -10,8 +10,6 @@
 
 namespace seamless_snapping_precompiled {
 
-using Matrix_of_systems = CGAL::Eigen_sparse_matrix<double>::EigenType;
-using Solver_of_systems = CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix_of_systems> >;
 using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal::strip(
     CGAL::Seamless_snapping::parameters::edge_is_constrained_map(Edge_bool_map())))>;
 
@@ -23,7 +21,7 @@ using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal:
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(PREFIX)                                            \
   PREFIX template parameterization::Parameterization_result                                        \
-  parameterization::parameterize<seamless_snapping_precompiled::Solver_of_systems, double>(        \
+  parameterization::parameterize<parameterization::Default_solver, double>(                        \
     parameterization::Triangle_surface&, const parameterization::Parameterization_options&,        \
     Parameterization_report<SM_Vertex_index>&);                                                    \
   PREFIX template Quantization quantize_map(                                                       \
