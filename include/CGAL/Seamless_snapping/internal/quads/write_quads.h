@@ -34,7 +34,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -62,21 +61,16 @@ public:
                              std::array<double, 3> >;
 
   Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map, const Locate& locate)
-    : m_tmesh(tmesh), m_point_map(point_map), m_locate(locate)
-  {
-    const auto all = faces(tmesh);
-    std::size_t f = 0;
-    for(auto face = all.begin(); face != all.end(); ++face, ++f)
-      if(f % stride == 0)
-        m_faces.push_back(face);
-  }
+    : m_tmesh(tmesh), m_faces(faces(tmesh).begin(), faces(tmesh).end()), m_point_map(point_map),
+      m_locate(locate)
+  { }
 
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
   Location location(const Lattice_point& p) const
   {
     const Surface_location at = m_locate(p);
     const Weights& w = at.weights;
-    return {face(at.face), {w[2], w[0], w[1]}};
+    return {m_faces[at.face], {w[2], w[0], w[1]}};
   }
 
   // Of all points in space. They are computed concurrently only if coordinates are no objects that
@@ -97,16 +91,12 @@ public:
   }
 
 private:
-  using Face_iterator = typename boost::graph_traits<TriangleMesh>::face_iterator;
-  static constexpr std::size_t stride = 16;
-
-  auto face(const std::size_t f) const
-  { return *std::next(m_faces[f / stride], std::ptrdiff_t(f % stride)); }
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
   Place place(const Surface_location& at) const
   {
     Place sum{};
-    auto h = halfedge(face(at.face), m_tmesh);
+    auto h = halfedge(m_faces[at.face], m_tmesh);
     for(const double w : at.weights) {
       if(w != 0) {
         const auto& q = get(m_point_map, target(h, m_tmesh));
@@ -120,7 +110,7 @@ private:
   }
 
   const TriangleMesh& m_tmesh;
-  std::vector<Face_iterator> m_faces; // some of them, in their order: all would take much memory
+  std::vector<Face> m_faces; // in their order
   const VertexPointMap& m_point_map;
   const Locate& m_locate;
 };
