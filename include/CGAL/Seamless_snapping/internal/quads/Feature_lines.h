@@ -17,16 +17,10 @@
 
 // The features and borders of a surface as lines that points can slide along.
 
+#include <CGAL/Seamless_snapping/internal/quads/Search_tree.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 
 #include <CGAL/AABB_halfedge_graph_segment_primitive.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/version_macros.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#endif
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
@@ -44,12 +38,7 @@ class Feature_lines
   using Halfedge = Surface_to_remesh::Halfedge;
   using Kernel = Surface_to_remesh::Kernel;
   using Point = Kernel::Point_3;
-  using Primitive = CGAL::AABB_halfedge_graph_segment_primitive<Mesh>;
-#if CGAL_VERSION_NR >= 1060000000
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive> >;
-#else
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> >;
-#endif
+  using Tree = Search_tree<CGAL::AABB_halfedge_graph_segment_primitive<Mesh> >;
 
 public:
   explicit Feature_lines(const Surface_to_remesh& surface) : m_surface(surface)

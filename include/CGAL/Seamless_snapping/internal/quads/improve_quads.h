@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -101,24 +102,29 @@ private:
   std::vector<Vertex> vertices_near_thin_quads()
   {
     std::vector<Vertex> result;
+    std::set<Vertex> is_known;
+    const auto add = [&](const Vertex v) {
+      if(is_known.insert(v).second)
+        result.push_back(v);
+    };
     for(const Face f : faces(m_quads)) {
       const auto q = m_smoother.quad(f);
       if(scaled_jacobian(q, quad_normal(q)) >= thin)
         continue;
       for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
-        result.push_back(v);
+        add(v);
         for(const Vertex w : CGAL::vertices_around_target(v, m_quads))
-          result.push_back(w);
+          add(w);
       }
     }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     std::vector<std::pair<double, Vertex> > order;
     for(const Vertex v : result) {
       collect_star(v);
-      order.emplace_back(-badness(), v);
+      order.emplace_back(badness(), v);
     }
-    std::sort(order.begin(), order.end());
+    // not by vertices, which some meshes order by their addresses
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
     std::transform(order.begin(), order.end(), result.begin(),
                    [](const auto& entry) { return entry.second; });
     return result;

@@ -18,16 +18,10 @@
 // Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
 // their neighbors; and measures the result. All of this is floating point.
 
+#include <CGAL/Seamless_snapping/internal/quads/Search_tree.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/version_macros.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#endif
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
@@ -91,12 +85,7 @@ class Quad_smoother
   using Face = typename Graph_traits::face_descriptor;
   using Surface_kernel = Surface_to_remesh::Kernel;
   using Surface_point = Surface_kernel::Point_3;
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Surface_to_remesh::Mesh>;
-#if CGAL_VERSION_NR >= 1060000000
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Surface_kernel, Primitive> >;
-#else
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Surface_kernel, Primitive> >;
-#endif
+  using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Surface_to_remesh::Mesh> >;
 
 public:
   using Quad = std::array<Space_vector, 4>;
