@@ -28,6 +28,11 @@
 #define SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, GROUP)                                      \
   PREFIX template class Integer_rounding<GROUP>;
 
+#define SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, HOW)                                      \
+  PREFIX template bool untangle_flips<Rotation_group<4>, HOW>(                                     \
+    const Movable_points<Rotation_group<4> >&, const Complex_solver<Rotation_group<4> >&,          \
+    Uv_state&);
+
 #define SEAMLESS_SNAPPING_INSTANTIATE_SOLVER(PREFIX)                                               \
   SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, std::int64_t)                                      \
   SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, Exact_integer)                                     \
@@ -42,8 +47,8 @@
   SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<3>)                                \
   SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<4>)                                \
   SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<6>)                                \
-  PREFIX template bool untangle_flips(const Movable_points<Rotation_group<4> >&,                   \
-                                      const Complex_solver<Rotation_group<4> >&, Uv_state&);
+  SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::NEAR_BY_FIRST)                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::ANGLES_FIRST)
 
 namespace CGAL {
 namespace Seamless_snapping {

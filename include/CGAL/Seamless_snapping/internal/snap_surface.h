@@ -149,10 +149,12 @@ private:
     m_timer.finish("solution");
 
     Stars stars(m_tmesh, cuts, m_uv_map, m_vertex_indices);
+    // cones of integer-grid maps become vertices of quads
+    constexpr Untangling how = may_round ? Untangling::ANGLES_FIRST : Untangling::NEAR_BY_FIRST;
     typename Orientation_repair<Group>::Untangle untangle = nullptr;
     if constexpr(may_untangle)
       if(m_flip_repair == Flip_repair::UNTANGLE)
-        untangle = &untangle_flips<Group>;
+        untangle = &untangle_flips<Group, how>;
     Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
                               untangle)
       .run(snapped.coordinates, m_report);

@@ -62,11 +62,11 @@ public:
   // Changes exact coordinates into others with fewer flips, if they are found.
   // \pre all faces were met
   // \return whether the coordinates were changed
-  bool run(Uv_state& state) const
+  bool run(Uv_state& state, const Untangling how) const
   {
     const Constrained_triangles map = constrained_triangles(state);
     Untangler<double> untangler(map);
-    untangler.run(largest_number_of_iterations, true);
+    untangler.run(largest_number_of_iterations, how);
     const std::vector<double>& unknowns = untangler.unknowns();
 
     Target_shifts<Group> shifts;
@@ -136,11 +136,11 @@ private:
 };
 
 // As Orientation_repair takes it.
-template <typename Group>
+template <typename Group, Untangling how>
 bool untangle_flips(const Movable_points<Group>& points, const Complex_solver<Group>& solver,
                     Uv_state& state)
 {
-  return Flip_untangler<Group>(points, solver).run(state);
+  return Flip_untangler<Group>(points, solver).run(state, how);
 }
 
 } // namespace internal

@@ -143,12 +143,13 @@ public:
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
       std::vector<std::size_t> stuck;
       if(m_report.number_of_flipped_faces > 0)
-        stuck = untangle(unknowns, !m_options.may_release);
+        stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
+                                                         : Untangling::ANGLES_FIRST);
       const bool is_last = round == largest_number_of_rounds || m_iterations_left == 0;
       if(!stuck.empty() && m_options.may_release && !is_last && release(stuck))
         continue;
       if(!stuck.empty() && m_options.may_release)
-        untangle(unknowns, true);
+        untangle(unknowns, Untangling::ANGLES_FIRST);
       m_uv = m_rows->evaluate(unknowns);
       return;
     }
@@ -168,11 +169,11 @@ private:
   }
 
   // Returns the faces that are not positive afterwards.
-  std::vector<std::size_t> untangle(std::vector<double>& unknowns, const bool is_thorough)
+  std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
     const Constrained_triangles map = triangles(unknowns);
     Untangler<double> untangler(map);
-    const std::size_t iterations = untangler.run(m_iterations_left, is_thorough);
+    const std::size_t iterations = untangler.run(m_iterations_left, how);
     m_iterations_left -= (std::min)(iterations, m_iterations_left);
     m_report.number_of_untangling_iterations += iterations;
     for(std::size_t i = 0; i < unknowns.size(); ++i)

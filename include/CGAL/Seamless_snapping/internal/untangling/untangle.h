@@ -32,15 +32,25 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// What to change where changes near by would give vertices other angles than they are to have.
+enum class Untangling
+{
+  NEAR_BY,       // the angles
+  NEAR_BY_FIRST, // the angles, and large parts of the map where flips remain
+  ANGLES_FIRST   // large parts of the map
+};
+
 // Invariant: the unknowns have the values of the fewest triangles that are not positive.
 template <typename FT>
 class Untangler
 {
-  // How far around, which unknowns may change, and for how long. Unknowns that many triangles
-  // depend on, as the translations of cuts are, make large patches of small ones.
+  // How far around, which unknowns may change, for how long, and whether vertices may get other
+  // angles. Unknowns that many triangles depend on, as the translations of cuts are, make large
+  // patches of small ones.
   struct Attempt
   {
     std::size_t rings, most_triangles_of_unknown, iterations; // of those that succeed: 10 to 40
+    bool may_change_angles;
   };
 
 public:
@@ -60,20 +70,21 @@ public:
   }
 
   // Returns the number of iterations over as many triangles as there are, rounded up.
-  // \param is_thorough whether large parts of the map may be changed
-  std::size_t run(const std::size_t largest_number_of_iterations, const bool is_thorough)
+  std::size_t run(const std::size_t largest_number_of_iterations, const Untangling how)
   {
     constexpr std::size_t any = static_cast<std::size_t>(-1);
-    std::vector<Attempt> attempts{{4, 40, 30}, {6, any, 40}};
-    if(is_thorough)
-      attempts.push_back({40, any, 100});
+    std::vector<Attempt> attempts{{4, 40, 30, false}, {6, any, 40, how == Untangling::NEAR_BY}};
+    if(how == Untangling::NEAR_BY_FIRST)
+      attempts.push_back({6, any, 40, true});
+    if(how != Untangling::NEAR_BY)
+      attempts.push_back({40, any, 100, true});
     const double all = static_cast<double>(m_map.triangles.size());
     const double allowed = all * static_cast<double>(largest_number_of_iterations);
     double work = 0;
     for(const Attempt& attempt : attempts)
       for(const std::vector<std::size_t>& patch : patches(m_map.not_positive(m_unknowns), attempt))
         if(work < allowed)
-          work += improve(patch, attempt.iterations, &attempt == &attempts.back());
+          work += improve(patch, attempt);
     return static_cast<std::size_t>(std::ceil(work / all));
   }
 
@@ -160,9 +171,7 @@ private:
 
   // Keeps the result if fewer triangles are not positive. Returns the number of iterations times
   // that of triangles.
-  // \param may_change_cones whether vertices may get other angles than they are to have
-  double improve(const std::vector<std::size_t>& patch,
-                 const std::size_t largest_number_of_iterations, const bool may_change_cones)
+  double improve(const std::vector<std::size_t>& patch, const Attempt& attempt)
   {
     std::vector<std::size_t> triangles;
     for(std::size_t k = 0; k < patch.size(); ++k) {
@@ -173,7 +182,7 @@ private:
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
-    const std::size_t iterations = minimizer.run(largest_number_of_iterations);
+    const std::size_t iterations = minimizer.run(attempt.iterations);
 
     const auto number_of_bad = [&]() {
       return std::count_if(triangles.begin(), triangles.end(), [&](const std::size_t t) {
@@ -191,7 +200,7 @@ private:
     }
     add_angles(triangles, 1);
     if(number_of_bad() >= before ||
-       (!may_change_cones && number_of_wrong_angles(triangles) > wrong_before)) {
+       (!attempt.may_change_angles && number_of_wrong_angles(triangles) > wrong_before)) {
       add_angles(triangles, -1);
       for(std::size_t k = 0; k < patch.size(); ++k)
         m_unknowns[patch[k]] = kept[k];
