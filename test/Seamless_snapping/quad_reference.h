@@ -20,6 +20,7 @@
 #include <deque>
 #include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace quad_reference {
@@ -164,8 +165,47 @@ inline std::vector<int> code_from(const Mesh& mesh, const Halfedge first)
   return code;
 }
 
-// The code of each connected part: the smallest over its halfedges, of which only those are tried
-// whose surroundings are the rarest.
+// Halfedges to number a connected part from. Each is told by what its neighbors are told by, from
+// the degrees on: those few are taken that are alike when this does not tell more. Where all are
+// alike, as on a regular torus, a translation moves every vertex to every other, and one will do.
+inline std::vector<Halfedge> first_halfedges(const Mesh& mesh, const std::vector<Halfedge>& members)
+{
+  using Key = std::array<int, 3>;
+  constexpr std::size_t few = 100;
+  std::vector<std::pair<Key, Halfedge> > keys;
+  for(const Halfedge h : members)
+    keys.emplace_back(Key{int(mesh.degree(mesh.target(h))), int(mesh.degree(mesh.source(h))),
+                          mesh.is_border(h) ? 1 : 0}, h);
+  std::vector<int> kind(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges(), -1);
+  for(std::size_t known_kinds = 0;;) {
+    std::sort(keys.begin(), keys.end());
+    std::vector<Halfedge> rarest;
+    std::size_t number_of_kinds = 0;
+    for(auto begin = keys.begin(), end = begin; begin != keys.end(); begin = end) {
+      std::vector<Halfedge> alike;
+      for(; end != keys.end() && end->first == begin->first; ++end) {
+        kind[end->second] = int(number_of_kinds);
+        alike.push_back(end->second);
+      }
+      if(rarest.empty() || alike.size() < rarest.size())
+        rarest = std::move(alike);
+      ++number_of_kinds;
+    }
+    if(number_of_kinds == 1) {
+      const auto around = CGAL::halfedges_around_target(members.front(), mesh);
+      return {around.begin(), around.end()};
+    }
+    if(rarest.size() <= few || number_of_kinds == known_kinds)
+      return rarest;
+    known_kinds = number_of_kinds;
+    for(auto& key : keys) {
+      const Halfedge h = key.second;
+      key.first = {kind[h], kind[mesh.next(h)], kind[mesh.opposite(h)]};
+    }
+  }
+}
+
+// The code of each connected part: the smallest over the halfedges it may be numbered from.
 inline std::vector<std::vector<int> > codes(const Mesh& mesh)
 {
   std::vector<int> part(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges(), -1);
@@ -186,16 +226,8 @@ inline std::vector<std::vector<int> > codes(const Mesh& mesh)
           queue.push_back(g);
         }
     }
-    std::map<std::array<int, 3>, std::vector<Halfedge> > alike;
-    for(const Halfedge h : members)
-      alike[{int(mesh.degree(mesh.target(h))) + (mesh.is_border(h) ? 1000 : 0),
-             int(mesh.degree(mesh.source(h))) + (mesh.is_border(mesh.opposite(h)) ? 1000 : 0),
-             int(mesh.degree(mesh.target(mesh.next(h))))}].push_back(h);
-    const auto rarest =
-      std::min_element(alike.begin(), alike.end(), [](const auto& a, const auto& b)
-                       { return a.second.size() < b.second.size(); });
     std::vector<int> best;
-    for(const Halfedge h : rarest->second) {
+    for(const Halfedge h : first_halfedges(mesh, members)) {
       std::vector<int> code = code_from(mesh, h);
       if(best.empty() || code < best)
         best = std::move(code);
