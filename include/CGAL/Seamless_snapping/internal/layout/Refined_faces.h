@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/layout/Cell_complex.h>
 #include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
+#include <CGAL/Seamless_snapping/internal/layout/Points_on_edges.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
@@ -41,46 +42,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// A point inside of an edge: where its first halfedge has this coordinate, seen from `halfedge`.
-struct Edge_point
-{
-  std::int32_t point;
-  Corner_index key;      // the first halfedge
-  Corner_index halfedge; // that or the other one
-  std::size_t component;
-  Exact_level level;
-  double approximate;    // the parameter along the first halfedge, with a small relative error, if
-                         // the level is a double
-
-  Exact_rational parameter(const Chart_mesh& mesh) const
-  {
-    const Exact_rational a(mesh.uv(Chart_mesh::prev(halfedge))[component]);
-    const Exact_rational b(mesh.uv(halfedge)[component]);
-    const Exact_rational t((level.exact() - a) / (b - a));
-    return halfedge == key ? t : Exact_rational(1 - t);
-  }
-};
-
-inline Edge_point edge_point(const Chart_mesh& mesh, const std::int32_t point, const Corner_index h,
-                             const std::size_t component, const Exact_level& level)
-{
-  Edge_point result{point, mesh.edge_key(h), h, component, level, 0};
-  const double a = mesh.uv(Chart_mesh::prev(h))[component], b = mesh.uv(h)[component];
-  const double from = result.key == h ? a : b, to = result.key == h ? b : a;
-  result.approximate = (level.approximation() - from) / (to - from);
-  return result;
-}
-
-inline bool comes_before(const Chart_mesh& mesh, const Edge_point& a, const Edge_point& b)
-{
-  if(a.key != b.key)
-    return a.key < b.key;
-  const double s = a.approximate, t = b.approximate;
-  if(a.level.is_double() && b.level.is_double() && std::abs(s - t) > 1e-14 * (s + t))
-    return s < t;
-  return a.parameter(mesh) < b.parameter(mesh);
-}
-
 // A piece of an arc between two points next to each other, in the direction of half-arc `half`.
 struct Arc_step
 {
@@ -95,13 +56,9 @@ class Refined_faces
 {
 public:
   Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout)
-    : m_mesh(mesh), m_curves(curves), m_layout(layout)
+    : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())
   {
-    add_vertices_and_nodes();
-    for(std::size_t a = 0; a < layout.arcs.size(); ++a)
-      add_path(a);
     mark_inner_points();
-    sort_points_on_edges();
     add_edges();
     for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
       cut_face(f);
@@ -126,33 +83,14 @@ public:
 
   // Where the cells lie in the charts: on halfedges, and along steps through faces; the edge of a
   // step along an edge is no_index.
-  std::int32_t number_on_edge(const Corner_index h) const
-  {
-    const std::size_t key = std::size_t(m_mesh.edge_key(h));
-    return m_first_on_edge[key + 1] - m_first_on_edge[key];
-  }
+  const Points_on_edges& points_on_edges() const { return m_on_edges; }
 
   // The dart from point i on a halfedge to the next one.
   std::int32_t dart_on_halfedge(const Corner_index h, const std::int32_t i) const
   {
     const Corner_index key = m_mesh.edge_key(h);
     const std::int32_t first = m_first_part[std::size_t(key)];
-    return h == key ? 2 * (first + i) : 2 * (first + number_on_edge(h) - i) + 1;
-  }
-
-  Exact_uv uv_on_halfedge(const Corner_index h, const std::int32_t i) const
-  {
-    const Uv &a = m_mesh.uv(Chart_mesh::prev(h)), &b = m_mesh.uv(h);
-    if(i == 0 || i > number_on_edge(h))
-      return {Exact_level((i == 0 ? a : b)[0]), Exact_level((i == 0 ? a : b)[1])};
-    const Edge_point& point = edge_point_on(h, i);
-    const Exact_rational t(point.parameter(m_mesh));
-    const Exact_rational s(h == point.key ? t : Exact_rational(1 - t));
-    const auto at = [&](const std::size_t c) {
-      const Exact_rational from(a[c]);
-      return Exact_level(Exact_rational(from + s * (Exact_rational(b[c]) - from)));
-    };
-    return {at(0), at(1)};
+    return h == key ? 2 * (first + i) : 2 * (first + m_on_edges.number_on(h) - i) + 1;
   }
 
   std::int32_t edge_of_step(const std::size_t i) const { return m_edge_of_step[i]; }
@@ -173,7 +111,17 @@ public:
   }
 
 private:
-  void add_vertices_and_nodes()
+  // Those of vertices, of nodes, and of all paths; returns the ones inside of edges.
+  Points_on_edges add_points()
+  {
+    std::vector<Edge_point> on_edges;
+    add_vertices_and_nodes(on_edges);
+    for(std::size_t a = 0; a < m_layout.arcs.size(); ++a)
+      add_path(a, on_edges);
+    return Points_on_edges(m_mesh, std::move(on_edges), m_points.size());
+  }
+
+  void add_vertices_and_nodes(std::vector<Edge_point>& on_edges)
   {
     for(const Corner_index h : m_mesh.corner_at_vertex)
       m_points.push_back(point_at_vertex(h));
@@ -188,7 +136,7 @@ private:
         const Corner_index h = p.place.halfedge;
         const Uv &a = m_mesh.uv(Chart_mesh::prev(h)), &b = m_mesh.uv(h);
         const std::size_t c = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
-        m_edge_points.push_back(edge_point(m_mesh, m_points_of_nodes.back(), h, c, p.place.uv[c]));
+        on_edges.push_back(edge_point(m_mesh, m_points_of_nodes.back(), h, c, p.place.uv[c]));
       }
     }
   }
@@ -201,7 +149,8 @@ private:
         m_inner_nodes[std::size_t(m_points_of_nodes[n])] = std::int32_t(n);
   }
 
-  std::int32_t add_exit(const Curve_index c, const Segment_index s)
+  std::int32_t add_exit(const Curve_index c, const Segment_index s,
+                        std::vector<Edge_point>& on_edges)
   {
     const Segment_end& exit = m_curves[c].segments[std::size_t(s)].exit;
     if(exit.place == Isocurve_place::VERTEX)
@@ -209,12 +158,12 @@ private:
     const Chord& chord = m_curves.chord(c, s);
     const std::int32_t point = std::int32_t(m_points.size());
     m_points.push_back(exit_point(m_mesh, m_curves, c, s));
-    m_edge_points.push_back(edge_point(m_mesh, point, exit.halfedge,
-                                       constant_component(chord.direction), chord.level));
+    on_edges.push_back(edge_point(m_mesh, point, exit.halfedge,
+                                  constant_component(chord.direction), chord.level));
     return point;
   }
 
-  void add_path(const std::size_t a)
+  void add_path(const std::size_t a, std::vector<Edge_point>& on_edges)
   {
     const Layout_arc& arc = m_layout.arcs[a];
     const Curve_piece &first = arc.pieces[0], &second = arc.pieces[1];
@@ -229,7 +178,7 @@ private:
     };
     const auto go_along = [&](const Curve_piece& piece) {
       for(Segment_index s = piece.begin; s < piece.end; ++s)
-        go_to(s, add_exit(piece.curve, s));
+        go_to(s, add_exit(piece.curve, s, on_edges));
     };
     const std::int32_t end = m_points_of_nodes[std::size_t(arc.points[1])];
     go_along(first);
@@ -240,49 +189,20 @@ private:
     }
     Segment_index segment = first.end; // of the other curve, that comes the other way
     for(Segment_index s = second.end; s-- > second.begin; segment = s) {
-      go_to(segment, add_exit(second.curve, s));
+      go_to(segment, add_exit(second.curve, s, on_edges));
       step.curve = second.curve;
       step.is_reversed = true;
     }
     go_to(segment, end);
   }
 
-  void sort_points_on_edges()
-  {
-    std::sort(m_edge_points.begin(), m_edge_points.end(),
-              [&](const Edge_point& a, const Edge_point& b) { return comes_before(m_mesh, a, b); });
-    m_ranks.assign(m_points.size(), 0);
-    m_first_on_edge.assign(m_mesh.corners.size() + 1, 0);
-    for(std::size_t i = 0; i < m_edge_points.size(); ++i) {
-      const bool is_first = i == 0 || m_edge_points[i - 1].key != m_edge_points[i].key;
-      m_ranks[std::size_t(m_edge_points[i].point)] =
-        is_first ? 0 : m_ranks[std::size_t(m_edge_points[i - 1].point)] + 1;
-      ++m_first_on_edge[std::size_t(m_edge_points[i].key) + 1];
-    }
-    for(std::size_t h = 0; h < m_mesh.corners.size(); ++h)
-      m_first_on_edge[h + 1] += m_first_on_edge[h];
-  }
-
   // The points on a halfedge from its source on, counted from 0; the last one is the target.
   std::int32_t point_on_halfedge(const Corner_index h, const std::int32_t i) const
   {
-    const std::int32_t n = number_on_edge(h);
+    const std::int32_t n = m_on_edges.number_on(h);
     if(i == 0 || i == n + 1)
       return std::int32_t(i == 0 ? m_mesh.source(h) : m_mesh.vertex(h));
-    return edge_point_on(h, i).point;
-  }
-
-  const Edge_point& edge_point_on(const Corner_index h, const std::int32_t i) const
-  {
-    const Corner_index key = m_mesh.edge_key(h);
-    const std::int32_t rank = h == key ? i - 1 : number_on_edge(h) - i;
-    return m_edge_points[std::size_t(m_first_on_edge[std::size_t(key)] + rank)];
-  }
-
-  std::int32_t rank_on_halfedge(const Corner_index h, const std::int32_t point) const
-  {
-    const std::int32_t rank = m_ranks[std::size_t(point)];
-    return h == m_mesh.edge_key(h) ? rank + 1 : number_on_edge(h) - rank;
+    return m_on_edges.at(h, i).point;
   }
 
   // Those of the edges of the mesh, and those through faces.
@@ -293,7 +213,7 @@ private:
     for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if(m_mesh.represents_edge(h)) {
         m_first_part[std::size_t(h)] = n;
-        n += number_on_edge(h) + 1;
+        n += m_on_edges.number_on(h) + 1;
       }
     m_half_arcs.assign(std::size_t(n), no_index);
     m_first_step.assign(std::size_t(m_mesh.number_of_faces()), no_index);
@@ -322,11 +242,11 @@ private:
   void mark_along(const Arc_step& step, const Curve_segment& segment)
   {
     const Corner_index h = segment.along;
-    const std::int32_t n = number_on_edge(h);
+    const std::int32_t n = m_on_edges.number_on(h);
     const bool runs_with_h = (segment.exit.halfedge == h) != step.is_reversed;
     const auto rank = [&](const std::int32_t point, const bool is_source) {
       return std::size_t(point) < m_mesh.number_of_vertices() ? (is_source ? 0 : n + 1)
-                                                              : rank_on_halfedge(h, point);
+                                                              : m_on_edges.number_of(point, h);
     };
     const std::int32_t from = rank(runs_with_h ? step.source : step.target, true);
     const std::int32_t to = rank(runs_with_h ? step.target : step.source, false);
@@ -353,13 +273,13 @@ private:
     std::int32_t n = 0;
     for(std::size_t k = 0; k < 3; ++k) {
       first[k] = n;
-      n += number_on_edge(3 * f + Corner_index(k)) + 1;
+      n += m_on_edges.number_on(3 * f + Corner_index(k)) + 1;
     }
     m_stars.assign(std::size_t(n), Star());
     m_darts.clear();
     m_halfedges.clear();
     for(Corner_index h = 3 * f; h < 3 * f + 3; ++h)
-      for(std::int32_t i = 0; i <= number_on_edge(h); ++i) {
+      for(std::int32_t i = 0; i <= m_on_edges.number_on(h); ++i) {
         const std::int32_t dart = dart_on_halfedge(h, i);
         m_stars[m_halfedges.size()].push_back({-1, dart});
         m_halfedges.push_back(h);
@@ -391,7 +311,7 @@ private:
     }
     if(end.place == Isocurve_place::VERTEX)
       return first[std::size_t(Chart_mesh::next(end.halfedge) % 3)];
-    return first[std::size_t(end.halfedge % 3)] + rank_on_halfedge(end.halfedge, point);
+    return first[std::size_t(end.halfedge % 3)] + m_on_edges.number_of(point, end.halfedge);
   }
 
   bool is_inner(const std::int32_t point) const
@@ -469,11 +389,11 @@ private:
       Corner_index last = Chart_mesh::prev(h); // the border edge that comes next
       while(!m_mesh.is_border_edge(last))
         last = m_mesh.counterclockwise(last);
-      for(std::int32_t i = 0; i <= number_on_edge(h); ++i) {
+      for(std::int32_t i = 0; i <= m_on_edges.number_on(h); ++i) {
         const std::size_t dart = std::size_t(dart_on_halfedge(h, i) ^ 1);
         m_cells.targets[dart] = point_on_halfedge(h, i);
         m_cells.nexts[dart] = (i > 0 ? dart_on_halfedge(h, i - 1)
-                                     : dart_on_halfedge(last, number_on_edge(last))) ^ 1;
+                                     : dart_on_halfedge(last, m_on_edges.number_on(last))) ^ 1;
       }
     }
   }
@@ -518,16 +438,14 @@ private:
   const Chart_mesh& m_mesh;
   const Curve_set& m_curves;
   const Layout& m_layout;
-  Cell_complex m_cells;
   std::vector<Face_point> m_points;           // per vertex of the cells
-  std::vector<std::int32_t> m_inner_nodes;    // likewise: the node inside of a face, if it is one
-  std::vector<std::int32_t> m_ranks;          // likewise: on its edge, if it lies on one
   std::vector<std::int32_t> m_points_of_nodes;
-  std::vector<Edge_point> m_edge_points;      // sorted
-  std::vector<std::int32_t> m_first_on_edge;  // of them, per first halfedge
+  std::vector<Arc_step> m_steps;
+  Points_on_edges m_on_edges;                 // made with the three before it
+  std::vector<std::int32_t> m_inner_nodes;    // per point: the node inside of a face, if it is one
+  Cell_complex m_cells;
   std::vector<std::int32_t> m_first_part;     // the first edge of the cells, per first halfedge
   std::vector<Half_arc_index> m_half_arcs;    // per edge of the cells: that along dart 2 e
-  std::vector<Arc_step> m_steps;
   std::vector<std::int32_t> m_edge_of_step, m_next_step, m_first_step; // lists of steps, per face
   std::vector<Flat_face_index> m_faces;       // per cell
   std::vector<Patch_index> m_patches;         // per cell

@@ -171,10 +171,11 @@ private:
       return patch.is_cut ? &patch : nullptr;
     };
     const Exact_rational half(0.5);
+    const Points_on_edges& points = faces.points_on_edges();
     for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      for(std::int32_t i = 0; i <= faces.number_on_edge(h); ++i)
+      for(std::int32_t i = 0; i <= points.number_on(h); ++i)
         if(Layout_patch* const patch = cut_patch(faces.dart_on_halfedge(h, i))) {
-          const Exact_uv p = faces.uv_on_halfedge(h, i), q = faces.uv_on_halfedge(h, i + 1);
+          const Exact_uv p = points.uv(h, i), q = points.uv(h, i + 1);
           patch->area += half * (p[0].exact() * q[1].exact() - p[1].exact() * q[0].exact());
         }
     for(std::size_t i = 0; i < faces.steps().size(); ++i) {
