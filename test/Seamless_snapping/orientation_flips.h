@@ -79,7 +79,8 @@ inline std::vector<double> turns(const Mesh& mesh, const UV_map& uv)
   return result;
 }
 
-// Half of the free vertices anywhere: moves near by don't help any more, untangling mostly does.
+// Half of the free vertices anywhere: moves near by don't help any more, untangling does. All these
+// maps have a solution without flips: that which they were made of.
 inline void test_untangling()
 {
   Tally near_by, untangled;
@@ -123,7 +124,8 @@ inline void test_untangling()
   std::cout << without_flips << " tangled maps without flips, " << with_other_cones
             << " of them with other cones" << std::endl;
   CHECK(20 * with_other_cones < without_flips);
-  CHECK(3 * (untangled.flips - untangled.repaired_flips) < near_by.flips - near_by.repaired_flips);
+  CHECK(untangled.flips == 581); // of the generator's numbers, which the standard fixes
+  CHECK(untangled.repaired_flips == untangled.flips);
 }
 
 inline void test_flips_of_exact_map()

@@ -6,6 +6,7 @@
 #include "random_complexes.h"
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
+#include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 
 #include <CGAL/FPU.h>
@@ -167,6 +168,66 @@ void test_shifted_targets()
   CHECK_EQUAL(solver.linear_solver().figures().number_of_eliminations, 1u);
 }
 
+// Where the levels of a component are small, its grid is fine; shifts may be of any size, and what
+// is an exact solution already is met up to a step of the grid for that size.
+template <int N>
+void test_large_shifts()
+{
+  using Group = internal::Rotation_group<N>;
+  for(unsigned int seed = 1; seed <= 20; ++seed) {
+    const std::string context =
+      "large shifts, N = " + std::to_string(N) + ", seed " + std::to_string(seed);
+    auto complex = random_complexes::Generator<N>(seed).make(1 + seed % 12, false);
+    internal::Target_shifts<Group> shifts;
+    for(std::size_t s = 0; s < complex.coordinates.size(); ++s) {
+      Vector& u = complex.coordinates[s];
+      const Vector to = u;
+      u = {{std::ldexp(u[0], -100), std::ldexp(u[1], -100)}}; // exact, too
+      shifts[internal::Sector_index(s)] = {{to[0] - u[0], to[1] - u[1]}};
+    }
+    const internal::Complex_solver<Group> solver(complex,
+                                                 internal::Number_format::of<double>());
+    std::vector<Vector> shifted;
+    CHECK_IN(context, solver.solve_shifted(shifts, shifted));
+    CHECK_IN(context, random_complexes::is_solution<N>(complex, shifted));
+    solver.components().for_each_sector([&](const internal::Sector_index s, const auto& k) {
+      for(std::size_t c = 0; c < 2; ++c)
+        if(k[c] >= 0)
+          CHECK_IN(context, std::abs(shifted[std::size_t(s)][c] - shifts[s][c]) < 1e-13);
+    });
+  }
+}
+
+// Whatever the free unknowns are: all constraints hold. The numbers are small integers, so that
+// nothing is rounded.
+template <int N>
+void test_free_coordinates()
+{
+  std::mt19937 random(N);
+  for(unsigned int seed = 1; seed <= 40; ++seed) {
+    const std::string context =
+      "free coordinates, N = " + std::to_string(N) + ", seed " + std::to_string(seed);
+    const auto complex = random_complexes::Generator<N>(seed).make(1 + seed % 12, false);
+    const internal::Free_coordinates<internal::Rotation_group<N> > free(complex);
+    std::vector<double> unknowns;
+    for(std::size_t i = 0; i < free.number_of_unknowns(); ++i)
+      unknowns.push_back(double(random() % 17) - 8);
+    std::vector<Vector> u;
+    for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
+      u.push_back({{internal::value_of(free.coordinate(s, 0), unknowns),
+                    internal::value_of(free.coordinate(s, 1), unknowns)}});
+    CHECK_IN(context, random_complexes::is_solution<N>(complex, u));
+    CHECK_IN(context, u == free.evaluate(unknowns));
+    // each unknown can change something
+    std::vector<char> is_used(unknowns.size(), false);
+    for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
+      for(std::size_t c = 0; c < 2; ++c)
+        for(const auto& term : free.coordinate(s, c))
+          is_used[term.first] = true;
+    CHECK_IN(context, std::count(is_used.begin(), is_used.end(), false) == 0);
+  }
+}
+
 // Each component has a grid of its own: a part that is 2^-20 times as large keeps 20 bits more.
 void test_components()
 {
@@ -202,6 +263,14 @@ int main()
   test_symmetry<4>();
   test_symmetry<6>();
   test_shifted_targets();
+  test_large_shifts<1>();
+  test_large_shifts<2>();
+  test_large_shifts<3>();
+  test_large_shifts<4>();
+  test_large_shifts<6>();
+  test_free_coordinates<1>();
+  test_free_coordinates<2>();
+  test_free_coordinates<4>();
   test_components();
   return report_checks();
 }

@@ -601,6 +601,18 @@ bool is_integer(const Rational& x)
   return x == Rational(std::round(CGAL::to_double(x)));
 }
 
+// The transition from `h` to the opposite face; whether the turn is there.
+template <int N>
+bool find_translation(const Mesh& mesh, const UV_map uv, const Halfedge h, const int turns,
+                      Exact_vector& translation)
+{
+  const Halfedge o = mesh.opposite(h);
+  translation = lattice_walk::sum(lattice_walk::exact_point(uv[mesh.prev(o)]), Rational(-1),
+                                  turned<N>(turns, lattice_walk::exact_point(uv[h])));
+  return turned<N>(turns, exact_vector(uv[mesh.prev(h)], uv[h])) ==
+         exact_vector(uv[o], uv[mesh.prev(o)]);
+}
+
 // Whether translations and cones are points of the lattice, and given edges on its lines.
 template <int N>
 bool is_integer_grid(const Mesh& mesh, const UV_map uv,
@@ -615,16 +627,11 @@ bool is_integer_grid(const Mesh& mesh, const UV_map uv,
       return false;
     if(!is_interior(mesh, h))
       continue;
-    const Halfedge o = mesh.opposite(h);
-    const Exact_vector here = exact_vector(uv[mesh.prev(h)], uv[h]);
-    const Exact_vector there = exact_vector(uv[o], uv[mesh.prev(o)]);
     bool is_some = false;
-    for(int k = 0; k < N; ++k) {
-      const Exact_vector t =
-        lattice_walk::sum(lattice_walk::exact_point(uv[mesh.prev(o)]), Rational(-1),
-                          turned<N>(k, u));
-      is_some = is_some || (turned<N>(k, here) == there && is_integer(t[0]) && is_integer(t[1]));
-    }
+    Exact_vector t;
+    for(int k = 0; k < N; ++k)
+      is_some = is_some || (find_translation<N>(mesh, uv, h, k, t) && is_integer(t[0]) &&
+                            is_integer(t[1]));
     if(!is_some)
       return false;
   }
@@ -703,6 +710,17 @@ void test_integer_grid_measure()
   CHECK(measure.is_exactly_seamless && !measure);
   CHECK(measure.number_of_cones == 12 && measure.number_of_noninteger_cones == 12);
   CHECK(measure.cone_distance == 0.25 && measure.translation_distance > 0.2);
+  std::size_t turned_edges = 0; // what the translations of these are depends on where all is
+  for(const auto e : mesh.edges()) {
+    Exact_vector t;
+    for(int k = 1; k < 6; ++k)
+      if(find_translation<6>(mesh, uv, mesh.halfedge(e), k, t)) {
+        ++turned_edges;
+        CHECK(!is_integer(t[0]) && !is_integer(t[1]));
+      }
+  }
+  CHECK(turned_edges > 0);
+  CHECK_EQUAL(measure.number_of_noninteger_cuts, turned_edges);
   CHECK(!SS::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
   const auto refused = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
   CHECK_IN(refused.message, refused.status == SS::Snapping_status::NOT_INTEGER);

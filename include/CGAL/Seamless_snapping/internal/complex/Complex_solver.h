@@ -95,16 +95,26 @@ private:
             Linear_target_builder<Group>(m_complex, m_system, m_components, coordinates).build()};
   }
 
-  // Whether shifts can be added to coordinates in steps of any of the grids.
-  bool are_in_range(const Target_shifts<Group>& shifts) const
+  // As fine as those of the solution, but where shifted coordinates are so large that they need
+  // coarser ones. Returns false if they are not finite.
+  bool make_grids(const Target_shifts<Group>& shifts, std::vector<Grid>& grids) const
   {
-    constexpr double largest = machine_integer_bound / 4;
-    for(const auto& shift : shifts)
-      for(const double by : shift.second)
-        for(const Grid& grid : m_grids)
-          if(!(std::abs(grid.in_steps(by)) < largest))
-            return false;
-    return true;
+    grids = m_grids;
+    bool are_finite = true;
+    m_components.for_each_sector([&](const Sector_index s, const auto& components) {
+      const auto found = shifts.find(s);
+      for(std::size_t c = 0; c < Group::dimension && found != shifts.end(); ++c) {
+        const double to = m_complex.coordinates[std::size_t(s)][c] + found->second[c];
+        are_finite = are_finite && std::isfinite(to);
+        if(!are_finite || components[c] < 0)
+          continue;
+        Grid& grid = grids[std::size_t(components[c])];
+        if(const Grid needed = Grid::finest(m_format, std::abs(to));
+           needed.exponent() > grid.exponent())
+          grid = needed;
+      }
+    });
+    return are_finite;
   }
 
   // Those that are exact in the input, and are not asked to move.
@@ -188,9 +198,9 @@ template <typename Group>
 bool Complex_solver<Group>::solve_shifted(const Target_shifts<Group>& shifts,
                                            Coordinates& coordinates) const
 {
-  std::vector<Grid> grids(m_grids);
+  std::vector<Grid> grids;
   Snapped_coordinates<Group> snapped;
-  if(!are_in_range(shifts) || !solve(shifts, grids, snapped))
+  if(!make_grids(shifts, grids) || !solve(shifts, grids, snapped))
     return false;
   coordinates.swap(snapped.coordinates);
   return true;

@@ -76,14 +76,21 @@ public:
       if(to != from)
         shifts[Sector_index(s)] = {{to[0] - from[0], to[1] - from[1]}};
     }
-    Uv_state result;
-    if(!m_solver.solve_shifted(shifts, result))
+    Uv_state solution;
+    if(!m_solver.solve_shifted(shifts, solution))
       return false;
-    for(std::size_t p = number_of_sectors; p < map.start.size(); ++p) {
+    Uv_state result(solution);
+    for(std::size_t p = 0; p < map.start.size(); ++p) {
       const Uv to = map.point(p, unknowns);
       m_points.set_uv(result, Point_index(p), {{rounded_to(m_solver.format(), to[0]),
                                                 rounded_to(m_solver.format(), to[1])}});
     }
+    // the others are of no constraint's concern
+    m_solver.components().for_each_sector([&](const Sector_index s, const auto& components) {
+      for(std::size_t c = 0; c < 2; ++c)
+        if(components[c] >= 0)
+          result[std::size_t(s)][c] = solution[std::size_t(s)][c];
+    });
     state.swap(result);
     return true;
   }
