@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <map>
 #include <random>
 #include <utility>
@@ -141,106 +140,75 @@ inline Mesh expected_quads(const Square_complex& complex, const int side)
 
 // --- isomorphism ---------------------------------------------------------------------------------
 
-// Numbers halfedges in an order that depends on the connectivity and the first one alone; the
-// code lists what each is connected with.
-inline std::vector<int> code_from(const Mesh& mesh, const Halfedge first)
+// Of another mesh, what each halfedge corresponds to; -1 where that is not known yet.
+struct Correspondence
 {
-  std::vector<int> number(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges(), -1);
-  std::deque<Halfedge> queue(1, first);
-  std::vector<int> code;
-  int n = 0;
-  number[first] = n++;
-  while(!queue.empty()) {
-    const Halfedge h = queue.front();
-    queue.pop_front();
-    code.push_back(mesh.is_border(h) ? 1 : 0);
-    for(const Halfedge g : {mesh.next(h), mesh.opposite(h)}) {
-      if(number[g] == -1) {
-        number[g] = n++;
-        queue.push_back(g);
-      }
-      code.push_back(number[g]);
-    }
-  }
-  return code;
-}
+  std::vector<int> image, preimage;
 
-// Halfedges to number a connected part from. Each is told by what its neighbors are told by, from
-// the degrees on: those few are taken that are alike when this does not tell more. Where all are
-// alike, as on a regular torus, a translation moves every vertex to every other, and one will do.
-inline std::vector<Halfedge> first_halfedges(const Mesh& mesh, const std::vector<Halfedge>& members)
-{
-  using Key = std::array<int, 3>;
-  constexpr std::size_t few = 100;
-  std::vector<std::pair<Key, Halfedge> > keys;
-  for(const Halfedge h : members)
-    keys.emplace_back(Key{int(mesh.degree(mesh.target(h))), int(mesh.degree(mesh.source(h))),
-                          mesh.is_border(h) ? 1 : 0}, h);
-  std::vector<int> kind(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges(), -1);
-  for(std::size_t known_kinds = 0;;) {
-    std::sort(keys.begin(), keys.end());
-    std::vector<Halfedge> rarest;
-    std::size_t number_of_kinds = 0;
-    for(auto begin = keys.begin(), end = begin; begin != keys.end(); begin = end) {
-      std::vector<Halfedge> alike;
-      for(; end != keys.end() && end->first == begin->first; ++end) {
-        kind[end->second] = int(number_of_kinds);
-        alike.push_back(end->second);
-      }
-      if(rarest.empty() || alike.size() < rarest.size())
-        rarest = std::move(alike);
-      ++number_of_kinds;
-    }
-    if(number_of_kinds == 1) {
-      const auto around = CGAL::halfedges_around_target(members.front(), mesh);
-      return {around.begin(), around.end()};
-    }
-    if(rarest.size() <= few || number_of_kinds == known_kinds)
-      return rarest;
-    known_kinds = number_of_kinds;
-    for(auto& key : keys) {
-      const Halfedge h = key.second;
-      key.first = {kind[h], kind[mesh.next(h)], kind[mesh.opposite(h)]};
-    }
-  }
-}
+  Correspondence(const Mesh& a, const Mesh& b)
+    : image(a.number_of_halfedges() + a.number_of_removed_halfedges(), -1),
+      preimage(b.number_of_halfedges() + b.number_of_removed_halfedges(), -1)
+  { }
 
-// The code of each connected part: the smallest over the halfedges it may be numbered from.
-inline std::vector<std::vector<int> > codes(const Mesh& mesh)
-{
-  std::vector<int> part(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges(), -1);
-  std::vector<std::vector<int> > result;
-  for(const Halfedge start : mesh.halfedges()) {
-    if(part[start] != -1)
-      continue;
-    std::vector<Halfedge> members;
-    std::deque<Halfedge> queue(1, start);
-    part[start] = int(result.size());
-    while(!queue.empty()) {
-      const Halfedge h = queue.front();
-      queue.pop_front();
-      members.push_back(h);
-      for(const Halfedge g : {mesh.next(h), mesh.opposite(h)})
-        if(part[g] == -1) {
-          part[g] = int(result.size());
-          queue.push_back(g);
-        }
+  // Lets g correspond to h, and what is around g to what is around h. Returns false, and changes
+  // nothing, if that is not possible.
+  bool extend(const Mesh& a, const Halfedge h, const Mesh& b, const Halfedge g)
+  {
+    std::vector<Halfedge> found;
+    const auto match = [&](const Halfedge x, const Halfedge y) {
+      if(image[x] == int(y))
+        return true;
+      if(image[x] != -1 || preimage[y] != -1 || a.is_border(x) != b.is_border(y))
+        return false;
+      image[x] = int(y);
+      preimage[y] = int(x);
+      found.push_back(x);
+      return true;
+    };
+    bool is_possible = match(h, g);
+    for(std::size_t i = 0; is_possible && i < found.size(); ++i) {
+      const Halfedge x = found[i], y(Mesh::size_type(image[x]));
+      is_possible = match(a.next(x), b.next(y)) && match(a.opposite(x), b.opposite(y));
     }
-    std::vector<int> best;
-    for(const Halfedge h : first_halfedges(mesh, members)) {
-      std::vector<int> code = code_from(mesh, h);
-      if(best.empty() || code < best)
-        best = std::move(code);
-    }
-    result.push_back(std::move(best));
+    if(!is_possible)
+      for(const Halfedge x : found) {
+        preimage[std::size_t(image[x])] = -1;
+        image[x] = -1;
+      }
+    return is_possible;
   }
-  std::sort(result.begin(), result.end());
+};
+
+// The halfedges by the degrees at both ends, those of the rarest kind first.
+inline std::vector<std::vector<Halfedge> > kinds_of_halfedges(const Mesh& mesh)
+{
+  std::map<std::array<int, 3>, std::vector<Halfedge> > kinds;
+  for(const Halfedge h : mesh.halfedges())
+    kinds[{int(mesh.degree(mesh.target(h))), int(mesh.degree(mesh.source(h))),
+           mesh.is_border(h) ? 1 : 0}].push_back(h);
+  std::vector<std::vector<Halfedge> > result;
+  for(auto& kind : kinds)
+    result.push_back(std::move(kind.second));
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
   return result;
 }
 
 inline bool are_isomorphic(const Mesh& a, const Mesh& b)
 {
-  return a.number_of_halfedges() == b.number_of_halfedges() && codes(a) == codes(b);
+  if(a.number_of_halfedges() != b.number_of_halfedges())
+    return false;
+  Correspondence known(a, b);
+  const auto kinds = kinds_of_halfedges(a), other_kinds = kinds_of_halfedges(b);
+  if(kinds.size() != other_kinds.size())
+    return false;
+  for(std::size_t k = 0; k < kinds.size(); ++k)
+    for(const Halfedge h : kinds[k]) // the first one of each connected part finds all of it
+      if(known.image[h] == -1 &&
+         std::none_of(other_kinds[k].begin(), other_kinds[k].end(),
+                      [&](const Halfedge g) { return known.extend(a, h, b, g); }))
+        return false;
+  return true;
 }
 
 // --- geometry ------------------------------------------------------------------------------------
@@ -248,16 +216,17 @@ inline bool are_isomorphic(const Mesh& a, const Mesh& b)
 using Rounded_point = std::array<long, 3>;
 using Rounded_quads = std::vector<std::vector<Rounded_point> >;
 
-// The faces as cycles of points, rounded to multiples of 1e-6, in a canonical order.
+// The faces as cycles of points, rounded to multiples of 1e-6, in a canonical order. The midpoint of
+// points with six decimals lies where rounding changes; those are kept away from there.
 inline Rounded_quads rounded_quads(const Mesh& mesh)
 {
+  const auto rounded = [](const double x) { return std::lround(1e6 * x + 0.3); };
   Rounded_quads result;
   for(const auto f : mesh.faces()) {
     std::vector<Rounded_point> corners;
     for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
       const Point_3& p = mesh.point(v);
-      corners.push_back({std::lround(1e6 * p.x()), std::lround(1e6 * p.y()),
-                         std::lround(1e6 * p.z())});
+      corners.push_back({rounded(p.x()), rounded(p.y()), rounded(p.z())});
     }
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     result.push_back(std::move(corners));
