@@ -1,4 +1,5 @@
-# Tests of the package as a whole: its programs, headers, installation, manual and form.
+# Tests of the package as a whole: its programs, headers, installation, manual and form. Those with a
+# COST take long: they start early, so that no other test has to wait for them in the end.
 
 # Everything builds, also what no other test runs. No other test runs meanwhile.
 add_test(NAME build COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --config "$<CONFIG>")
@@ -11,8 +12,20 @@ if(NOT SEAMLESS_SNAPPING_CHECK_ALL_HEADERS)
   set(headers ${public_headers})
 endif()
 
-# Each header compiles alone, also if it is included twice, without a warning. The compiler's own
-# folder must not be named again: <cstdlib> and its like would not be found any more.
+# What is included first, after the licence, is compiled as if it were alone: a header that another
+# one includes so is not compiled once more. Only includes without a condition count.
+set(headers_to_compile ${headers})
+foreach(header IN LISTS headers)
+  set(file "${PROJECT_SOURCE_DIR}/include/${header}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  file(STRINGS "${file}" directives LIMIT_COUNT 4 REGEX "^ *#")
+  if(directives MATCHES "^#ifndef .*;#define .*;#include <CGAL/license/.*;#include <(CGAL/.*)>")
+    list(REMOVE_ITEM headers_to_compile "${CMAKE_MATCH_1}" CGAL/license/Seamless_snapping.h)
+  endif()
+endforeach()
+
+# Each header compiles alone, without a warning. The compiler's own folder must not be named again:
+# <cstdlib> and its like would not be found any more.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(include_dirs "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_INCLUDE_DIRECTORIES>")
   set(include_dirs
@@ -23,11 +36,11 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
     -I "${PROJECT_SOURCE_DIR}/include"
     "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
-  foreach(header IN LISTS headers)
+  foreach(header IN LISTS headers_to_compile)
     string(REGEX REPLACE "^CGAL/|\\.h$" "" name "${header}")
     string(REPLACE "/" "_" name "header_${name}")
     set(source "${PROJECT_BINARY_DIR}/headers/${name}.cpp")
-    file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n#include <${header}>\n")
+    file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
     add_test(NAME "${name}"
       COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" "${source}" COMMAND_EXPAND_LISTS)
     set_tests_properties("${name}" PROPERTIES LABELS headers)
@@ -59,11 +72,12 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   endforeach()
 endif()
 
-# Two translation units that include all public headers go into one program: nothing is defined
-# twice.
+# Two translation units that include all public headers twice go into one program: nothing is
+# defined twice.
 list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
 list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN public_headers "" includes)
+string(APPEND includes "${includes}")
 set(two_units "${PROJECT_BINARY_DIR}/headers/two_units")
 file(GENERATE OUTPUT "${two_units}_a.cpp" CONTENT "${includes}int main() { return 0; }\n")
 file(GENERATE OUTPUT "${two_units}_b.cpp" CONTENT "${includes}")
@@ -86,7 +100,7 @@ foreach(way IN ITEMS installed subdirectory)
       "-DCXX_FLAGS=${CMAKE_CXX_FLAGS}"
       "-DCGAL_DIR=${CGAL_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake")
-  set_tests_properties(consumer_${way} PROPERTIES LABELS package)
+  set_tests_properties(consumer_${way} PROPERTIES LABELS package COST 800)
 endforeach()
 
 # What README.md shows is so.
@@ -104,7 +118,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       "-DINCLUDE_PATH=$<JOIN:$<FILTER:${include_path},EXCLUDE,^/usr/include$>,:>"
       "-DPROGRAM_DIR=${program_dir}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_readme.cmake")
-  set_tests_properties(readme PROPERTIES LABELS package SKIP_REGULAR_EXPRESSION "SKIPPED")
+  set_tests_properties(readme PROPERTIES LABELS package COST 900 SKIP_REGULAR_EXPRESSION "SKIPPED")
 endif()
 
 # Rounding and exact differences, with options and compilers of all kinds.
@@ -126,7 +140,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       "-DPROCESSOR=${CMAKE_SYSTEM_PROCESSOR}"
       "-DWORK_DIR=${PROJECT_BINARY_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_compiler_options.cmake")
-  set_tests_properties(compiler_options PROPERTIES LABELS package)
+  set_tests_properties(compiler_options PROPERTIES LABELS package COST 800)
 endif()
 
 # The manual builds without a warning.
