@@ -1,5 +1,5 @@
-# Tests of the package as a whole: its programs, headers, installation, manual and form. Those with a
-# COST take long: they start early, so that no other test has to wait for them in the end.
+# Tests of the package as a whole: its programs, headers, installation, manual and form. Those with
+# a COST take long: they start early, so that no other test has to wait for them in the end.
 
 # Everything builds, also what no other test runs. No other test runs meanwhile.
 add_test(NAME build COMMAND "${CMAKE_COMMAND}" --build "${PROJECT_BINARY_DIR}" --config "$<CONFIG>")
@@ -33,7 +33,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(definitions "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_COMPILE_DEFINITIONS>")
   set(header_options
     -std=c++17 -fsyntax-only -Wall -Wextra -pedantic -Wshadow -Wconversion -Werror
-    "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
+    ${option_for_speed} "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
     -I "${PROJECT_SOURCE_DIR}/include"
     "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
   foreach(header IN LISTS headers_to_compile)
@@ -73,17 +73,23 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
 endif()
 
 # Two translation units that include all public headers twice go into one program: nothing is
-# defined twice.
+# defined twice. As both are the same, one is a copy of the other one's object.
 list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
 list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN public_headers "" includes)
-string(APPEND includes "${includes}")
-set(two_units "${PROJECT_BINARY_DIR}/headers/two_units")
-file(GENERATE OUTPUT "${two_units}_a.cpp" CONTENT "${includes}int main() { return 0; }\n")
-file(GENERATE OUTPUT "${two_units}_b.cpp" CONTENT "${includes}")
-add_executable(test_seamless_snapping_two_units "${two_units}_a.cpp" "${two_units}_b.cpp")
-seamless_snapping_options(test_seamless_snapping_two_units)
-seamless_snapping_use_precompiled(test_seamless_snapping_two_units)
+set(unit "${PROJECT_BINARY_DIR}/headers/two_units")
+file(GENERATE OUTPUT "${unit}.cpp" CONTENT "${includes}${includes}")
+file(GENERATE OUTPUT "${unit}_main.cpp" CONTENT "int main() { return 0; }\n")
+add_library(seamless_snapping_all_headers OBJECT "${unit}.cpp")
+seamless_snapping_options(seamless_snapping_all_headers)
+seamless_snapping_use_precompiled(seamless_snapping_all_headers)
+set(copy "${unit}_copy${CMAKE_CXX_OUTPUT_EXTENSION}")
+add_custom_command(OUTPUT "${copy}" DEPENDS $<TARGET_OBJECTS:seamless_snapping_all_headers>
+  COMMAND "${CMAKE_COMMAND}" -E copy $<TARGET_OBJECTS:seamless_snapping_all_headers> "${copy}")
+set_source_files_properties("${copy}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+add_executable(test_seamless_snapping_two_units "${unit}_main.cpp" "${copy}"
+  $<TARGET_OBJECTS:seamless_snapping_all_headers>)
+target_link_libraries(test_seamless_snapping_two_units PRIVATE seamless_snapping_precompiled)
 add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
 set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
 
@@ -97,7 +103,7 @@ foreach(way IN ITEMS installed subdirectory)
       "-DWORK_DIR=${PROJECT_BINARY_DIR}/consumer_${way}"
       "-DGENERATOR=${CMAKE_GENERATOR}"
       "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DCXX_FLAGS=${CMAKE_CXX_FLAGS}"
+      "-DCXX_FLAGS=${CMAKE_CXX_FLAGS} ${option_for_speed}"
       "-DCGAL_DIR=${CGAL_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake")
   set_tests_properties(consumer_${way} PROPERTIES LABELS package COST 800)

@@ -7,9 +7,13 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
+#include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
+#include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
 #include <optional>
 #include <vector>
@@ -17,15 +21,21 @@
 #define SEAMLESS_SNAPPING_INSTANTIATE_LATTICE(PREFIX, INTEGER)                                     \
   PREFIX template class Unit_pivot_elimination<INTEGER>;                                           \
   PREFIX template class Kernel_lattice<INTEGER>;                                                   \
-  PREFIX template class Lattice_reduction<INTEGER>;
+  PREFIX template class Lattice_reduction<INTEGER>;                                                \
+  PREFIX template Echelon_form eliminate_in<INTEGER>(const Integer_system&);                       \
+  PREFIX template void undo_elimination<INTEGER>(const Integer_system&,                            \
+                                                 std::vector<Exact_rational>&);                    \
+  PREFIX template void Integer_lattice::take_kernel<INTEGER>(const Integer_system&);               \
+  PREFIX template Orthogonal_frame reduce_basis(std::vector<std::vector<INTEGER> >&,               \
+                                                const std::vector<double>&);
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, GROUP)                                       \
   PREFIX template class Reduced_system<GROUP>;                                                     \
   PREFIX template class Complex_solver<GROUP>;                                                     \
-  PREFIX template class Orientation_repair<GROUP>;                                                 \
   PREFIX template bool is_exact(const Cut_complex<GROUP>&, const std::vector<Uv>&);
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, GROUP)                                      \
+#define SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, GROUP)                                       \
+  PREFIX template class Orientation_repair<GROUP>;                                                 \
   PREFIX template class Integer_rounding<GROUP>;
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, HOW)                                      \
@@ -44,9 +54,11 @@
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                                 \
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<4>)                                 \
   SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<6>)                                 \
-  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<3>)                                \
-  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<4>)                                \
-  SEAMLESS_SNAPPING_INSTANTIATE_ROUNDING(PREFIX, Rotation_group<6>)                                \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<2>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<3>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<4>)                                 \
+  SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<6>)                                 \
+  PREFIX template class Untangler<double>;                                                         \
   SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::NEAR_BY_FIRST)                      \
   SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::ANGLES_FIRST)
 

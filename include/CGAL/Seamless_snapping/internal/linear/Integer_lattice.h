@@ -71,10 +71,10 @@ public:
       m_rows.push_back(system.exact_row(i).entries);
     if(system.is_small())
       try {
-        take(Kernel_lattice<std::int64_t>(system));
+        take_kernel<std::int64_t>(system);
         return;
       } catch(const Integer_overflow&) { }
-    take(Kernel_lattice<Exact_integer>(system));
+    take_kernel<Exact_integer>(system);
   }
 
   std::size_t number_of_columns() const { return m_number_of_columns; }
@@ -170,15 +170,7 @@ public:
 
 private:
   template <typename Integer>
-  void take(Kernel_lattice<Integer> kernel)
-  {
-    m_steps.clear();
-    m_basis.clear();
-    for(const Echelon_step<Integer>& step : kernel.steps())
-      m_steps.push_back({step.row, Exact_integer(step.gcd), to_exact_vector(step.vector)});
-    for(const Entries<Integer>& vector : kernel.basis())
-      m_basis.push_back(to_exact_vector(vector));
-  }
+  void take_kernel(const Integer_system& system);
 
   template <typename Integer>
   static Vector to_exact_vector(const Entries<Integer>& vector)
@@ -278,6 +270,19 @@ private:
   std::vector<Echelon_step<Exact_integer> > m_steps;
   std::vector<Vector> m_basis;
 };
+
+// Not inline: few of those that include this file compile it.
+template <typename Integer>
+void Integer_lattice::take_kernel(const Integer_system& system)
+{
+  Kernel_lattice<Integer> kernel(system);
+  m_steps.clear();
+  m_basis.clear();
+  for(const Echelon_step<Integer>& step : kernel.steps())
+    m_steps.push_back({step.row, Exact_integer(step.gcd), to_exact_vector(step.vector)});
+  for(const Entries<Integer>& vector : kernel.basis())
+    m_basis.push_back(to_exact_vector(vector));
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -29,13 +29,19 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+template <typename Integer>
+Echelon_form eliminate_in(const Integer_system& system)
+{
+  return Unit_pivot_elimination<Integer>(system).echelon_form();
+}
+
 inline Echelon_form eliminate(const Integer_system& system)
 {
   if(system.is_small())
     try {
-      return Unit_pivot_elimination<std::int64_t>(system).echelon_form();
+      return eliminate_in<std::int64_t>(system);
     } catch(const Integer_overflow&) { }
-  return Unit_pivot_elimination<Exact_integer>(system).echelon_form();
+  return eliminate_in<Exact_integer>(system);
 }
 
 // A combination of eliminated rows, as one of the system's own: eliminates once more, with a log,
