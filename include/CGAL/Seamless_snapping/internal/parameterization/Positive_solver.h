@@ -29,6 +29,7 @@
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -55,9 +56,10 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
   for(long round = 0; ; ++round) {
     std::vector<double> unknowns;
     try {
-      unknowns = solve_poisson<Solver>(surface, angles, complex, table,
-                                       coordinates.number_of_unknowns(), weights,
-                                       report.seconds_in_solvers);
+      unknowns = solve_poisson<Solver>(
+        surface,
+        [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
+        complex, table, coordinates.number_of_unknowns(), weights, report.seconds_in_solvers);
     } catch(const Failure&) {
       if(round == 0)
         throw;
@@ -75,6 +77,23 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     if(round == number_of_rounds || flips == 0)
       return best;
   }
+}
+
+// The free unknowns of coordinates that meet all constraints, up to roundings.
+template <typename Solver, typename Report>
+std::vector<double>
+unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
+            const Free_coordinates<Quarter_turns>& coordinates, Report& report)
+{
+  const auto difference = [&](const Corner_index h) {
+    const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
+    return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
+  };
+  return solve_poisson<Solver>(surface, difference, complex,
+                               Coordinate_table(coordinates, complex.number_of_sectors()),
+                               coordinates.number_of_unknowns(),
+                               std::vector<double>(surface.number_of_faces(), 1),
+                               report.seconds_in_solvers);
 }
 
 // The shortest of some edges that are aligned and can be released: borders have to stay straight.
@@ -141,7 +160,10 @@ public:
         round == 0 ? m_options.number_of_stiffening_rounds : 0, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
+      else
+        keep_better(unknowns);
       std::vector<std::size_t> stuck;
+      m_uv = m_rows->evaluate(unknowns);
       if(m_report.number_of_flipped_faces > 0)
         stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
                                                          : Untangling::ANGLES_FIRST);
@@ -150,7 +172,6 @@ public:
         continue;
       if(!stuck.empty() && m_options.may_release)
         untangle(unknowns, Untangling::ANGLES_FIRST);
-      m_uv = m_rows->evaluate(unknowns);
       return;
     }
   }
@@ -168,6 +189,20 @@ private:
     m_rows.emplace(m_complex->complex());
   }
 
+  // What untangling reached before edges were released meets the constraints that are left: goes
+  // on from there if it has fewer flips.
+  void keep_better(std::vector<double>& unknowns)
+  {
+    std::vector<double> reached =
+      unknowns_of<Solver>(m_surface, m_uv, *m_complex, *m_rows, m_report);
+    const std::size_t flips =
+      number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
+    if(flips < m_report.number_of_flipped_faces) {
+      m_report.number_of_flipped_faces = flips;
+      unknowns.swap(reached);
+    }
+  }
+
   // Returns the faces that are not positive afterwards.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
@@ -178,6 +213,7 @@ private:
     m_report.number_of_untangling_iterations += iterations;
     for(std::size_t i = 0; i < unknowns.size(); ++i)
       unknowns[i] += untangler.unknowns()[i];
+    m_uv = m_rows->evaluate(unknowns);
     return map.not_positive(untangler.unknowns());
   }
 

@@ -46,11 +46,12 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
   return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
 }
 
-// Minimizes the sum over the faces of weight * area * |grad uv - field|^2, written with cotangents
+// Minimizes the sum over the faces of weight * area * |grad uv - wanted|^2, written with cotangents
 // as a sum over the edges of each face. Returns the values of the free unknowns.
-template <typename Solver>
+// \param wanted_difference along a halfedge, in its face
+template <typename Solver, typename Difference>
 std::vector<double> solve_poisson(const Triangle_surface& surface,
-                                  const std::vector<double>& angles,
+                                  const Difference& wanted_difference,
                                   const Surface_complex& complex,
                                   const Coordinate_table& table,
                                   const std::size_t number_of_unknowns,
@@ -62,7 +63,7 @@ std::vector<double> solve_poisson(const Triangle_surface& surface,
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double opposite_angle = surface.angle[surface.next(h)];
     const double weight = weights[surface.face(h)] / std::tan(opposite_angle);
-    const std::array<double, 2> wanted = wanted_difference(surface, angles, h);
+    const std::array<double, 2> wanted = wanted_difference(h);
     for(std::size_t c = 0; c < 2; ++c) {
       table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
       for(const auto& [i, a] : row) {
