@@ -18,6 +18,7 @@
 // The distortion of a triangle as a function of its Jacobian, in the form of [Garanzha et al. 2021]
 // that is finite, but large, where the triangle is flipped.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -86,6 +87,10 @@ private:
 
   static void make_positive(Matrix& hessian)
   {
+    // most are positive already, which takes much less time to see than eigenvalues
+    const Matrix shifted = hessian - 1e-7 * hessian.trace() * Matrix::Identity();
+    if(hessian.trace() > 0 && Eigen::LLT<Matrix>(shifted).info() == Eigen::Success)
+      return;
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(hessian);
     const Vector& values = solver.eigenvalues(); // in increasing order
     const FT least = 1e-7 * values[3];

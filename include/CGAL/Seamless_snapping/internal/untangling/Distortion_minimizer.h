@@ -52,6 +52,7 @@ public:
   {
     for(const std::size_t t : chosen)
       add(map, t, number_of, unknowns);
+    make_pattern();
   }
 
   // Returns the number of iterations.
@@ -166,30 +167,44 @@ private:
   {
     const Distortion<FT> distortion(regularization);
     gradient = Vector::Zero(m_count);
-    std::vector<Eigen::Triplet<FT> > entries; // of the lower triangle
+    m_hessian.coeffs().setZero();
+    auto place_of_entry = m_places.begin();
     Eigen::Matrix<FT, 4, 1> first;
     Eigen::Matrix<FT, 4, 4> second;
     for(const Term& term : m_terms) {
       distortion.derivatives(term.jacobian, first, second);
-      const Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic> local =
-        term.area * term.gradients.transpose() * second * term.gradients;
+      const Gradients scaled = term.area * second.lazyProduct(term.gradients);
       const Vector slopes = term.area * term.gradients.transpose() * first;
       for(std::size_t i = 0; i < term.unknowns.size(); ++i) {
         gradient[term.unknowns[i]] += slopes[Eigen::Index(i)];
         for(std::size_t j = 0; j <= i; ++j)
-          entries.emplace_back(term.unknowns[i], term.unknowns[j],
-                               local(Eigen::Index(i), Eigen::Index(j)));
+          m_hessian.valuePtr()[*place_of_entry++] +=
+            term.gradients.col(Eigen::Index(i)).dot(scaled.col(Eigen::Index(j)));
       }
     }
-    Sparse_matrix hessian(m_count, m_count);
-    hessian.setFromTriplets(entries.begin(), entries.end());
     // translations change nothing, where all triangles of a component are chosen
-    hessian.diagonal() = (1 + 1e-9) * hessian.diagonal();
-    if(!m_is_analyzed)
-      m_solver.analyzePattern(hessian);
-    m_is_analyzed = true;
-    m_solver.factorize(hessian);
+    m_hessian.diagonal() = (1 + 1e-9) * m_hessian.diagonal();
+    m_solver.factorize(m_hessian);
     return m_solver.solve(-gradient);
+  }
+
+  // Which entries the Hessian has, and where those of each term are.
+  void make_pattern()
+  {
+    std::vector<Eigen::Triplet<FT> > entries;
+    const auto for_each_entry = [&](const auto& f) {
+      for(const Term& term : m_terms)
+        for(std::size_t i = 0; i < term.unknowns.size(); ++i)
+          for(std::size_t j = 0; j <= i; ++j)
+            f(term.unknowns[i], term.unknowns[j]);
+    };
+    for_each_entry([&](const int i, const int j) { entries.emplace_back(i, j, 0); });
+    m_hessian.resize(m_count, m_count);
+    m_hessian.setFromTriplets(entries.begin(), entries.end());
+    for_each_entry([&](const int i, const int j) {
+      m_places.push_back(&m_hessian.coeffRef(i, j) - m_hessian.valuePtr());
+    });
+    m_solver.analyzePattern(m_hessian);
   }
 
   FT least_determinant() const
@@ -217,8 +232,9 @@ private:
   Eigen::Index m_count;
   Vector m_sum;
   std::vector<Term> m_terms;
-  Eigen::SimplicialLDLT<Sparse_matrix > m_solver; // of lower triangles
-  bool m_is_analyzed = false;
+  Sparse_matrix m_hessian;   // its lower triangle
+  std::vector<std::ptrdiff_t> m_places; // among its values: per term, of the entries of its lower triangle
+  Eigen::SimplicialLDLT<Sparse_matrix> m_solver; // of lower triangles
 };
 
 } // namespace internal
