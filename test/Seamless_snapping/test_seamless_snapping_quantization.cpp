@@ -725,6 +725,46 @@ void test_improvement()
   CHECK(CGAL::is_valid_polygon_mesh(flat.quads) && CGAL::is_quad_mesh(flat.quads));
 }
 
+// A quad whose sides at a corner are a straight line, or turn by more, as features may hold them.
+void test_division()
+{
+  using Point_map = Mesh::Property_map<Vertex, Point_3>;
+  using Smoother = SS::internal::Quad_smoother<Mesh, Point_map>;
+  using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  for(const double y : {0., 0.4, 3.}) { // the last one is inverted, and can't be helped
+    Mesh surface_mesh, quads;
+    std::vector<Vertex> v;
+    const std::vector<Point_3> corners{Point_3(-1, 0, 0), Point_3(0, y, 0), Point_3(1, 0, 0),
+                                       Point_3(0, 2, 0)};
+    for(const Point_3& p : {Point_3(-4, -4, 0), Point_3(4, -4, 0), Point_3(0, 9, 0)})
+      surface_mesh.add_vertex(p);
+    surface_mesh.add_face(Vertex(0), Vertex(1), Vertex(2));
+    for(const Point_3& p : corners)
+      v.push_back(quads.add_vertex(p));
+    quads.add_face(v[0], v[1], v[2], v[3]);
+    const Feature_map is_feature =
+      quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
+    const SS::internal::Surface_to_remesh surface(
+      surface_mesh, surface_mesh.points(),
+      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+    Smoother smoother(quads, quads.points(), surface.mesh());
+    CHECK(smoother.measure_shape()[0] <= 0);
+    SS::internal::Quad_divider<Mesh, Feature_map, Smoother> divider(quads, is_feature, smoother);
+    const bool is_helped = y < 1;
+    CHECK_EQUAL(divider.run(), is_helped ? 1u : 0u);
+    CHECK_EQUAL(faces(quads).size(), is_helped ? 5u : 1u);
+    CHECK(!is_helped || smoother.measure_shape()[0] > 0.1);
+    CHECK(CGAL::is_valid_polygon_mesh(quads) && CGAL::is_quad_mesh(quads));
+    for(std::size_t i = 0; i < 4; ++i)
+      CHECK_EQUAL(quads.point(v[i]), corners[i]);
+    for(const auto e : quads.edges())
+      CHECK_EQUAL(is_feature[e], quads.is_border(e));
+    for(const auto w : quads.vertices())
+      CHECK_EQUAL(quads.point(w).z(), 0.);
+    CHECK_EQUAL(divider.run(), 0u);
+  }
+}
+
 // No map aligns three sides of a triangle, as all of these edges are features or border.
 template <typename Quad_mesh>
 void check_aligned_triangles(const std::vector<Point_3>& points,
@@ -849,6 +889,7 @@ int main()
   test_folds();
   test_remeshing();
   test_improvement();
+  test_division();
   test_triangles();
   test_refusals();
   return report_checks();

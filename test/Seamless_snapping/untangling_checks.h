@@ -124,8 +124,8 @@ inline void test_regularized_determinant()
 
 // --- the minimizer -------------------------------------------------------------------------------
 
-// Points that are sums of few unknowns, some of them of the same ones, turned: as at cuts; triangles
-// of any of them, and shapes that have nothing to do with where they are.
+// Points that are sums of few unknowns, some of them of the same ones, turned: as at cuts; and
+// triangles of any of them, with shapes that have nothing to do with where they are.
 inline internal::Constrained_triangles random_triangles(Numbers& numbers,
                                                         const std::size_t number_of_points)
 {
@@ -381,6 +381,32 @@ inline void test_fans()
   CHECK(repaired > 100 && kept > 20);
 }
 
+// The first attempt, for which one iteration is allowed, gives no vertex another angle than it is
+// to have; the last one may.
+inline void test_wanted_angles()
+{
+  std::size_t tested = 0;
+  for(unsigned int seed = 1; seed <= 40; ++seed) {
+    const std::string context = "angle of a fan, seed " + std::to_string(seed);
+    Numbers numbers(seed);
+    auto map = fan(numbers, 0.2, 3);
+    if(map.not_positive({0, 0}).empty())
+      continue;
+    const auto is_repaired = [&](const std::size_t iterations) {
+      internal::Untangler<double> untangler(map);
+      untangler.run(iterations, internal::Untangling::NEAR_BY_FIRST);
+      return map.not_positive(untangler.unknowns()).empty();
+    };
+    map.angle[0] = internal::full_turn;
+    if(!is_repaired(1))
+      continue;
+    map.angle[0] = 2 * internal::full_turn; // which a ring does not allow
+    CHECK_IN(context, !is_repaired(1) && is_repaired(100));
+    ++tested;
+  }
+  CHECK(tested > 20);
+}
+
 inline void test_untangling_parts()
 {
   test_derivatives();
@@ -388,6 +414,7 @@ inline void test_untangling_parts()
   test_steps();
   test_angle_sums();
   test_fans();
+  test_wanted_angles();
 }
 
 } // namespace untangling_checks

@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
+#include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
 #include <CGAL/Seamless_snapping/quantize.h>
@@ -284,6 +285,8 @@ private:
       improver.move_vertices();
       if(improver.remove_vertices_of_two_edges() > 0)
         improver.move_vertices();
+      if(Quad_divider<QuadMesh, FeatureMap, Smoother>(quads, is_feature, smoother).run() > 0)
+        improver.move_vertices();
     }
     m_timer.finish("smoothing");
     count(quads);
@@ -377,7 +380,8 @@ The steps are `approximate_seamless_parameterization()`, `snap_to_seamless()`, `
 so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
 smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
 along their feature, unless it turns or ends there, and two quads around a vertex of two edges
-become one. Triangles with three sides that are features or border are divided before, in a copy.
+become one. What is inverted or flat even then, as between two features that are a straight line in
+space, becomes five quads, one of them inside, if those have a better shape. Triangles with three sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
