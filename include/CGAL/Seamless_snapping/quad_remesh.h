@@ -381,7 +381,8 @@ so are feature edges: they become chains of edges of quads, whose vertices lie o
 smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
 along their feature, unless it turns or ends there, and two quads around a vertex of two edges
 become one. What is inverted or flat even then, as between two features that are a straight line in
-space, becomes five quads, one of them inside, if those have a better shape. Triangles with three sides that are features or border are divided before, in a copy.
+space, becomes five quads, one of them inside, if those have a better shape. Triangles with three
+sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
