@@ -216,8 +216,8 @@ inline bool are_isomorphic(const Mesh& a, const Mesh& b)
 using Rounded_point = std::array<long, 3>;
 using Rounded_quads = std::vector<std::vector<Rounded_point> >;
 
-// The faces as cycles of points, rounded to multiples of 1e-6, in a canonical order. The midpoint of
-// points with six decimals lies where rounding changes; those are kept away from there.
+// The faces as cycles of points, rounded to multiples of 1e-6, in a canonical order. Midpoints of
+// points with six decimals would lie where rounding changes: they are kept away from there.
 inline Rounded_quads rounded_quads(const Mesh& mesh)
 {
   const auto rounded = [](const double x) { return std::lround(1e6 * x + 0.3); };
