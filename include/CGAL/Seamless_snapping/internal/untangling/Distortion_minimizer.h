@@ -232,8 +232,8 @@ private:
   Eigen::Index m_count;
   Vector m_sum;
   std::vector<Term> m_terms;
-  Sparse_matrix m_hessian;   // its lower triangle
-  std::vector<std::ptrdiff_t> m_places; // among its values: per term, of the entries of its lower triangle
+  Sparse_matrix m_hessian;              // its lower triangle
+  std::vector<std::ptrdiff_t> m_places; // among its values: of the entries of each term
   Eigen::SimplicialLDLT<Sparse_matrix> m_solver; // of lower triangles
 };
 
