@@ -268,7 +268,7 @@ inline void test_steps()
     for(std::size_t i = 1; i <= 6; ++i) {
       internal::Distortion_minimizer<double> minimizer(map, all, number_of, n,
                                                        std::vector<double>(n, 0.));
-      const std::size_t iterations = minimizer.run(i);
+      const std::size_t iterations = minimizer.run(i, 1.);
       const std::string context =
         "step " + std::to_string(i) + " of random triangles, seed " + std::to_string(seed);
       const Vector next = minimizer.change();

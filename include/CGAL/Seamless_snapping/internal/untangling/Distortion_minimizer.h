@@ -55,10 +55,13 @@ public:
     make_pattern();
   }
 
-  // Returns the number of iterations.
-  std::size_t run(const std::size_t largest_number_of_iterations)
+  // Where the Jacobian is 0, the distortion has no gradient. It has a minimum there if the
+  // regularization is more than 1/2: its second order is 2 |J|^2 / r - 2 det J / r^2, and
+  // |det J| is at most |J|^2 / 2. So all triangles of a patch can collapse, for good.
+  // \param regularization to start with, at most 1
+  // \return the number of iterations
+  std::size_t run(const std::size_t largest_number_of_iterations, FT regularization)
   {
-    FT regularization = largest_regularization;
     std::size_t after_success = 0;
     for(std::size_t i = 0; i < largest_number_of_iterations; ++i) {
       const FT before = energy(Vector::Zero(m_count), 0, regularization);
@@ -227,10 +230,6 @@ private:
                           : smallest_regularization;
   }
 
-  // Where the Jacobian is 0, the distortion has no gradient. It has a minimum there if the
-  // regularization is more than 1/2: its second order is 2 |J|^2 / r - 2 det J / r^2, and
-  // |det J| is at most |J|^2 / 2. So all triangles of a patch could collapse, for good.
-  static constexpr FT largest_regularization = 0.45;
   static constexpr FT smallest_regularization = 1e-10;
 
   Eigen::Index m_count;

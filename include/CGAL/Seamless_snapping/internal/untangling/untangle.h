@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/untangling/Distortion_minimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -169,45 +170,72 @@ private:
     return result;
   }
 
-  // Keeps the result if fewer triangles are not positive. Returns the number of iterations times
-  // that of triangles.
+  // The number of triangles that are not positive, and that of wrong angles.
+  using Faults = std::pair<std::size_t, std::size_t>;
+
+  Faults faults(const std::vector<std::size_t>& triangles) const
+  {
+    const auto bad = std::count_if(triangles.begin(), triangles.end(), [&](const std::size_t t) {
+      return orientation(m_map.triangle(t, m_unknowns)) != CGAL::POSITIVE;
+    });
+    return {std::size_t(bad), number_of_wrong_angles(triangles)};
+  }
+
+  // \param values of the patch's unknowns
+  void move(const std::vector<std::size_t>& patch, const std::vector<std::size_t>& triangles,
+            const std::vector<FT>& values)
+  {
+    add_angles(triangles, -1);
+    for(std::size_t k = 0; k < patch.size(); ++k)
+      m_unknowns[patch[k]] = values[k];
+    add_angles(triangles, 1);
+  }
+
+  // Returns the number of iterations times that of triangles.
   double improve(const std::vector<std::size_t>& patch, const Attempt& attempt)
   {
     std::vector<std::size_t> triangles;
+    std::vector<FT> start;
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = int(k);
+      start.push_back(m_unknowns[patch[k]]);
       triangles.insert(triangles.end(), m_triangles_of[patch[k]].begin(),
                        m_triangles_of[patch[k]].end());
     }
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
-    const std::size_t iterations = minimizer.run(attempt.iterations);
-
-    const auto number_of_bad = [&]() {
-      return std::count_if(triangles.begin(), triangles.end(), [&](const std::size_t t) {
-        return orientation(m_map.triangle(t, m_unknowns)) != CGAL::POSITIVE;
-      });
-    };
-    const auto before = number_of_bad();
-    const std::size_t wrong_before = number_of_wrong_angles(triangles);
-    add_angles(triangles, -1);
-    std::vector<FT> kept; // per unknown of the patch
-    for(std::size_t k = 0; k < patch.size(); ++k) {
-      m_number_of[patch[k]] = -1;
-      kept.push_back(m_unknowns[patch[k]]);
-      m_unknowns[patch[k]] += minimizer.change()[Eigen::Index(k)];
-    }
-    add_angles(triangles, 1);
-    if(number_of_bad() >= before ||
-       (!attempt.may_change_angles && number_of_wrong_angles(triangles) > wrong_before)) {
-      add_angles(triangles, -1);
+    // what has the fewest faults, and then that which changes least
+    const Faults before = faults(triangles);
+    Faults least = before;
+    FT least_change = 0;
+    std::vector<FT> best = start, values(patch.size());
+    double iterations = 0;
+    for(const FT regularization : regularizations) {
+      move(patch, triangles, start);
+      Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
+      iterations += static_cast<double>(minimizer.run(attempt.iterations, regularization));
       for(std::size_t k = 0; k < patch.size(); ++k)
-        m_unknowns[patch[k]] = kept[k];
-      add_angles(triangles, 1);
+        values[k] = start[k] + minimizer.change()[Eigen::Index(k)];
+      move(patch, triangles, values);
+      const Faults after = faults(triangles);
+      const FT change = minimizer.change().cwiseAbs().maxCoeff();
+      if((attempt.may_change_angles || after.second <= before.second) &&
+         std::make_pair(after, change) < std::make_pair(least, least_change)) {
+        least = after;
+        least_change = change;
+        best = values;
+      }
+      if(least == Faults(0, 0))
+        break;
     }
-    return static_cast<double>(iterations) * static_cast<double>(triangles.size());
+    move(patch, triangles, best);
+    for(const std::size_t i : patch)
+      m_number_of[i] = -1;
+    return iterations * static_cast<double>(triangles.size());
   }
+
+  // To start with. What comes out from 1 on mostly changes less, but triangles can collapse.
+  static constexpr std::array<FT, 2> regularizations{{0.45, 1}};
 
   const Constrained_triangles& m_map;
   std::vector<FT> m_unknowns;
