@@ -25,7 +25,7 @@ std::string with_options(std::string message)
 {
   const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
-    {"by grid_scale, or call extract_quad_soup()", "by grid_scale"},
+    {"by grid_scale, or call extract_quad_soup()", "by grid_scale, or try --soup"},
     {"by grid_scale", "by --grid-scale or --number"},
     {"the rounding_tolerance of", "--rounding"}};
   for(const auto& [parameter, option] : words)

@@ -3,6 +3,8 @@
 #include "Failure.h"
 #include "files.h"
 
+#include <CGAL/IO/OBJ.h>
+#include <CGAL/IO/OFF.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -38,12 +40,27 @@ void mark_features(const double angle, Mesh& mesh, Edge_bool_map& is_feature)
   }
 }
 
-std::string text_of_quads(const Mesh& quads, const std::string& filename)
+namespace {
+
+template <typename... Quads>
+std::string text(const std::string& filename, const Quads&... quads)
 {
   std::ostringstream os;
   const auto precision = CGAL::parameters::stream_precision(17);
-  if(!(suffix_of(filename) == "off" ? CGAL::IO::write_OFF(os, quads, precision)
-                                    : CGAL::IO::write_OBJ(os, quads, precision)))
+  if(!(suffix_of(filename) == "off" ? CGAL::IO::write_OFF(os, quads..., precision)
+                                    : CGAL::IO::write_OBJ(os, quads..., precision)))
     throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
   return os.str();
+}
+
+} // namespace
+
+std::string text_of_quads(const Mesh& quads, const std::string& filename)
+{
+  return text(filename, quads);
+}
+
+std::string text_of_quads(const Quad_soup& quads, const std::string& filename)
+{
+  return text(filename, quads.points, quads.polygons);
 }

@@ -28,7 +28,7 @@ struct Quad_options
   Seam_options seams;
   std::string input, output, picture;
   double scale = 1, number = 0, rounding = 0.01;
-  bool allow_holes = false;
+  bool allow_holes = false, soup = false;
 
   bool parse(const Arguments& arguments)
   {
@@ -52,6 +52,9 @@ struct Quad_options
     options.add("allow-holes", allow_holes,
                 "leave out the quads around faces that are still flipped, instead of refusing "
                 "them");
+    options.add("soup", soup,
+                "write quads that no mesh of quads can be, as they meet themselves or each other "
+                "twice");
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     if(!options.parse(arguments))
       return false;
@@ -60,6 +63,8 @@ struct Quad_options
       throw Failure(USAGE, "--number and --grid-scale exclude each other");
     if(options.is_given("number") && !(number >= 1))
       throw Failure(USAGE, "the number of quads must be at least 1");
+    if(soup && options.is_given("picture"))
+      throw Failure(USAGE, "--soup and --picture exclude each other");
     if(options.is_given("number") && !options.is_given("rounding"))
       rounding = std::numeric_limits<double>::infinity();
     if(suffix_of(output) != "obj" && suffix_of(output) != "off")
@@ -109,16 +114,24 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
 }
 
 // In the words of the command line.
-std::string flips_message(const Quad_options& options, const Model& model,
-                          const std::vector<std::size_t>& faces)
+std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
 {
-  const std::string message =
-    std::to_string(faces.size()) +
-    " faces of the integer-grid map are flipped or degenerate, the first is face " +
-    std::to_string(faces.front()) +
-    "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
-    "or leave out the quads around these faces by --allow-holes";
-  return options.input + ": " + in_words_of_user(message, model);
+  return std::to_string(faces.size()) +
+         " faces of the integer-grid map are flipped or degenerate, the first is face " +
+         std::to_string(faces.front()) +
+         "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
+         "or leave out the quads around these faces by --allow-holes";
+}
+
+void check_report(const Quad_options& options, const Model& model,
+                  const SS::Extraction_report& report)
+{
+  if(report)
+    return;
+  const bool has_flips = report.status == SS::Extraction_status::NOT_POSITIVE;
+  const std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
+                                    : to_string(report.status) + (": " + report.message);
+  throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
 }
 
 } // namespace
@@ -131,21 +144,25 @@ void quads(const Arguments& arguments)
   Model model;
   read_model(options.input, options.seams.reading, model);
   const SS::Snapping_report snapped = snap(options, model);
-  Mesh result;
-  const Edge_bool_map is_feature = result.add_property_map<Edge, bool>("e:feature", false).first;
-  const SS::Extraction_report report =
-    SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
-      model.mesh, model.uv_map, result,
-      SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes),
-      SS::parameters::edge_is_constrained_map(is_feature));
-  if(report.status == SS::Extraction_status::NOT_POSITIVE)
-    throw Failure(NOT_SOLVED, flips_message(options, model, report.nonpositive_faces));
-  if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
-                                in_words_of_user(report.message, model));
-  write_file(options.output, text_of_quads(result, options.output));
-  if(!options.picture.empty())
-    write_file(options.picture, quad_picture(result, is_feature));
+  const auto np =
+    SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
+  SS::Extraction_report report;
+  if(options.soup) {
+    Quad_soup soup;
+    report = SS::extract_quad_soup<CGAL::Parallel_if_available_tag>(
+      model.mesh, model.uv_map, soup.points, soup.polygons, np);
+    check_report(options, model, report);
+    write_file(options.output, text_of_quads(soup, options.output));
+  } else {
+    Mesh mesh;
+    const Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
+    report = SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
+      model.mesh, model.uv_map, mesh, np, SS::parameters::edge_is_constrained_map(is_feature));
+    check_report(options, model, report);
+    write_file(options.output, text_of_quads(mesh, options.output));
+    if(!options.picture.empty())
+      write_file(options.picture, quad_picture(mesh, is_feature));
+  }
   std::ostream& os = summary_stream({options.output, options.picture});
   os << report.number_of_faces - report.number_of_other_polygons << " quads, "
      << report.number_of_vertices << " vertices, " << report.number_of_cones << " cones\n"
