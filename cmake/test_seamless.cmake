@@ -208,8 +208,11 @@ set(ring "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n")
 foreach(vt IN ITEMS "0 0" "0.25 0" "0.5 0" "1 0" "0 1" "0.25 1" "0.5 1" "1 1")
   string(APPEND ring "vt ${vt}\n")
 endforeach()
-file(WRITE "${WORK_DIR}/ring.obj" "${ring}f 1/1 2/2 5/6\nf 1/1 5/6 4/5\nf 2/2 3/3 6/7\nf 2/2 6/7 5/6\n\
-f 3/3 1/4 4/8\nf 3/3 4/8 6/7\n")
+foreach(f IN ITEMS "1/1 2/2 5/6" "1/1 5/6 4/5" "2/2 3/3 6/7" "2/2 6/7 5/6"
+    "3/3 1/4 4/8" "3/3 4/8 6/7")
+  string(APPEND ring "f ${f}\n")
+endforeach()
+file(WRITE "${WORK_DIR}/ring.obj" "${ring}")
 seamless(1 quads ring.obj quads.obj)
 expect_message("${err}" "no face graph")
 expect_message("${err}" "scale the map up by --grid-scale or --number, or try --soup")
