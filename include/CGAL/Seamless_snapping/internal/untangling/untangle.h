@@ -204,7 +204,7 @@ private:
     }
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    // what has the fewest faults, and then that which changes least
+    // What has the fewest faults; then what changes least.
     const Faults before = faults(triangles);
     Faults least = before;
     FT least_change = 0;
@@ -225,8 +225,8 @@ private:
         least_change = change;
         best = values;
       }
-      if(least == Faults(0, 0))
-        break;
+      if(after.first > 0 || after.second == 0)
+        break; // another start is for other angles
     }
     move(patch, triangles, best);
     for(const std::size_t i : patch)
@@ -234,7 +234,7 @@ private:
     return iterations * static_cast<double>(triangles.size());
   }
 
-  // To start with. What comes out from 1 on mostly changes less, but triangles can collapse.
+  // To start with. From 1 on, triangles can collapse; but what comes out mostly changes less.
   static constexpr std::array<FT, 2> regularizations{{0.45, 1}};
 
   const Constrained_triangles& m_map;
