@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/quantization/round_units.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -49,7 +48,7 @@ class Strip_moves
 public:
   Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales)
     : m_complex(complex), m_distance(4 * complex.corners.size()), m_round(m_distance.size(), 0),
-      m_parent(m_distance.size()), m_passed(m_distance.size()), m_entry(m_distance.size())
+      m_parent(m_distance.size()), m_entry(m_distance.size())
   {
     for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_wanted.push_back(wanted_units(complex, h, scales));
@@ -161,21 +160,28 @@ private:
     const Flat_face_index f = halfedge(exit) / 3;
     std::array<Grid_vector, 3> units = units_of_face(f);
     const std::int64_t before = determinant(units);
-    if(m_passed[std::size_t(from)][mark_of_face(f)])
-      for(State s = from; s != start; s = m_parent[std::size_t(s)])
-        if(halfedge(s) / 3 == f) {
-          add_to(units, halfedge(s), change(s));
-          add_to(units, m_entry[std::size_t(s)], negated(change(s)));
-        }
+    const double nearest = least_distance(f, start);
+    for(State s = from; s != start && m_distance[std::size_t(s)] >= nearest;
+        s = m_parent[std::size_t(s)])
+      if(halfedge(s) / 3 == f) {
+        add_to(units, halfedge(s), change(s));
+        add_to(units, m_entry[std::size_t(s)], negated(change(s)));
+      }
     add_to(units, halfedge(exit), change(exit));
     add_to(units, entry, negated(change(exit)));
     return is_no_worse(f, before, determinant(units));
   }
 
-  // Few faces share a mark: where one is not set, the strip did not pass the face.
-  using Marks = std::bitset<128>;
-  static std::size_t mark_of_face(const Flat_face_index f)
-  { return (std::uint64_t(f) * 0x9e3779b97f4a7c15u) >> 57; }
+  // Of the face's states that the search has reached. Distances grow along a strip: where they are
+  // less than this, it has not passed the face yet.
+  double least_distance(const Flat_face_index f, const State start) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(State s = state(3 * f, 0); s < state(3 * f + 3, 0); ++s)
+      if(m_round[std::size_t(s)] == m_current_round && s != start)
+        result = (std::min)(result, m_distance[std::size_t(s)]);
+    return result;
+  }
 
   bool is_no_worse(const Flat_face_index f, const std::int64_t before,
                    const std::int64_t after) const
@@ -189,7 +195,6 @@ private:
   {
     ++m_current_round;
     m_queue = Queue();
-    m_passed[std::size_t(start)].reset();
     m_is_border_reached = false;
     expand(start, 0, bound, start);
     while(!m_queue.empty()) {
@@ -239,8 +244,6 @@ private:
       m_round[std::size_t(s)] = m_current_round;
       m_distance[std::size_t(s)] = d;
       m_parent[std::size_t(s)] = from;
-      m_passed[std::size_t(s)] = m_passed[std::size_t(from)];
-      m_passed[std::size_t(s)].set(mark_of_face(halfedge(s) / 3));
       m_entry[std::size_t(s)] = entry;
       m_queue.emplace(d, s);
     }
@@ -343,7 +346,6 @@ private:
   std::vector<double> m_distance;
   std::vector<std::int32_t> m_round;
   std::vector<State> m_parent;
-  std::vector<Marks> m_passed;       // of the faces on the way from the start
   std::vector<Corner_index> m_entry; // the halfedge over which the strip enters its face
   std::vector<Change> m_changes; // of the strip
   std::int32_t m_current_round = 0;
