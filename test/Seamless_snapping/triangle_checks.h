@@ -387,6 +387,13 @@ inline void test_coarse_torus()
     CHECK_EQUAL(points.size(), std::size_t(side * side));
     CHECK_EQUAL(triangles.size(), std::size_t(2 * side * side));
   }
+  // there is no cone that tells
+  const quad_reference::Grid_map map(test_meshes::torus(1, 1), 3, 4);
+  Mesh triangles;
+  const auto report =
+    SS::extract_triangle_mesh(map.mesh, map.uv, triangles, SS::parameters::grid_scale(0.5));
+  CHECK(report.status == Status::NOT_INTEGER && triangles.is_empty());
+  CHECK_IN(report.message, report.message.find("the translation across") != std::string::npos);
 }
 
 // A map of translations is one of any symmetry. That of a surface of genus 2 has a cone of 1080
