@@ -211,7 +211,6 @@ private:
     std::vector<FT> best = start, values(patch.size());
     double iterations = 0;
     for(const FT regularization : regularizations) {
-      move(patch, triangles, start);
       Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
       iterations += static_cast<double>(minimizer.run(attempt.iterations, regularization));
       for(std::size_t k = 0; k < patch.size(); ++k)
@@ -227,6 +226,7 @@ private:
       }
       if(after.first > 0 || after.second == 0)
         break; // another start is for other angles
+      move(patch, triangles, start);
     }
     move(patch, triangles, best);
     for(const std::size_t i : patch)
