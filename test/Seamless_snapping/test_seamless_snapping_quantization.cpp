@@ -402,6 +402,51 @@ void test_optimum()
   CHECK(10 * number_of_optima >= 9 * number);
 }
 
+// What the search from a state finds, or infinity.
+double cheapest_strip(internal::Strip_search& search, const internal::Strip_state start)
+{
+  search.start(start, 1e9);
+  while(!search.is_exhausted())
+    if(search.advance())
+      return search.distance();
+  return std::numeric_limits<double>::infinity();
+}
+
+// A strip is as cheap in the other direction, and there are as many.
+void test_strips_in_both_directions()
+{
+  std::size_t number = 0, number_found = 0, number_of_differences = 0;
+  for(const Square_complex& complex :
+      {surfaces::tetrahedron(), surfaces::genus_2(), surfaces::torus(3, 4), surfaces::disc(3, 4),
+       surfaces::cylinder(3, 4), surfaces::cone_ring(3)}) {
+    const Grid_map map(complex, 16, 4);
+    const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
+    for(const double scale : {0.05, 0.1, 0.2, 0.4}) {
+      Intrinsic_complex units = internal::make_complex(input);
+      const std::vector<double> scales{scale * input.steps[0]};
+      internal::Complex_quantizer(input, units, scales).start();
+      const internal::Strip_rules rules(units, scales);
+      internal::Strip_search one(rules), other(rules);
+      for(Corner_index h = 0; h < units.number_of_halfedges(); ++h)
+        for(int k = 0; k < 4; ++k) {
+          const internal::Strip_state s = internal::strip_state(h, k);
+          if(units.opposite(h) == internal::no_index || !rules.is_allowed(s))
+            continue;
+          CHECK(rules.reversed(rules.reversed(s)) == s);
+          CHECK(rules.cost(rules.reversed(s)) == rules.cost(s));
+          const double a = cheapest_strip(one, s), b = cheapest_strip(other, rules.reversed(s));
+          ++number;
+          number_found += std::isfinite(a) ? 1 : 0;
+          number_of_differences += !(a == b || std::abs(a - b) < 1e-9) ? 1 : 0;
+        }
+    }
+  }
+  std::cout << number_found << " of " << number << " changes of an edge have a strip, "
+            << number_of_differences << " another one in the other direction" << std::endl;
+  CHECK(number_found > 0 && number_found < number);
+  CHECK(100 * number_of_differences <= number);
+}
+
 // --- real maps -----------------------------------------------------------------------------------
 
 struct Sizes
@@ -885,6 +930,7 @@ int main()
   test_complexes();
   test_surfaces();
   test_optimum();
+  test_strips_in_both_directions();
   test_maps();
   test_folds();
   test_remeshing();
