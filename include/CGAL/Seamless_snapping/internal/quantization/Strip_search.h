@@ -61,21 +61,24 @@ class Strip_rules
 {
 public:
   Strip_rules(const Intrinsic_complex& complex, const std::vector<double>& scales)
-    : complex(complex)
+    : m_complex(complex)
   {
     for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_wanted.push_back(wanted_units(complex, h, scales));
       m_weight.push_back(weight_of_edge(m_wanted.back()));
       if(complex.opposite(h) == no_index)
-        border.push_back(h);
+        m_border.push_back(h);
     }
   }
+
+  const Intrinsic_complex& complex() const { return m_complex; }
+  const std::vector<Corner_index>& border() const { return m_border; }
 
   // Of the sum of weighted squares of deviations, if the halfedge's vector changes.
   double cost(const Corner_index h, const Grid_vector& change) const
   {
     const auto& wanted = m_wanted[std::size_t(h)];
-    const Grid_vector& units = complex.corner(h).units;
+    const Grid_vector& units = m_complex.corner(h).units;
     return m_weight[std::size_t(h)] *
            (1 + 2 * (static_cast<double>(change[0]) * (static_cast<double>(units[0]) - wanted[0]) +
                      static_cast<double>(change[1]) * (static_cast<double>(units[1]) - wanted[1])));
@@ -85,7 +88,7 @@ public:
   // Walls change along themselves only.
   bool is_allowed(const Strip_state s) const
   {
-    const Intrinsic_corner& corner = complex.corner(halfedge_of(s));
+    const Intrinsic_corner& corner = m_complex.corner(halfedge_of(s));
     const Grid_vector d = change_of(s);
     return !corner.is_wall || (corner.vector[0] == 0 ? d[0] == 0 : d[1] == 0);
   }
@@ -98,8 +101,8 @@ public:
 
   Face_units units_of_face(const Flat_face_index f) const
   {
-    return {complex.corner(3 * f).units, complex.corner(3 * f + 1).units,
-            complex.corner(3 * f + 2).units};
+    return {m_complex.corner(3 * f).units, m_complex.corner(3 * f + 1).units,
+            m_complex.corner(3 * f + 2).units};
   }
 
   // The same edge from the other side; strips through it are the same, in the other direction.
@@ -107,15 +110,15 @@ public:
   Strip_state reversed(const Strip_state s) const
   {
     const Corner_index h = halfedge_of(s);
-    const int direction = Quarter_turns::compose(complex.corner(h).rotation, s % 4);
-    return strip_state(complex.opposite(h), (direction + 2) % 4);
+    const int direction = Quarter_turns::compose(m_complex.corner(h).rotation, s % 4);
+    return strip_state(m_complex.opposite(h), (direction + 2) % 4);
   }
 
-  const Intrinsic_complex& complex;
-  std::vector<Corner_index> border;
   Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
 
 private:
+  const Intrinsic_complex& m_complex;
+  std::vector<Corner_index> m_border;
   std::vector<std::array<double, 2> > m_wanted; // per halfedge
   std::vector<double> m_weight;                 // per halfedge
 };
@@ -125,7 +128,7 @@ class Strip_search
 {
 public:
   explicit Strip_search(const Strip_rules& rules)
-    : m_rules(rules), m_reached(4 * rules.complex.corners.size())
+    : m_rules(rules), m_reached(4 * rules.complex().corners.size())
   { }
 
   // Of a strip through the state whose other costs add up to less than `bound`, gains not counted.
@@ -178,8 +181,8 @@ private:
   {
     double distance;
     Strip_state parent;
-    Corner_index entry;      // the halfedge over which the strip enters its face
-    std::int32_t round = 0;  // valid if it is the current one
+    Corner_index entry;     // the halfedge over which the strip enters its face
+    std::int32_t round = 0; // valid if it is the current one
   };
 
   const Reached& reached(const Strip_state s) const { return m_reached[std::size_t(s)]; }
@@ -212,7 +215,7 @@ private:
 
   void expand(const Strip_state s, const double distance)
   {
-    const Intrinsic_complex& complex = m_rules.complex;
+    const Intrinsic_complex& complex = m_rules.complex();
     const Corner_index h = halfedge_of(s), g = complex.opposite(h);
     if(g != no_index) {
       enter(s, g, Quarter_turns::compose(complex.corner(h).rotation, s % 4), distance);
@@ -221,7 +224,7 @@ private:
     if(m_is_border_reached)
       return;
     m_is_border_reached = true;
-    for(const Corner_index b : m_rules.border)
+    for(const Corner_index b : m_rules.border())
       for(int k = 0; k < 4; ++k)
         if(m_rules.is_allowed(strip_state(b, k)) && b != h)
           enter(s, b, k, distance + positive(m_rules.cost(b, negated(unit_vector(k)))));
