@@ -406,7 +406,7 @@ void test_optimum()
 double cheapest_strip(internal::Strip_search& search, const internal::Strip_state start)
 {
   search.start(start, 1e9);
-  while(!search.is_exhausted())
+  while(search.width() > 0)
     if(search.advance())
       return search.distance();
   return std::numeric_limits<double>::infinity();

@@ -102,20 +102,21 @@ private:
   }
 
   // The cheapest strip through the state whose other costs add up to less than `bound`, gains not
-  // counted. It is looked for in both directions in turns: where triangles can't get smaller, one
-  // of the two ends soon, and there is none.
+  // counted. It is looked for from both sides of the edge, further where fewer ways are open: where
+  // triangles can't get smaller, one of the searches ends soon, and there is none.
   bool find_strip(const Strip_state start, const double bound)
   {
     const bool is_border = m_complex.opposite(halfedge_of(start)) == no_index;
     m_searches[0].start(start, bound);
     if(!is_border)
       m_searches[1].start(m_rules.reversed(start), bound);
-    for(std::size_t k = 0; !m_searches[k].is_exhausted(); k = is_border ? 0 : 1 - k)
-      if(m_searches[k].advance()) {
-        m_found = k;
+    for(;;) {
+      m_found = !is_border && m_searches[1].width() < m_searches[0].width() ? 1 : 0;
+      if(m_searches[m_found].width() == 0)
+        return false;
+      if(m_searches[m_found].advance())
         return true;
-      }
-    return false;
+    }
   }
 
   // Makes the move along the strip that was found, if it changes the sum of squares by less than
@@ -213,7 +214,7 @@ private:
   Intrinsic_complex& m_complex;
   Strip_rules m_rules;
   std::array<Strip_search, 2> m_searches; // of the two directions
-  std::size_t m_found = 0;                // the one that found a strip
+  std::size_t m_found = 0;                // the one that found a strip, or ended
   std::vector<Change> m_changes;          // of the strip
 };
 

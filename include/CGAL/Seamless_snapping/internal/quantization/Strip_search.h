@@ -142,10 +142,11 @@ public:
     expand(s, 0);
   }
 
-  bool is_exhausted() const { return m_queue.empty(); }
+  // The number of ways that are open. Without any, there is no strip.
+  std::size_t width() const { return m_queue.size(); }
 
   // One step. Returns whether the strip has closed.
-  // \pre !is_exhausted()
+  // \pre width() > 0
   bool advance()
   {
     const auto [distance, s] = m_queue.top();
