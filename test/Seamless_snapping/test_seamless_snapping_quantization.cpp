@@ -422,15 +422,15 @@ void test_strips_in_both_directions()
     const Grid_map map(complex, 16, 4);
     const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
     for(const double scale : {0.05, 0.1, 0.2, 0.4}) {
-      Intrinsic_complex units = internal::make_complex(input);
+      Intrinsic_complex intrinsic = internal::make_complex(input);
       const std::vector<double> scales{scale * input.steps[0]};
-      internal::Complex_quantizer(input, units, scales).start();
-      const internal::Strip_rules rules(units, scales);
+      internal::Complex_quantizer(input, intrinsic, scales).start();
+      const internal::Strip_rules rules(intrinsic, scales);
       internal::Strip_search one(rules), other(rules);
-      for(Corner_index h = 0; h < units.number_of_halfedges(); ++h)
+      for(Corner_index h = 0; h < intrinsic.number_of_halfedges(); ++h)
         for(int k = 0; k < 4; ++k) {
           const internal::Strip_state s = internal::strip_state(h, k);
-          if(units.opposite(h) == internal::no_index || !rules.is_allowed(s))
+          if(intrinsic.opposite(h) == internal::no_index || !rules.is_allowed(s))
             continue;
           CHECK(rules.reversed(rules.reversed(s)) == s);
           CHECK(rules.cost(rules.reversed(s)) == rules.cost(s));
