@@ -105,14 +105,15 @@ public:
             m_complex.corner(3 * f + 2).units};
   }
 
+  // The direction of the change in the chart of the face on the other side.
+  // \pre no border
+  int direction_across(const Strip_state s) const
+  { return Quarter_turns::compose(m_complex.corner(halfedge_of(s)).rotation, s % 4); }
+
   // The same edge from the other side; strips through it are the same, in the other direction.
   // \pre no border
   Strip_state reversed(const Strip_state s) const
-  {
-    const Corner_index h = halfedge_of(s);
-    const int direction = Quarter_turns::compose(m_complex.corner(h).rotation, s % 4);
-    return strip_state(m_complex.opposite(h), (direction + 2) % 4);
-  }
+  { return strip_state(m_complex.opposite(halfedge_of(s)), (direction_across(s) + 2) % 4); }
 
   Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
 
@@ -216,10 +217,9 @@ private:
 
   void expand(const Strip_state s, const double distance)
   {
-    const Intrinsic_complex& complex = m_rules.complex();
-    const Corner_index h = halfedge_of(s), g = complex.opposite(h);
+    const Corner_index h = halfedge_of(s), g = m_rules.complex().opposite(h);
     if(g != no_index) {
-      enter(s, g, Quarter_turns::compose(complex.corner(h).rotation, s % 4), distance);
+      enter(s, g, m_rules.direction_across(s), distance);
       return;
     }
     if(m_is_border_reached)
