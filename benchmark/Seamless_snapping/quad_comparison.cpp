@@ -98,7 +98,7 @@ int main(int argc, char** argv)
 {
   std::vector<std::size_t> numbers;
   std::vector<std::string> names;
-  double feature_angle = 180;
+  double feature_angle = 0; // in degrees; 0: no features
   po::options_description options("Options");
   options.add_options()
     ("quads", po::value(&numbers)->composing(), "sizes (default: 1000, 5000, and 20000)")
@@ -123,7 +123,7 @@ int main(int argc, char** argv)
     PMP::triangulate_faces(mesh);
     const Feature_map is_feature =
       mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-    if(feature_angle < 180)
+    if(feature_angle > 0)
       PMP::detect_sharp_edges(mesh, feature_angle, is_feature);
     for(const std::size_t number : numbers)
       print_row(name, mesh, is_feature, number, totals);
