@@ -7,6 +7,8 @@ add_library(seamless_snapping_precompiled OBJECT
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
+target_compile_definitions(seamless_snapping_precompiled
+  PUBLIC CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
@@ -32,7 +34,6 @@ target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <vector>
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.h"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.h"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.h"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.h")
 
 function(seamless_snapping_use_precompiled target)

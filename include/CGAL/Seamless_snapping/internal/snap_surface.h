@@ -51,6 +51,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#include <CGAL/Seamless_snapping/internal/separate_complex_solver.h>
+#endif
+
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {

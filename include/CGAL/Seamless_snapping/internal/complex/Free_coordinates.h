@@ -18,95 +18,17 @@
 // The unknowns that stay free when all constraints of a complex have been eliminated, exactly.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/complex/Free_unknowns.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
-#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
-#include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// The solutions of homogeneous integer equations. Invariant: each column is a sum of free unknowns
-// with integer coefficients; whatever their values are, the equations hold, and any solution is of
-// this form.
-class Free_unknowns
-{
-public:
-  explicit Free_unknowns(const Integer_system& system)
-  {
-    const Echelon_form form = eliminate(system);
-    m_sums.resize(form.pivot_rows.number_of_columns());
-    std::vector<char> is_implied(m_sums.size(), false);
-    for(const Column_index c : form.pivot_columns)
-      is_implied[std::size_t(c)] = true;
-    add_core(form.core_rows, is_implied);
-    for(std::size_t c = 0; c < m_sums.size(); ++c)
-      if(!is_implied[c])
-        m_sums[c].emplace_back(m_size++, 1.);
-    for(std::size_t i = form.pivot_columns.size(); i-- > 0; )
-      substitute_back(form.pivot_rows.exact_row(i).entries, form.pivot_columns[i]);
-  }
-
-  std::size_t size() const { return m_size; }
-  std::size_t add_unknown() { return m_size++; }
-  const Sparse_row& sum(const std::size_t column) const { return m_sums[column]; }
-
-private:
-  // What pivots of 1 and -1 leave: a basis of its lattice of solutions spans all of them.
-  void add_core(const Integer_system& rows, std::vector<char>& is_implied)
-  {
-    std::vector<Column_index> columns;
-    for(std::size_t i = 0; i < rows.number_of_rows(); ++i)
-      rows.for_each_column(i, [&](const Column_index c) { columns.push_back(c); });
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    Integer_system core(columns.size());
-    for(std::size_t i = 0; i < rows.number_of_rows(); ++i) {
-      Integer_row<Exact_integer> row = rows.exact_row(i);
-      for(auto& e : row.entries)
-        e.column = Column_index(std::lower_bound(columns.begin(), columns.end(), e.column) -
-                                columns.begin());
-      core.add_row(std::move(row));
-    }
-    for(const Column_index c : columns)
-      is_implied[std::size_t(c)] = true;
-    if(columns.empty())
-      return;
-    const Integer_lattice lattice(core);
-    for(const auto& vector : lattice.kernel_basis()) {
-      for(const auto& e : vector)
-        m_sums[std::size_t(columns[std::size_t(e.column)])].emplace_back(
-          m_size, CGAL::to_double(e.coefficient));
-      ++m_size;
-    }
-  }
-
-  void substitute_back(const Entries<Exact_integer>& row, const Column_index pivot)
-  {
-    Sparse_row& result = m_sums[std::size_t(pivot)];
-    double sign = 0;
-    for(const auto& e : row)
-      if(e.column == pivot)
-        sign = CGAL::to_double(e.coefficient);
-      else
-        append(result, m_sums[std::size_t(e.column)], CGAL::to_double(e.coefficient));
-    for(auto& term : result)
-      term.second *= -sign;
-    normalize(result);
-  }
-
-  std::vector<Sparse_row> m_sums; // per column
-  std::size_t m_size = 0;
-};
 
 // Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
 // constraints of the complex, with right-hand sides of zero.

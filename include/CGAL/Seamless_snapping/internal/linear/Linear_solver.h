@@ -20,40 +20,24 @@
 // allow, whatever the size of the others.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/linear/solve_on_many_grids.h>
+#include <CGAL/Seamless_snapping/internal/separate_solver.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+class Component_solver;
+class Step_timer;
+
 using Component_index = std::int32_t; // of a linear system; -1 for columns in no row
-
-// What to snap: values on a grid per component.
-struct Linear_target
-{
-  std::vector<Grid> grids;        // one per component
-  std::vector<Grid_value> values; // one per column, in steps of its component's grid
-};
-
-// Columns in no row are 0.
-struct Linear_solution
-{
-  std::vector<Grid> grids;         // one per component
-  std::vector<std::int64_t> x;     // one per column, in steps of its component's grid
-  std::vector<Grid_value> optimum; // likewise: the real-valued least-squares optimum
-};
 
 // Invariant: each component of the rows is eliminated, once.
 class Linear_solver
@@ -65,234 +49,55 @@ public:
   // \param may_be_finer whether a component may be solved on a finer grid than the target's where
   //        its numbers allow it
   Linear_solver(const Scaled_system& system, const std::vector<double>& weights,
-                const Number_format& format, const std::size_t number_of_representable_columns,
-                const bool may_be_finer)
-    : m_component_of_column(system.system.number_of_columns(), -1),
-      m_local_column(system.system.number_of_columns(), -1), m_scales(system.scales)
-  {
-    m_figures.number_of_unknowns = system.system.number_of_columns();
-    m_figures.number_of_constraints = system.system.number_of_rows();
-    m_figures.number_of_eliminations = 1;
-    find_components(system.system);
-    m_solvers.reserve(m_columns.size());
-    for(std::size_t c = 0; c < m_columns.size(); ++c) {
-      std::vector<double> component_weights;
-      std::vector<bool> is_representable;
-      for(const Column_index j : m_columns[c]) {
-        component_weights.push_back(weights[std::size_t(j)]);
-        is_representable.push_back(std::size_t(j) < number_of_representable_columns);
-      }
-      m_solvers.emplace_back(subsystem(system.system, c), std::move(component_weights), format,
-                             std::move(is_representable), may_be_finer);
-      m_solvers.back().add_to(m_figures);
-    }
-  }
+                const Number_format& format, std::size_t number_of_representable_columns,
+                bool may_be_finer);
+  ~Linear_solver();
 
-  std::size_t number_of_components() const { return m_solvers.size(); }
+  Linear_solver(const Linear_solver&) = delete;
+  Linear_solver& operator=(const Linear_solver&) = delete;
+
+  std::size_t number_of_components() const { return m_columns.size(); }
   Component_index component(const Column_index column) const
   { return m_component_of_column[std::size_t(column)]; }
   const std::vector<Column_index>& columns(const Component_index c) const
   { return m_columns[std::size_t(c)]; }
   const std::vector<std::size_t>& rows(const Component_index c) const
   { return m_rows[std::size_t(c)]; }
-  const Integer_system& system(const Component_index c) const
-  { return m_solvers[std::size_t(c)].system(); }
+  const Integer_system& system(Component_index c) const;
   const Linear_solver_figures& figures() const { return m_figures; }
 
   bool is_consistent() const { return !m_contradictory_row && !first_contradictory_component(); }
 
   // Multiples of the caller's rows that add up to 0 = c with c != 0; empty if there are none.
-  Certificate certificate() const
-  {
-    std::vector<std::pair<std::size_t, Exact_rational> > multipliers;
-    if(m_contradictory_row) {
-      multipliers.emplace_back(*m_contradictory_row, Exact_rational(1));
-    } else if(const auto c = first_contradictory_component()) {
-      multipliers = m_solvers[*c].contradiction();
-      for(auto& multiple : multipliers)
-        multiple.first = m_rows[*c][multiple.first];
-    }
-    for(auto& multiple : multipliers) {
-      const auto scale = m_scales.find(multiple.first);
-      if(scale != m_scales.end())
-        multiple.second *= scale->second;
-    }
-    return to_integer_multipliers(multipliers);
-  }
+  Certificate certificate() const;
 
   // Solves all components near the target. Each grid of the solution is that of the target or,
   // where need be, another. Returns the first component that has no representable solution, or -1.
   // \pre is_consistent()
   Component_index solve(const Linear_target& target, Linear_solution& solution,
-                        Step_timer* const timer = nullptr) const
-  {
-    solution.x.assign(target.values.size(), 0);
-    solution.optimum.assign(target.values.size(), Grid_value());
-    solution.grids = target.grids;
-    for(Component_index c = 0; c < Component_index(m_solvers.size()); ++c)
-      if(!solve_component(c, target, solution, timer))
-        return c;
-    return -1;
-  }
+                        Step_timer* timer = nullptr) const;
 
   // The same for one component. Returns false if it has no representable solution.
   // \pre the sizes of the vectors of `solution` are right
-  bool solve_component(const Component_index c, const Linear_target& target,
-                       Linear_solution& solution, Step_timer* const timer = nullptr) const
-  {
-    Component_solution part{target.grids[std::size_t(c)], {}, {}};
-    for(const Column_index j : columns(c))
-      part.optimum.push_back(target.values[std::size_t(j)]);
-    if(!m_solvers[std::size_t(c)].solve(part, timer))
-      return false;
-    solution.grids[std::size_t(c)] = part.grid;
-    for(std::size_t k = 0; k < columns(c).size(); ++k) {
-      const std::size_t j = std::size_t(columns(c)[k]);
-      solution.x[j] = part.x[k];
-      solution.optimum[j] = part.optimum[k];
-    }
-    return true;
-  }
+  bool solve_component(Component_index c, const Linear_target& target, Linear_solution& solution,
+                       Step_timer* timer = nullptr) const;
 
   // The same, on a grid of its own for each column, where the component has no solution on one
   // grid.
   std::optional<std::vector<Column_solution> >
-  solve_component_on_many_grids(const Component_index c, const Linear_target& target) const
-  {
-    Component_solution part{target.grids[std::size_t(c)], {}, {}};
-    for(const Column_index j : columns(c))
-      part.optimum.push_back(target.values[std::size_t(j)]);
-    const Component_solver& solver = m_solvers[std::size_t(c)];
-    if(!solver.find_optimum(part))
-      return std::nullopt;
-    return solve_on_many_grids(solver.system(), solver.weights(), part);
-  }
+  solve_component_on_many_grids(Component_index c, const Linear_target& target) const;
 
   // The linear part of the least-squares projection: how the optimum answers to shifts of the
   // values, per column.
-  std::vector<double> displacements(const std::vector<double>& shifts) const
-  {
-    std::vector<double> result(shifts);
-    for(std::size_t c = 0; c < m_solvers.size(); ++c) {
-      Eigen::VectorXd part(Eigen::Index(m_columns[c].size()));
-      for(std::size_t k = 0; k < m_columns[c].size(); ++k)
-        part[Eigen::Index(k)] = shifts[std::size_t(m_columns[c][k])];
-      if(part.isZero(0))
-        continue;
-      part = m_solvers[c].displacements(part);
-      for(std::size_t k = 0; k < m_columns[c].size(); ++k)
-        result[std::size_t(m_columns[c][k])] = part[Eigen::Index(k)];
-    }
-    return result;
-  }
+  std::vector<double> displacements(const std::vector<double>& shifts) const;
 
 private:
-  // In the order of their first rows; rows and columns of each in the system's order.
-  void find_components(const Integer_system& system)
-  {
-    std::vector<int> parent(system.number_of_columns()), rank(system.number_of_columns(), 0);
-    boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-    for(std::size_t j = 0; j < parent.size(); ++j)
-      sets.make_set(int(j));
-    std::vector<Column_index> first_column(system.number_of_rows(), -1);
-    for(std::size_t i = 0; i < system.number_of_rows(); ++i)
-      system.for_each_column(i, [&](const Column_index j) {
-        if(first_column[i] < 0)
-          first_column[i] = j;
-        else
-          sets.union_set(first_column[i], j);
-      });
-    std::vector<Component_index> component_of_set(system.number_of_columns(), -1);
-    for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
-      if(first_column[i] < 0) {
-        add_empty_row(system, i);
-        continue;
-      }
-      Component_index& c = component_of_set[std::size_t(sets.find_set(first_column[i]))];
-      if(c < 0) {
-        c = Component_index(m_rows.size());
-        m_rows.emplace_back();
-        m_columns.emplace_back();
-      }
-      m_rows[std::size_t(c)].push_back(i);
-      system.for_each_column(i, [&](const Column_index j) {
-        if(m_local_column[std::size_t(j)] >= 0)
-          return;
-        m_component_of_column[std::size_t(j)] = c;
-        m_local_column[std::size_t(j)] = 0;
-        m_columns[std::size_t(c)].push_back(j);
-      });
-    }
-    for(std::vector<Column_index>& columns : m_columns) {
-      std::sort(columns.begin(), columns.end());
-      for(std::size_t k = 0; k < columns.size(); ++k)
-        m_local_column[std::size_t(columns[k])] = Column_index(k);
-    }
-  }
-
-  void add_empty_row(const Integer_system& system, const std::size_t row)
-  {
-    if(!system.has_right_hand_side(row))
-      ++m_figures.number_of_redundant_constraints;
-    else if(!m_contradictory_row)
-      m_contradictory_row = row;
-  }
-
-  // The rows of a component, with right-hand sides on a scale of their own.
-  Integer_system subsystem(const Integer_system& system, const std::size_t c) const
-  {
-    Integer_system result(m_columns[c].size());
-    const int halvings = common_number_of_halvings(system, m_rows[c]);
-    result.set_right_hand_scale(system.right_hand_scale() - halvings);
-    std::size_t number_of_entries = 0;
-    for(const std::size_t i : m_rows[c])
-      number_of_entries += std::size_t(system.end(i) - system.begin(i));
-    result.reserve(m_rows[c].size(), number_of_entries);
-    Entries<std::int64_t> row;
-    for(const std::size_t i : m_rows[c])
-      if(system.is_small(i)) {
-        row.assign(system.begin(i), system.end(i));
-        make_local(row);
-        result.add_row(row, halved(system.right_hand_side(i), halvings));
-      } else {
-        Integer_row<Exact_integer> large = system.large_row(i);
-        make_local(large.entries);
-        large.right_hand_side = halved(large.right_hand_side, halvings);
-        result.add_row(std::move(large));
-      }
-    return result;
-  }
-
+  void find_components(const Integer_system& system);
+  void add_empty_row(const Integer_system& system, std::size_t row);
+  Integer_system subsystem(const Integer_system& system, std::size_t c) const;
   template <typename Integer>
-  void make_local(Entries<Integer>& row) const
-  {
-    for(Entry<Integer>& e : row)
-      e.column = m_local_column[std::size_t(e.column)];
-    sort_and_sum(row); // has nothing to sum
-  }
-
-  // How often all right-hand sides can be halved.
-  static int common_number_of_halvings(const Integer_system& system,
-                                       const std::vector<std::size_t>& rows)
-  {
-    std::optional<int> count;
-    for(const std::size_t i : rows)
-      if(system.has_right_hand_side(i)) {
-        const int halvings = system.is_small(i)
-          ? number_of_halvings(system.right_hand_side(i))
-          : number_of_halvings(system.large_row(i).right_hand_side);
-        count = (std::min)(count.value_or(halvings), halvings);
-      }
-    return count.value_or(0);
-  }
-
-  std::optional<std::size_t> first_contradictory_component() const
-  {
-    for(std::size_t c = 0; c < m_solvers.size(); ++c)
-      if(!m_solvers[c].is_consistent())
-        return c;
-    return std::nullopt;
-  }
+  void make_local(Entries<Integer>& row) const;
+  std::optional<std::size_t> first_contradictory_component() const;
 
   std::vector<Component_index> m_component_of_column;
   std::vector<Column_index> m_local_column; // within its component
@@ -307,5 +112,9 @@ private:
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
+#endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLVER_H

@@ -20,6 +20,7 @@
 // integers.
 
 #include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-struct Column_solution
-{
-  Grid grid;
-  std::int64_t x;
-  Grid_value optimum;
-};
 
 // The exponent of the finest grid that holds a number near v, given in steps of another grid.
 inline int exponent_of_value(const Grid& grid, const Grid_value& v)
