@@ -6,11 +6,12 @@
 //
 // $URL$
 // $Id$
-// SPDX-License-Identifier: LGPL-3.0-or-later OR LicenseRef-Commercial
+// SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Seamless_snapping authors
 //
-// This file has the form of those that CGAL generates, see Installation/include/CGAL/license.
+// Tells the licence where `CGAL_LICENSE_WARNING` or `CGAL_LICENSE_ERROR` asks for it, like the
+// headers that CGAL generates. There is none but the GPL.
 
 #ifndef CGAL_LICENSE_SEAMLESS_SNAPPING_H
 #define CGAL_LICENSE_SEAMLESS_SNAPPING_H
@@ -18,38 +19,13 @@
 #include <CGAL/config.h>
 #include <CGAL/license.h>
 
-#ifdef CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE
+#if defined(CGAL_LICENSE_WARNING)
+CGAL_pragma_warning("\nYou use the package Seamless Snapping under the terms of the GPLv3+.")
+#endif
 
-#  if CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE < CGAL_RELEASE_DATE
-
-#    if defined(CGAL_LICENSE_WARNING)
-
-       CGAL_pragma_warning("Your commercial license for CGAL does not cover "
-                           "this release of the Seamless Snapping package.")
-#    endif
-
-#    ifdef CGAL_LICENSE_ERROR
-#      error "Your commercial license for CGAL does not cover this release \
-              of the Seamless Snapping package. \
-              You get this error, as you defined CGAL_LICENSE_ERROR."
-#    endif // CGAL_LICENSE_ERROR
-
-#  endif // CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE < CGAL_RELEASE_DATE
-
-#else // no CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE
-
-#  if defined(CGAL_LICENSE_WARNING)
-     CGAL_pragma_warning("\nThe macro CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE is not defined."
-                          "\nYou use the CGAL Seamless Snapping package under "
-                          "the terms of the GPLv3+.")
-#  endif // CGAL_LICENSE_WARNING
-
-#  ifdef CGAL_LICENSE_ERROR
-#    error "The macro CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE is not defined.\
-            You use the CGAL Seamless Snapping package under the terms of \
-            the GPLv3+. You get this error, as you defined CGAL_LICENSE_ERROR."
-#  endif // CGAL_LICENSE_ERROR
-
-#endif // no CGAL_SEAMLESS_SNAPPING_COMMERCIAL_LICENSE
+#ifdef CGAL_LICENSE_ERROR
+#  error "You use the package Seamless Snapping under the terms of the GPLv3+. \
+          You get this error, as you defined CGAL_LICENSE_ERROR."
+#endif
 
 #endif // CGAL_LICENSE_SEAMLESS_SNAPPING_H
