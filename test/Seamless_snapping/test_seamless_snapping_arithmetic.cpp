@@ -1,12 +1,17 @@
-// The guard of floating point arithmetic: rounding modes and flushing to zero are set aside and
-// come back, and a program that was compiled with options that break exact differences is told from
-// one that was not. package_tests.cmake compiles this file with many options; it returns 3 where
-// the arithmetic is refused.
+// The guard of floating point arithmetic: rounding modes, flushing to zero, traps and flags are set
+// aside and come back, and a program that was compiled with options that break exact differences is
+// told from one that was not. package_tests.cmake compiles this file with many options; it returns
+// 3 where the arithmetic is refused.
 
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include "checking.h"
+#include "floating_point_traps.h"
 
+#include <CGAL/FPU.h>
+
+#include <cfenv>
+#include <limits>
 #include <stdexcept>
 
 using namespace CGAL::Seamless_snapping::internal;
@@ -50,6 +55,51 @@ void test_flushing()
 #endif
 }
 
+volatile double huge = (std::numeric_limits<double>::max)(), zero = 0;
+
+// Neither flags that are raised inside nor their absence are seen outside.
+void test_flags()
+{
+  for(const int before : { 0, FE_DIVBYZERO }) {
+    std::feclearexcept(FE_ALL_EXCEPT);
+    std::feraiseexcept(before);
+    double product = 0;
+    bool is_clear = false;
+    {
+      const Protect_exact_arithmetic protect;
+      product = huge * huge;
+      is_clear = is_arithmetic_exact();
+    }
+    const int after = std::fetestexcept(FE_ALL_EXCEPT);
+    CHECK(is_clear && product > huge);
+    CHECK_EQUAL(after, before);
+  }
+  std::feclearexcept(FE_ALL_EXCEPT);
+}
+
+// Outside, what trapped before traps again, and not for what has happened inside.
+void test_traps()
+{
+#ifdef __GLIBC__
+  const Floating_point_traps traps;
+  const int enabled = fegetexcept();
+  double sum = 0;
+  bool is_exact = false;
+  {
+    const Protect_exact_arithmetic protect;
+    is_exact = is_arithmetic_exact();
+    sum = huge * huge + 1 / zero;
+    sum += zero / zero;
+    CHECK_EQUAL(fegetexcept(), 0);
+  }
+  const double harmless = huge / 2 + 1;
+  CHECK_EQUAL(fegetexcept(), enabled);
+  CHECK(is_exact && sum != sum && harmless < huge);
+#else
+  checking::skip("traps, as it is not known how to enable them here");
+#endif
+}
+
 bool is_refused()
 {
   const Protect_exact_arithmetic protect;
@@ -70,5 +120,7 @@ int main()
   }
   test_rounding_modes();
   test_flushing();
+  test_flags();
+  test_traps();
   return report_checks();
 }

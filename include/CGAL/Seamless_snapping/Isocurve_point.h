@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 
@@ -211,6 +212,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap>
 std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
                                   const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
+  const internal::Protect_exact_arithmetic protect;
   const std::size_t c = internal::constant_component(point.direction()),
                     k = internal::other_coordinate(point.direction());
   const internal::Uv b = internal::get_uv(uv_map, point.halfedge());
@@ -252,6 +254,7 @@ isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& 
 {
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point_3>::Kernel::FT;
+  const internal::Protect_exact_arithmetic protect;
   const auto h = point.halfedge();
   const Point_3 q = get(vertex_point_map, target(h, tmesh));
   if(point.place() == Isocurve_place::VERTEX)

@@ -161,6 +161,7 @@ public:
   */
   std::size_t outgoing_index(const Isocurve_segment<TriangleMesh, D>& arrival) const
   {
+    const internal::Protect_exact_arithmetic protect;
     const internal::Chart_segment& segment = arrival.chart_segment();
     CGAL_precondition(segment.exit.place == Isocurve_place::VERTEX);
     internal::Walk_state<internal::Exact_level> state;

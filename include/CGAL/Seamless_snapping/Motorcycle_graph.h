@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/Layout_status.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_maker.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
@@ -170,7 +171,10 @@ public:
 
   /// returns where a node lies on the mesh; rounded.
   Location node_location(const std::size_t n) const
-  { return location(internal::face_point(chart_mesh(), point(n).place)); }
+  {
+    const internal::Protect_exact_arithmetic protect;
+    return location(internal::face_point(chart_mesh(), point(n).place));
+  }
 
   /// returns the half-arcs that leave a node, counterclockwise. At the border, the first one is
   /// that which has the surface only at its left.
@@ -208,6 +212,7 @@ public:
   /// points where it crosses edges or meets vertices; rounded.
   std::vector<Location> arc_path(const std::size_t a) const
   {
+    const internal::Protect_exact_arithmetic protect;
     std::vector<Location> result;
     for(const internal::Face_point& p :
         internal::path_of_arc(chart_mesh(), m_data->race->curves(), layout(), a))

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Default_solver.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Seamless_parameterizer.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/read_surface.h>
@@ -300,6 +301,7 @@ approximate_seamless_parameterization(const TriangleMesh& tmesh, HalfedgeUVMap u
                                         = CGAL::parameters::default_values())
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  const internal::Protect_exact_arithmetic protect;
   Parameterization_report<Vertex> report;
   try {
     internal::parameterization::run(tmesh, uv_map, internal::strip(np), report);

@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 #include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
@@ -486,6 +487,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1 = CGAL::parameters::default_values(),
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
+  const internal::Protect_exact_arithmetic protect;
   return internal::Quad_remesher(tmesh, internal::strip(np1)).run(quads, internal::strip(np2));
 }
 

@@ -18,6 +18,8 @@
 // Loops over ranges of indices, by one thread or by several. What a chunk computes must depend on
 // its indices alone: then the result does not depend on the number of threads.
 
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+
 #include <CGAL/for_each.h>
 
 #include <boost/container/vector.hpp>
@@ -51,6 +53,7 @@ template <typename ConcurrencyTag, typename Function>
 void for_each_chunk(std::vector<Chunk> chunks, const Function& f)
 {
   CGAL::for_each<ConcurrencyTag>(chunks, [&](Chunk& chunk) {
+    const Protect_exact_arithmetic protect; // threads have an environment of their own
     f(chunk);
     return true;
   });
@@ -62,6 +65,7 @@ void call_both(const F& f, const G& g)
 {
   std::array<std::function<void()>, 2> calls{std::cref(f), std::cref(g)};
   CGAL::for_each<ConcurrencyTag>(calls, [](std::function<void()>& call) {
+    const Protect_exact_arithmetic protect;
     call();
     return true;
   });

@@ -20,10 +20,13 @@
 // each public function; compiler options that break it are refused, while compiling where the
 // compiler tells, and by a test at run time elsewhere.
 
-#include <CGAL/FPU.h>
-
 #include <boost/config.hpp>
 
+#if defined(__GNUC__) && defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+#include <cfenv>
 #include <limits>
 #include <stdexcept>
 
@@ -37,42 +40,20 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The bits of the processor by which numbers below the smallest normal one are taken for zero, as
-// operands or as results. They are set for the whole process by any library that was linked with
-// -ffast-math. None where they are not known; then `is_arithmetic_exact()` tells.
-#if defined(CGAL_HAS_SSE2)
-constexpr unsigned int flushing_bits = 0x8040;
-inline unsigned int control_word() { return _mm_getcsr(); }
-inline void set_control_word(const unsigned int word) { _mm_setcsr(word); }
-#elif defined(__aarch64__) && defined(__GNUC__)
-constexpr unsigned long long flushing_bits = 1ull << 24;
-inline unsigned long long control_word()
-{
-  unsigned long long word;
-  __asm__ __volatile__("mrs %0, fpcr" : "=r"(word));
-  return word;
-}
-inline void set_control_word(const unsigned long long word)
-{
-  __asm__ __volatile__("msr fpcr, %0" : : "r"(word));
-}
-#else
-constexpr unsigned int flushing_bits = 0;
-inline unsigned int control_word() { return 0; }
-inline void set_control_word(unsigned int) { }
-#endif
-
-// As long as an object lives, its thread rounds to nearest and keeps numbers of any size; then it
-// does as before. Callers may sit inside of interval arithmetic, or of a process that flushes to
-// zero. Each public function that computes with coordinates begins with one.
+// As long as an object lives, its thread has the environment that programs start with: it rounds to
+// nearest, keeps numbers of any size, and traps nothing. Then it does as before, with the flags
+// that were raised before. Callers may sit inside of interval arithmetic, of a process that flushes
+// to zero, or of one that wants a signal for each infinity; here infinities are a way to see that a
+// number is too large. Each public function that computes with coordinates begins with one.
 class Protect_exact_arithmetic
 {
 public:
   Protect_exact_arithmetic()
-    : m_to_nearest(CGAL_FE_TONEAREST), m_flushed(control_word() & flushing_bits)
   {
-    if(m_flushed != 0)
-      set_control_word(control_word() & ~flushing_bits);
+    if(m_fast.applies())
+      return;
+    std::fegetenv(&m_environment);
+    std::fesetenv(FE_DFL_ENV);
   }
 
   Protect_exact_arithmetic(const Protect_exact_arithmetic&) = delete;
@@ -80,13 +61,40 @@ public:
 
   ~Protect_exact_arithmetic()
   {
-    if(m_flushed != 0)
-      set_control_word(control_word() | m_flushed);
+    if(m_fast.applies())
+      m_fast.restore_flags();
+    else
+      std::fesetenv(&m_environment);
   }
 
 private:
-  const CGAL::Protect_FPU_rounding<true> m_to_nearest;
-  const decltype(control_word()) m_flushed;
+  // The library's functions take as long as several steps of an isocurve. Where the environment is
+  // the right one already, there is nothing to do but for the flags.
+#if defined(__GNUC__) && defined(__x86_64__)
+  class Default_environment
+  {
+  public:
+    Default_environment() : m_sse(_mm_getcsr())
+    { __asm__ __volatile__("fnstcw %0" : "=m"(m_x87)); }
+
+    bool applies() const { return (m_sse & ~flags) == 0x1f80 && m_x87 == 0x37f; }
+    void restore_flags() const { _mm_setcsr(m_sse); }
+
+  private:
+    static constexpr unsigned int flags = 0x3f;
+    unsigned int m_sse;
+    unsigned short m_x87; // says how numbers are printed
+  };
+#else
+  struct Default_environment
+  {
+    bool applies() const { return false; }
+    void restore_flags() const { }
+  };
+#endif
+
+  const Default_environment m_fast;
+  std::fenv_t m_environment;
 };
 
 // The rounding error of a - b, by the same operations as `Exact_difference`.
