@@ -38,7 +38,6 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(header_options
     -std=c++17 -fsyntax-only -Wall -Wextra -pedantic -Wshadow -Wconversion -Werror
     ${option_for_speed} "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-    -I "${PROJECT_SOURCE_DIR}/include"
     "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
   foreach(header IN LISTS headers_to_compile)
     string(REGEX REPLACE "^CGAL/|\\.h$" "" name "${header}")
@@ -46,9 +45,22 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set(source "${PROJECT_BINARY_DIR}/headers/${name}.cpp")
     file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
     add_test(NAME "${name}"
-      COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" "${source}" COMMAND_EXPAND_LISTS)
+      COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" -I "${PROJECT_SOURCE_DIR}/include"
+        "${source}" COMMAND_EXPAND_LISTS)
     set_tests_properties("${name}" PROPERTIES LABELS headers)
   endforeach()
+
+  # Within CGAL, too.
+  add_test(NAME into_cgal
+    COMMAND "${CMAKE_COMMAND}"
+      "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+      "-DWORK_DIR=${PROJECT_BINARY_DIR}/into_cgal"
+      "-DINCLUDE_DIRS=${include_dirs}"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      "-DOPTIONS=${header_options}"
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_into_cgal.cmake")
+  set_tests_properties(into_cgal PROPERTIES LABELS package COST 500
+    SKIP_REGULAR_EXPRESSION "SKIPPED")
 endif()
 
 # The benchmarks compile, where they are not built: with the flags of the precompiled headers, which

@@ -16,18 +16,22 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The named parameters of the package.
-//
+
+// { outside of CGAL
 // CGAL's list of names can't be extended from outside of CGAL, so that this header wraps a plain
 // chain of CGAL's named parameters in a class that has member functions for the names which the
 // package adds, and for those of CGAL's that are of use here. The chain inside stays a plain one:
 // public functions call `internal::strip(np)` first and hand nothing but CGAL's own type on.
-// Within CGAL all this becomes `namespace parameters = CGAL::parameters;` and the first list below
-// moves to <CGAL/STL_Extension/internal/parameters_interface.h>.
+// Within CGAL the first list below moves to <CGAL/STL_Extension/internal/parameters_interface.h>:
+// scripts/into_cgal leaves out all that stands in such braces, but for lines that tell what stands
+// there within CGAL.
+// } outside of CGAL
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
 
+// { outside of CGAL
 // The names that the package adds, one per line: tag type, tag, name of the function.
 #define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
   F(align_border_t, align_border, align_border)                                                    \
@@ -77,7 +81,9 @@
   CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                         \
   CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)
 
+// } outside of CGAL
 namespace CGAL {
+// { outside of CGAL
 
 // The tags stand beside CGAL's, where they will be within CGAL. Should CGAL come to use one of them
 // for itself, the compiler says so.
@@ -89,9 +95,11 @@ CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
 
 } // namespace internal_np
 
+// } outside of CGAL
 namespace Seamless_snapping {
 namespace internal {
 
+// { outside of CGAL
 // A plain chain `NP` of CGAL's named parameters, with a member function for each name of the lists
 // above: each returns the chain that is longer by that parameter, wrapped again.
 template <typename NP>
@@ -115,6 +123,10 @@ struct Named_parameters
   CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
 #undef CGAL_SEAMLESS_SNAPPING_DEFINE
 };
+// within CGAL: // All names are member functions of a plain chain `NP`.
+// within CGAL: template <typename NP>
+// within CGAL: using Named_parameters = NP;
+// within CGAL:
 
 // Returns the plain chain. To be called by each public function before anything else: CGAL's
 // overloads that tell a range from a chain by its type take the wrapper for a range.
@@ -124,6 +136,7 @@ const NP& strip(const Named_parameters<NP>& np)
   return np.cgal_named_parameters();
 }
 
+// } outside of CGAL
 template <typename T, typename Tag, typename Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&
 strip(const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -150,16 +163,19 @@ struct Is_named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >
   : public std::true_type
 { };
 
+// { outside of CGAL
 template <typename NP>
 struct Is_named_parameters<Named_parameters<NP> >
   : public std::true_type
 { };
 
+// } outside of CGAL
 template <typename T>
 using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_reference_t<T> > >;
 
 } // namespace internal
 
+// { outside of CGAL
 /*!
  * \ingroup PkgSeamlessSnappingParameters
  *
@@ -247,10 +263,15 @@ CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
 /// \endcond
 
 } // namespace parameters
+// within CGAL: namespace parameters = CGAL::parameters;
+// within CGAL:
+// } outside of CGAL
 } // namespace Seamless_snapping
 } // namespace CGAL
 
+// { outside of CGAL
 // CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS and CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS stay defined:
 // the test of this header runs through the same lists.
 
+// } outside of CGAL
 #endif // CGAL_SEAMLESS_SNAPPING_PARAMETERS_H
