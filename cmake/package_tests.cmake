@@ -50,6 +50,14 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set_tests_properties("${name}" PROPERTIES LABELS headers)
   endforeach()
 
+  add_test(NAME refused_types
+    COMMAND "${CMAKE_COMMAND}"
+      "-DSOURCE=${PROJECT_SOURCE_DIR}/test/Seamless_snapping/refused_types/refused_types.cpp"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include"
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_refused_types.cmake")
+  set_tests_properties(refused_types PROPERTIES LABELS headers)
+
   # Within CGAL, too.
   add_test(NAME into_cgal
     COMMAND "${CMAKE_COMMAND}"

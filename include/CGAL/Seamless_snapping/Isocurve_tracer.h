@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Isocurve_segment.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
@@ -101,13 +102,16 @@ public:
   {
     const internal::Protect_exact_arithmetic protect;
     internal::require_exact_arithmetic();
-    const auto seams = seam_transitions(tmesh, uv_map, np);
-    static_assert(std::is_same_v<internal::Ray_group<decltype(seams)::order>, Group>,
-                  "isocurves have six directions where rotational_symmetry is 3 or 6, else four: "
-                  "use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments out");
-    m_is_valid = bool(seams);
-    if(m_is_valid)
-      m_mesh = internal::build_chart_mesh(tmesh, m_numbering, uv_map, seams);
+    if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
+      const auto seams = seam_transitions(tmesh, uv_map, np);
+      static_assert(std::is_same_v<internal::Ray_group<decltype(seams)::order>, Group>,
+                    "isocurves have six directions where rotational_symmetry is 3 or 6, else "
+                    "four: use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments "
+                    "out");
+      m_is_valid = bool(seams);
+      if(m_is_valid)
+        m_mesh = internal::build_chart_mesh(tmesh, m_numbering, uv_map, seams);
+    }
   }
 
   /// returns `true` if the mesh is triangular and its parametrization seamless up to the tolerance.

@@ -17,6 +17,7 @@
 
 // The symmetry of a parametrization, and the lattice coordinates that N = 3 and N = 6 need.
 
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -66,14 +67,16 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename Conversion>
 void convert_coordinates(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const Conversion& conversion)
 {
-  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using Number = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  for(const auto f : faces(tmesh))
-    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      const Point p = get(uv_map, h);
-      const std::pair<double, double> q = conversion(double(p.x()), double(p.y()));
-      put(uv_map, h, Point(Number(q.first), Number(q.second)));
-    }
+  if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
+    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+    using Number = std::decay_t<decltype(std::declval<const Point&>().x())>;
+    for(const auto f : faces(tmesh))
+      for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+        const Point p = get(uv_map, h);
+        const std::pair<double, double> q = conversion(double(p.x()), double(p.y()));
+        put(uv_map, h, Point(Number(q.first), Number(q.second)));
+      }
+  }
 }
 
 } // namespace internal

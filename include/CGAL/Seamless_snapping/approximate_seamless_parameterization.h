@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Parameterization_report.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Default_solver.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Seamless_parameterizer.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/read_surface.h>
@@ -304,7 +305,8 @@ approximate_seamless_parameterization(const TriangleMesh& tmesh, HalfedgeUVMap u
   const internal::Protect_exact_arithmetic protect;
   Parameterization_report<Vertex> report;
   try {
-    internal::parameterization::run(tmesh, uv_map, internal::strip(np), report);
+    if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+      internal::parameterization::run(tmesh, uv_map, internal::strip(np), report);
   } catch(const internal::parameterization::Failure& failure) {
     report.status = failure.status;
     report.message = failure.message;

@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
@@ -189,7 +190,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
                                             CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
 }
 
 /*!
@@ -204,7 +206,8 @@ bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

@@ -25,6 +25,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
@@ -304,7 +305,8 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return internal::is_seamless(tmesh, uv_map, internal::strip(np));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::is_seamless(tmesh, uv_map, internal::strip(np));
 }
 
 /*!
@@ -331,7 +333,8 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, HalfedgeUVMap uv_ma
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
 }
 
 } // namespace Seamless_snapping

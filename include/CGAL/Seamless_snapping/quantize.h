@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Quantization.h>
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/internal/extract_cells.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/quantization/locate_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
@@ -226,8 +227,9 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto& parameters = internal::strip(np);
-  return internal::quantize_map(tmesh, uv_map, parameters,
-                                internal::quantization_options(tmesh, parameters));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::quantize_map(tmesh, uv_map, parameters,
+                                  internal::quantization_options(tmesh, parameters));
 }
 
 /*!

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -258,8 +259,9 @@ seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   internal::require_exact_arithmetic();
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
-  return Seam_transitions<TriangleMesh, Group::order>(
-    tmesh, uv_map, internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np)));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return Seam_transitions<TriangleMesh, Group::order>(
+      tmesh, uv_map, internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np)));
 }
 
 } // namespace Seamless_snapping

@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/intercepted_connections.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/surface_constraints.h>
@@ -255,7 +256,9 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::integer_grid_t>;
   const auto& plain_np = internal::strip(np);
   Snapping_report report;
-  if constexpr(Is_default_scale::value && Is_default_grid::value)
+  if constexpr(!internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return report;
+  else if constexpr(Is_default_scale::value && Is_default_grid::value)
     report = internal::snap_surface<Group>(tmesh, uv_map, plain_np);
   else
     report = internal::snap_scaled<Group>(

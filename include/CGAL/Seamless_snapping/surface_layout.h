@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -256,10 +257,12 @@ Motorcycle_graph<TriangleMesh>
 motorcycle_graph(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto numbering = std::make_shared<internal::Flat_numbering<TriangleMesh> >(tmesh);
-  const auto data = std::make_shared<internal::Layout_data>();
-  internal::make_layout(tmesh, *numbering, uv_map, internal::strip(np), *data);
-  return Motorcycle_graph<TriangleMesh>(tmesh, numbering, data);
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
+    const auto numbering = std::make_shared<internal::Flat_numbering<TriangleMesh> >(tmesh);
+    const auto data = std::make_shared<internal::Layout_data>();
+    internal::make_layout(tmesh, *numbering, uv_map, internal::strip(np), *data);
+    return Motorcycle_graph<TriangleMesh>(tmesh, numbering, data);
+  }
 }
 
 } // namespace Seamless_snapping

@@ -195,9 +195,10 @@ File_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::write_mesh(os, [&] {
-    return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
-  });
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::write_mesh(os, [&] {
+      return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
+    });
 }
 
 /*!
@@ -213,9 +214,10 @@ File_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, Ha
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::write_mesh(filename, [&] {
-    return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
-  });
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::write_mesh(filename, [&] {
+      return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
+    });
 }
 
 /*!

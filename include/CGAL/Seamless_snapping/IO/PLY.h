@@ -99,9 +99,10 @@ File_status write_PLY(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap
                       const std::string& comments,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::write_mesh(os, [&] {
-    return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
-  });
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::write_mesh(os, [&] {
+      return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
+    });
 }
 
 /*!
@@ -115,9 +116,10 @@ File_status write_PLY(const std::string& filename, const TriangleMesh& tmesh, Ha
                       const std::string& comments,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::write_mesh(filename, [&] {
-    return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
-  });
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::write_mesh(filename, [&] {
+      return internal::build_PLY_text(tmesh, uv_map, comments, internal::strip(np));
+    });
 }
 
 /*!

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/quads/quad_outputs.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 #include <CGAL/Seamless_snapping/internal/repair_integer_grid.h>
@@ -134,19 +135,21 @@ template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typena
 Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                                 const NamedParameters& np, Output&& output)
 {
-  Extraction_options options = extraction_options(np);
-  const auto flip_repair = CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
-  if constexpr(is_given_parameter(flip_repair)) // snapping is compiled then only
-    if(chosen_flip_repair(np) != Flip_repair::NONE) {
-      const bool allow_holes = std::exchange(options.allow_holes, false);
-      const Extraction_report report =
-        extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
-      if(report.status != Extraction_status::NOT_POSITIVE)
-        return report;
-      options.allow_holes = allow_holes;
-      return extract_repaired_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
-    }
-  return extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
+  if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
+    Extraction_options options = extraction_options(np);
+    const auto flip_repair = CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
+    if constexpr(is_given_parameter(flip_repair)) // snapping is compiled then only
+      if(chosen_flip_repair(np) != Flip_repair::NONE) {
+        const bool allow_holes = std::exchange(options.allow_holes, false);
+        const Extraction_report report =
+          extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
+        if(report.status != Extraction_status::NOT_POSITIVE)
+          return report;
+        options.allow_holes = allow_holes;
+        return extract_repaired_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
+      }
+    return extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
+  }
 }
 
 } // namespace internal

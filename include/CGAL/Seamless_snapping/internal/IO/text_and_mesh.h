@@ -24,6 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -114,8 +115,9 @@ template <template <typename, typename> class Parser, typename Source, typename 
 IO::File_status read_mesh(Source& source, TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                           const NamedParameters& np)
 {
-  return status_of_reading([&] { return read_text<Parser>(text_of(source), tmesh, uv_map,
-                                                          strip(np)); });
+  if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return status_of_reading([&] { return read_text<Parser>(text_of(source), tmesh, uv_map,
+                                                            strip(np)); });
 }
 
 // To a stream, or the file of a name; that is emptied when `text()` has returned the whole text.
@@ -132,8 +134,9 @@ template <template <typename, typename> class Parser, template <typename> class 
 IO::File_status rewrite_mesh(Source& source, Target& target, const TriangleMesh& tmesh,
                              const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
-  return write_mesh(target, [&] { return rewritten_text<Parser, Rewriter>(text_of(source), tmesh,
-                                                                          uv_map, strip(np)); });
+  if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return write_mesh(target, [&] { return rewritten_text<Parser, Rewriter>(text_of(source), tmesh,
+                                                                            uv_map, strip(np)); });
 }
 
 } // namespace internal

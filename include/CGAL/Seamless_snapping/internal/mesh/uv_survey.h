@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/prefetch.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/container/static_vector.hpp>
@@ -57,11 +58,10 @@ struct Uv_number
 template <typename HalfedgeUVMap, typename Halfedge>
 Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
 {
-  static_assert(
-    std::is_convertible<Halfedge, typename boost::property_traits<HalfedgeUVMap>::key_type>::value,
-    "the keys of the uv map must be halfedges: each corner has coordinates of its own");
-  const auto& p = get(uv_map, h);
-  return {static_cast<double>(p.x()), static_cast<double>(p.y())};
+  if constexpr(check_map_of_corners<HalfedgeUVMap, Halfedge>()) {
+    const auto& p = get(uv_map, h);
+    return {static_cast<double>(p.x()), static_cast<double>(p.y())};
+  }
 }
 
 template <typename Point>

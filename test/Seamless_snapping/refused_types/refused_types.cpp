@@ -1,0 +1,102 @@
+// Does not compile: passes meshes and maps of types that won't do to all public functions that take
+// a uv map. The compiler is to say why, once for each type, and nothing else, which
+// cmake/test_refused_types.cmake checks.
+
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/IO/PLY.h>
+#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/extract_triangle_mesh.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/surface_layout.h>
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+
+#include <array>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace SS = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Seam_mesh = CGAL::Seam_mesh<Mesh, Mesh::Property_map<Mesh::Edge_index, bool>,
+                                  Mesh::Property_map<Mesh::Vertex_index, bool> >;
+template <typename Value>
+using Map = Mesh::Property_map<Mesh::Halfedge_index, Value>;
+
+template <typename M, typename Uv_map>
+void call_all(M& mesh, Uv_map uv)
+{
+  SS::snap_to_seamless(mesh, uv);
+  SS::snap_to_seamless(mesh, uv, SS::parameters::integer_grid(true));
+  SS::is_seamless(mesh, uv);
+  SS::measure_seamlessness(mesh, uv);
+  SS::seam_transitions(mesh, uv);
+  SS::measure_integer_grid(mesh, uv);
+  SS::is_integer_grid_map(mesh, uv);
+  SS::approximate_seamless_parameterization(mesh, uv);
+  SS::convert_to_lattice_coordinates(mesh, uv);
+  SS::convert_to_cartesian_coordinates(mesh, uv);
+  SS::quantize(mesh, uv);
+  SS::motorcycle_graph(mesh, uv);
+
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::array<std::size_t, 4> > quads;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  Mesh output;
+  SS::extract_quad_mesh(mesh, uv, output);
+  SS::extract_quad_soup(mesh, uv, points, quads);
+  SS::extract_triangle_mesh(mesh, uv, output);
+  SS::extract_triangle_soup(mesh, uv, points, triangles);
+
+  std::stringstream stream;
+  const std::string name;
+  SS::IO::read_OBJ(stream, mesh, uv);
+  SS::IO::read_OBJ(name, mesh, uv);
+  SS::IO::write_OBJ(stream, mesh, uv);
+  SS::IO::write_OBJ(name, mesh, uv, name);
+  SS::IO::rewrite_OBJ(stream, stream, mesh, uv);
+  SS::IO::rewrite_OBJ(name, name, mesh, uv);
+  SS::IO::read_PLY(stream, mesh, uv);
+  SS::IO::read_PLY(name, mesh, uv);
+  SS::IO::write_PLY(stream, mesh, uv);
+  SS::IO::write_PLY(name, mesh, uv, name);
+  SS::IO::rewrite_PLY(stream, stream, mesh, uv);
+  SS::IO::rewrite_PLY(name, name, mesh, uv);
+
+  std::vector<SS::Isocurve<M> > curves;
+  SS::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
+}
+
+// Curves of a seam mesh can't even be started.
+template <typename Uv_map>
+void trace(const Mesh& mesh, Uv_map uv, const SS::Isocurve_start<Mesh>& start,
+           const SS::Isocurve_point<Mesh>& point)
+{
+  std::vector<SS::Isocurve_point<Mesh> > points;
+  SS::trace_isocurve(mesh, uv, start, SS::Isocurve_direction::PLUS_U, std::back_inserter(points));
+  SS::isocurve_parameter(point, mesh, uv);
+  SS::isocurve_uv(point, mesh, uv);
+  SS::isocurve_point_3(point, mesh, uv, get(CGAL::vertex_point, mesh));
+}
+
+template void call_all(Seam_mesh&, Map<Kernel::Point_2>);
+template void call_all(Mesh&, std::map<Mesh::Halfedge_index, Kernel::Point_2>);
+template void call_all(Mesh&, Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>);
+template void call_all(Mesh&, Map<Kernel::Point_3>);
+template void call_all(Mesh&, Map<std::array<double, 2> >);
+template void call_all(Mesh&, Map<std::vector<double> >);
+template void trace(const Mesh&, Map<Kernel::Point_3>, const SS::Isocurve_start<Mesh>&,
+                    const SS::Isocurve_point<Mesh>&);
