@@ -21,19 +21,114 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
+#include <vector>
 
 using namespace quad_reference;
 namespace surfaces = test_meshes;
+namespace internal = SS::internal;
 namespace parameters = SS::parameters;
 using Status = SS::Extraction_status;
 using CGAL::Exact_rational;
+
+// --- inverted quads ------------------------------------------------------------------------------
+
+// With a and b the sides at a corner and d and e the diagonals, (a x b) (d x e) is
+// (a d) (b e) - (a e) (b d).
+bool is_inverted_in_rationals(const std::array<std::array<double, 3>, 4>& q)
+{
+  using Vector = CGAL::Simple_cartesian<Exact_rational>::Vector_3;
+  const auto vector = [&](const std::size_t i, const std::size_t k) {
+    return Vector(q[k][0], q[k][1], q[k][2]) - Vector(q[i][0], q[i][1], q[i][2]);
+  };
+  const Vector d = vector(0, 2), e = vector(1, 3);
+  bool result = CGAL::cross_product(d, e) == CGAL::NULL_VECTOR;
+  for(std::size_t k = 0; k < 4; ++k) {
+    const Vector a = vector(k, (k + 1) % 4), b = vector(k, (k + 3) % 4);
+    result = result || (a * d) * (b * e) < (a * e) * (b * d);
+  }
+  return result;
+}
+
+// A square whose corner 2 moves over the diagonal of the others, by the last bit, at sizes whose
+// products overflow, or vanish; and random ones.
+void test_inverted_quads()
+{
+  for(const double size : {1., 1e-160, 1e160, 3e-80}) {
+    std::array<std::array<double, 3>, 4> q{{{0, 0, 0}, {size, 0, 0}, {0, 0, size}, {0, size, 0}}};
+    const double on_diagonal = size / 2;
+    for(const double x : {std::nextafter(on_diagonal, 0.), on_diagonal,
+                          std::nextafter(on_diagonal, size), size, 0.}) {
+      q[2] = {x, x, 0};
+      CHECK_EQUAL(internal::is_inverted(q), x < on_diagonal);
+      CHECK_EQUAL(is_inverted_in_rationals(q), x < on_diagonal);
+    }
+    q[1] = q[2] = q[3] = q[0];
+    CHECK(internal::is_inverted(q));
+  }
+  std::mt19937 random(1);
+  std::size_t number = 0;
+  for(int i = 0; i < 4000; ++i) {
+    std::array<std::array<double, 3>, 4> q;
+    for(auto& point : q)
+      for(double& x : point)
+        x = double(int(random() % 5)) + (i % 2 == 0 ? 0 : std::ldexp(double(random() % 3), -51));
+    CHECK_EQUAL(internal::is_inverted(q), is_inverted_in_rationals(q));
+    number += internal::is_inverted(q) ? 1 : 0;
+  }
+  CHECK(number > 400 && number < 3600);
+}
+
+// In the reports, by their numbers.
+void check_inverted_quads(const Mesh& quads, const SS::Extraction_report& report)
+{
+  std::vector<std::size_t> inverted;
+  std::size_t i = 0;
+  for(const auto f : quads.faces()) {
+    std::array<std::array<double, 3>, 4> q;
+    std::size_t k = 0;
+    for(const auto v : CGAL::vertices_around_face(quads.halfedge(f), quads))
+      q[k++] = {quads.point(v).x(), quads.point(v).y(), quads.point(v).z()};
+    if(is_inverted_in_rationals(q))
+      inverted.push_back(i);
+    ++i;
+  }
+  CHECK_EQUAL(report.number_of_inverted_quads, inverted.size());
+  inverted.resize((std::min)(inverted.size(), std::size_t(10)));
+  CHECK(report.first_inverted_quads == inverted);
+}
+
+void test_reports_on_inverted_quads()
+{
+  Grid_map map(surfaces::disc(1, 1), 6, 6);
+  std::mt19937 random(2);
+  for(const double shift : {0., 1e-3, 0.9, 3.}) {
+    for(const auto v : map.mesh.vertices()) {
+      const auto noise = [&] { return shift * (double(random() % 1000) / 500 - 1); };
+      const Point_3 p = map.mesh.point(v);
+      map.mesh.point(v) = Point_3(p.x() + noise(), p.y() + noise(), p.z() + noise());
+    }
+    Mesh quads;
+    const SS::Extraction_report report = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    CHECK_IN(report.message, bool(report));
+    check_inverted_quads(quads, report);
+    CHECK_EQUAL(report.number_of_inverted_quads > 0, shift > 0.1);
+    std::vector<Point_3> points;
+    std::vector<std::vector<std::size_t> > polygons;
+    const auto same = SS::extract_quad_soup(map.mesh, map.uv, points, polygons);
+    CHECK_EQUAL(same.number_of_inverted_quads, report.number_of_inverted_quads);
+  }
+}
 
 // --- surfaces whose quads are known --------------------------------------------------------------
 
@@ -851,6 +946,8 @@ void test_integer_grids()
 int main()
 {
   std::cout.precision(17);
+  test_inverted_quads();
+  test_reports_on_inverted_quads();
   test_surfaces();
   test_half_integer_cones();
   test_loops();

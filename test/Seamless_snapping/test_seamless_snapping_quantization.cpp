@@ -651,6 +651,10 @@ void check_remeshing(const Parametrized_model& model, const std::size_t number,
   for(const auto f : quads.faces())
     CHECK_EQUAL(quads.degree(f), 4u);
   CHECK_IN(name, report.mean_scaled_jacobian > 0.7 && report.mean_scaled_jacobian <= 1);
+  CHECK_EQUAL(report.first_inverted_quads.size(),
+              (std::min)(report.number_of_inverted_quads, std::size_t(10)));
+  if(std::abs(report.least_scaled_jacobian) > 1e-9)
+    CHECK_EQUAL(report.number_of_inverted_quads > 0, report.least_scaled_jacobian < 0);
   // The ends and corners of features are vertices of quads, exactly.
   std::set<Point_3> points;
   for(const auto v : quads.vertices())

@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 #include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
+#include <CGAL/Seamless_snapping/internal/quads/inverted_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -97,6 +98,11 @@ struct Remeshing_report
   std::size_t number_of_cones = 0;    ///< irregular vertices inside
   double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
   double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
+  /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
+  /// does, or the quad has no area. Decided exactly, for the points as doubles.
+  std::size_t number_of_inverted_quads = 0;
+  /// the first of them, at most ten, counted from 0 in the order in which the faces were written
+  std::vector<std::size_t> first_inverted_quads;
   /// the largest distance from the input that was found, at the middles of faces and edges. The
   /// vertices lie on the input, up to rounding.
   double largest_distance = 0;
@@ -291,6 +297,9 @@ private:
     }
     m_timer.finish("smoothing");
     count(quads);
+    std::size_t i = 0;
+    for(const auto f : faces(quads))
+      count_if_inverted(smoother.quad(f), i++, m_report);
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
     m_report.mean_scaled_jacobian = shape[1];
@@ -382,8 +391,9 @@ so are feature edges: they become chains of edges of quads, whose vertices lie o
 smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
 along their feature, unless it turns or ends there, and two quads around a vertex of two edges
 become one. What is inverted or flat even then, as between two features that are a straight line in
-space, becomes five quads, one of them inside, if those have a better shape. Triangles with three
-sides that are features or border are divided before, in a copy.
+space, becomes five quads, one of them inside, if those have a better shape. Quads that stay
+inverted are counted in the report. Triangles with three sides that are features or border are
+divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the

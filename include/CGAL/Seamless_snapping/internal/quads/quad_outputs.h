@@ -18,6 +18,7 @@
 // What becomes of the cells: a mesh, or points and lists of their indices. Each output first takes
 // the places of all points, while the surface is known, and then writes the cells, or refuses.
 
+#include <CGAL/Seamless_snapping/internal/quads/inverted_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/write_quads.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
@@ -52,6 +53,27 @@ bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertic
     "map up by grid_scale, or call " +
     (Cell_shape<Group>::is_square ? "extract_quad_soup()" : "extract_triangle_soup()");
   return false;
+}
+
+// Of the cells as they are about to be written. Triangles and other polygons are never counted.
+template <typename Group>
+void count_inverted_quads(const Cell_vertices& vertices, const Places& places,
+                          Cell_extractor<Group>& extractor)
+{
+  if(!Cell_shape<Group>::is_square)
+    return;
+  const Quad_complex& complex = extractor.complex();
+  for(std::size_t c = 0; c < complex.cells.size(); ++c) {
+    Quad_in_space quad;
+    std::size_t n = 0;
+    complex.cells.for_darts(c, [&](const std::size_t d) {
+      if(n < 4)
+        quad[n] = places[vertices.point(vertices.vertex(d))];
+      ++n;
+    });
+    if(n == 4)
+      count_if_inverted(quad, c, extractor.report());
+  }
 }
 
 // Adds the quads to a graph, and fills the maps that are given; or refuses.
@@ -89,6 +111,7 @@ public:
       return;
     extractor.report().number_of_vertices = vertices.size();
     move_points_of_folded_cells(complex, vertices);
+    count_inverted_quads(vertices, m_places, extractor);
     const Quads_to_write cells(complex, vertices);
     Cell_writer<QuadMesh, Quads_to_write> writer(cells, m_quads);
     add_vertices(vertices, writer);
@@ -223,6 +246,7 @@ public:
       Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts,
                                           [&](const auto d) { return complex.is_gap(d); });
     extractor.report().number_of_vertices = vertices.size();
+    count_inverted_quads(vertices, m_places, extractor);
     const std::size_t first = m_points.size();
     for(std::size_t i = 0; i < vertices.size(); ++i)
       m_points.push_back(point_at<typename PointRange::value_type>(m_places[vertices.point(i)]));
