@@ -1,18 +1,17 @@
 #include "Model.h"
 
 #include "Failure.h"
+#include "Progress.h"
 #include "files.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
-
-#include <CGAL/Real_timer.h>
+#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <iostream>
 #include <sstream>
 #include <string>
 
@@ -25,7 +24,9 @@ std::string with_options(std::string message)
 {
   const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
-    {"by grid_scale, or call extract_quad_soup()", "by grid_scale, or try --soup"},
+    {"by grid_scale, or call extract_quad_soup()",
+     "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
+     "a mesh of quads"},
     {"by grid_scale", "by --grid-scale or --number"},
     {"the rounding_tolerance of", "--rounding"}};
   for(const auto& [parameter, option] : words)
@@ -48,51 +49,28 @@ std::string format_of(const std::string& filename, const std::string& standard_f
   return suffix;
 }
 
-// Tells what goes on while large files are worked on.
-class Progress
-{
-public:
-  Progress(const bool always, const std::size_t size)
-    : m_is_on(always || size > 30000000)
-  {
-    m_timer.start();
-  }
-
-  void step(const std::string& what)
-  {
-    if(m_is_on)
-      std::cerr << "[" << std::fixed << std::setprecision(1) << m_timer.time() << " s] " << what
-                << std::defaultfloat << std::endl;
-  }
-
-private:
-  bool m_is_on;
-  CGAL::Real_timer m_timer;
-};
-
 template <typename Parser>
-SS::internal::Vertex_changes build(Model& model, Progress& progress)
+SS::internal::Vertex_changes build(Model& model)
 {
   const auto np = SS::parameters::edge_is_constrained_map(model.is_feature).weld(model.is_welded);
   auto soup = Parser(model.text).parse();
-  progress.step("connecting " + std::to_string(soup.triangles.size()) + " faces");
   model.number_of_points = soup.points.size();
   return SS::internal::build_mesh(soup, model.mesh, model.uv_map, SS::internal::strip(np));
 }
 
 template <typename UVNumber>
-SS::internal::Vertex_changes build_from_format(Model& model, Progress& progress)
+SS::internal::Vertex_changes build_from_format(Model& model)
 {
-  return model.format == ply ? build<SS::internal::PLY_parser<double, UVNumber> >(model, progress)
-                             : build<SS::internal::OBJ_parser<double, UVNumber> >(model, progress);
+  return model.format == ply ? build<SS::internal::PLY_parser<double, UVNumber> >(model)
+                             : build<SS::internal::OBJ_parser<double, UVNumber> >(model);
 }
 
-void parse(Model& model, Progress& progress)
+void parse(Model& model)
 {
   SS::internal::Vertex_changes changes;
   try {
-    changes = model.is_float ? build_from_format<float>(model, progress)
-                             : build_from_format<double>(model, progress);
+    changes = model.is_float ? build_from_format<float>(model)
+                             : build_from_format<double>(model);
   } catch(const SS::internal::File_refusal& refusal) {
     throw Failure(UNREADABLE, model.filename + ": " + refusal.message());
   }
@@ -100,6 +78,14 @@ void parse(Model& model, Progress& progress)
   model.number_of_split_vertices = changes.number_of_split_vertices;
   model.number_of_welded_edges = changes.number_of_welded_edges;
   model.number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+}
+
+void parse(const Reading_options& options, Model& model)
+{
+  model.first_number = model.format == obj ? 1 : 0;
+  model.is_welded = options.weld;
+  model.is_float = options.in_float;
+  parse(model);
 }
 
 bool is_same_number(double x, double y) { return x == y && std::signbit(x) == std::signbit(y); }
@@ -146,14 +132,14 @@ std::string written(const Model& model, const std::string& format)
 }
 
 void check_text(const Model& model, const std::string& filename, const std::string& format,
-                const std::string& text, const bool as_float, Progress& progress)
+                const std::string& text, const bool as_float)
 {
   Model again;
   again.filename = filename;
   again.format = format;
   again.text = text;
   again.is_float = as_float;
-  parse(again, progress);
+  parse(again);
   if(!is_same(model, again))
     throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
 }
@@ -162,34 +148,54 @@ void check_text(const Model& model, const std::string& filename, const std::stri
 
 void read_model(const std::string& filename, const Reading_options& options, Model& model)
 {
-  model.filename = filename;
   check_format(filename);
-  model.is_welded = options.weld;
-  model.is_float = options.in_float;
-  Progress(options.verbose, 0).step("reading " + filename);
+  const Progress progress("reading " + filename, options.verbose);
+  model.filename = filename;
   model.text = read_file(filename);
   model.format = format_of(filename, model.text.substr(0, 3) == ply ? ply : obj);
-  Progress progress(options.verbose, model.text.size());
-  progress.step(filename + ": " + std::to_string(model.text.size() / 1000000 + 1) + " MB");
-  parse(model, progress);
-  progress.step(std::to_string(model.mesh.number_of_faces()) + " faces read");
+  parse(options, model);
+}
+
+void read_again(const Model& other, const Reading_options& options, Model& model)
+{
+  model.filename = other.filename;
+  model.text = other.text;
+  model.format = other.format;
+  parse(options, model);
+}
+
+std::string notes_on_reading(const Model& model)
+{
+  std::string result;
+  if(model.number_of_welded_edges > 0)
+    result += "note: " + counted(model.number_of_welded_edges, "edge") +
+              (model.number_of_welded_edges == 1 ? " was" : " were") + " welded\n";
+  if(model.number_of_coinciding_border_edges > 0)
+    result += "note: " + SS::internal::note_on_coinciding_border_edges(
+                           model.number_of_coinciding_border_edges) +
+              (model.number_of_welded_edges > 0
+                 ? " They can't be welded, as it is open which belong together.\n"
+                 : " --weld closes it.\n");
+  if(model.number_of_split_vertices > 0)
+    result += "note: " + counted(model.number_of_split_vertices, "vertex") +
+              (model.number_of_split_vertices == 1 ? " was" : " were") +
+              " added where the faces around a vertex form several fans\n";
+  return result;
 }
 
 std::string text_of_model(const Model& model, const std::string& filename)
 {
   const std::string format = format_of(filename, model.format.empty() ? obj : model.format);
-  Progress progress(false, model.text.size());
-  progress.step("writing " + filename);
+  const Progress progress("writing " + filename);
   std::string text;
   try {
     text = model.format == format ? rewritten(model) : written(model, format);
   } catch(const SS::internal::File_refusal& refusal) {
     throw Failure(UNWRITABLE, filename + ": " + refusal.message());
   }
-  progress.step("reading back what is written");
-  check_text(model, filename, format, text, model.is_float, progress);
+  check_text(model, filename, format, text, model.is_float);
   if(model.is_float)
-    check_text(model, filename, format, text, false, progress);
+    check_text(model, filename, format, text, false);
   return text;
 }
 
@@ -213,10 +219,9 @@ Uv_map copy_of_uv_map(Model& model)
 
 std::string in_words_of_user(const std::string& message, const Model& model)
 {
-  const std::size_t first_number = model.format == obj ? 1 : 0;
   const auto number_in_file = [&](const std::string& kind, const std::size_t i) {
-    const bool is_vertex = kind != "face" && i < model.file_vertices.size();
-    return (is_vertex ? model.file_vertices[i] : i) + first_number;
+    const auto& numbers = kind == "face" ? model.file_faces : model.file_vertices;
+    return (i < numbers.size() ? numbers[i] : i) + model.first_number;
   };
   std::string result, kind; // the kind of element that the last word was about
   std::istringstream words(with_options(message));

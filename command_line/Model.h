@@ -35,6 +35,8 @@ struct Model
   bool is_float = false; // whether the coordinates are floats
   std::size_t number_of_points = 0;
   std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0
+  std::vector<std::size_t> file_faces;    // the same for faces, where they differ
+  std::size_t first_number = 1;           // by which the file counts
   std::size_t number_of_split_vertices = 0, number_of_welded_edges = 0,
               number_of_coinciding_border_edges = 0;
 };
@@ -48,6 +50,13 @@ struct Reading_options
 
 // The format is that of the name's suffix; the standard input may be of any. Throws `Failure`.
 void read_model(const std::string& filename, const Reading_options& options, Model& model);
+
+// The file of another model, read with other options. Throws `Failure`.
+void read_again(const Model& other, const Reading_options& options, Model& model);
+
+// What to tell of border edges that coincide, of what was welded, and of vertices that were added;
+// empty if there is nothing.
+std::string notes_on_reading(const Model& model);
 
 // The model as a text in the format that the suffix of a name asks for: that of its file with other
 // coordinates, if it is of this format; else what the mesh holds. Checks that it reads back as it is,

@@ -4,7 +4,12 @@
 
 #include <boost/program_options.hpp>
 
+#include <array>
+#include <cmath>
+#include <iomanip>
 #include <iostream>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,12 +25,42 @@ void print_version(std::ostream& os)
   os << "seamless " << SEAMLESS_SNAPPING_VERSION << std::endl;
 }
 
+namespace {
+
+std::string in_words(const Range& range)
+{
+  std::ostringstream os;
+  os << std::setprecision(17) << "must be ";
+  if(range.high < (std::numeric_limits<double>::max)())
+    os << (range.is_open ? "between " : "from ") << range.low << (range.is_open ? " and " : " to ")
+       << range.high;
+  else
+    os << (range.contains(range.high) && !std::isfinite(range.high) ? "" : "finite, and ")
+       << (range.is_open ? "greater than " : "at least ") << range.low;
+  return os.str();
+}
+
+// Checks what is given against the range.
+template <typename Number>
+po::typed_value<Number>* value_in_range(const std::string& name, const std::string& placeholder,
+                                        Number& value, const Range& range)
+{
+  return po::value(&value)->value_name(placeholder)->notifier([name, range](const Number& x) {
+    if(!range.contains(x))
+      throw Failure(USAGE, "--" + name + " " + in_words(range));
+  });
+}
+
+} // namespace
+
 struct Options::Declarations
 {
   std::string usage, purpose;
   po::options_description shown{"Options"}, files;
   po::positional_options_description order;
-  std::vector<std::string*> filenames;
+  std::vector<std::string*> filenames; // that are needed
+  std::vector<std::array<std::string, 2> > aliases; // each with the name that it stands for
+  std::vector<std::vector<std::string> > exclusions;
   po::variables_map values;
 };
 
@@ -38,11 +73,22 @@ Options::Options(const std::string& usage, const std::string& purpose)
 
 Options::~Options() = default;
 
-void Options::add_file(const std::string& name, std::string& filename)
+void Options::add_file(const std::string& name, std::string& filename, const bool is_optional)
 {
   m_declarations->files.add_options()(name.c_str(), po::value(&filename));
   m_declarations->order.add(name.c_str(), 1);
-  m_declarations->filenames.push_back(&filename);
+  if(!is_optional)
+    m_declarations->filenames.push_back(&filename);
+}
+
+void Options::add_alias(const std::string& alias, const std::string& name)
+{
+  m_declarations->aliases.push_back({"--" + alias, "--" + name});
+}
+
+void Options::exclude(const std::vector<std::string>& names)
+{
+  m_declarations->exclusions.push_back(names);
 }
 
 void Options::add(const std::string& name, bool& is_set, const std::string& help)
@@ -51,16 +97,18 @@ void Options::add(const std::string& name, bool& is_set, const std::string& help
 }
 
 void Options::add(const std::string& name, const std::string& placeholder, double& value,
-                  const std::string& help)
+                  const Range& range, const std::string& help)
 {
-  m_declarations->shown.add_options()(name.c_str(), po::value(&value)->value_name(placeholder),
+  m_declarations->shown.add_options()(name.c_str(),
+                                      value_in_range(name, placeholder, value, range),
                                       help.c_str());
 }
 
 void Options::add(const std::string& name, const std::string& placeholder, int& value,
-                  const std::string& help)
+                  const Range& range, const std::string& help)
 {
-  m_declarations->shown.add_options()(name.c_str(), po::value(&value)->value_name(placeholder),
+  m_declarations->shown.add_options()(name.c_str(),
+                                      value_in_range(name, placeholder, value, range),
                                       help.c_str());
 }
 
@@ -69,6 +117,29 @@ void Options::add(const std::string& name, const std::string& placeholder, std::
 {
   m_declarations->shown.add_options()(name.c_str(), po::value(&value)->value_name(placeholder),
                                       help.c_str());
+}
+
+// "--svg" and "--svg=FILE" become "--picture" and "--picture=FILE".
+Arguments Options::without_aliases(Arguments arguments) const
+{
+  for(std::string& argument : arguments)
+    for(const auto& [alias, name] : m_declarations->aliases)
+      if(argument == alias || argument.compare(0, alias.size() + 1, alias + "=") == 0)
+        argument.replace(0, alias.size(), name);
+  return arguments;
+}
+
+void Options::check_exclusions() const
+{
+  for(const std::vector<std::string>& names : m_declarations->exclusions) {
+    std::string given;
+    for(const std::string& name : names)
+      if(is_given(name)) {
+        if(!given.empty())
+          throw Failure(USAGE, "--" + given + " and --" + name + " exclude each other");
+        given = name;
+      }
+  }
 }
 
 bool Options::parse(const Arguments& arguments)
@@ -80,13 +151,14 @@ bool Options::parse(const Arguments& arguments)
   all.add(d.shown).add(d.files);
   try {
     namespace style = po::command_line_style;
-    po::store(po::command_line_parser(arguments)
+    po::store(po::command_line_parser(without_aliases(arguments))
                 .options(all)
                 .positional(d.order)
                 .style(style::unix_style & ~style::allow_guessing)
                 .run(),
               d.values);
-    po::notify(d.values);
+    if(d.values.count("help") == 0 && d.values.count("version") == 0)
+      po::notify(d.values);
   } catch(const po::error& error) {
     throw Failure(USAGE, std::string(error.what()) + "; see seamless " + command + " --help");
   }
@@ -101,10 +173,12 @@ bool Options::parse(const Arguments& arguments)
     if(filename->empty())
       throw Failure(USAGE, "usage: seamless " + d.usage + " [options]; see seamless " + command
                              + " --help");
+  check_exclusions();
   return true;
 }
 
 bool Options::is_given(const std::string& name) const
 {
-  return m_declarations->values.count(name) != 0;
+  const po::variables_map& values = m_declarations->values;
+  return values.count(name) != 0 && !values[name].defaulted(); // as switches are
 }

@@ -9,9 +9,20 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 extern const char* const exit_statuses; // for helps
 void print_version(std::ostream& os);
+
+// Which numbers an option takes.
+struct Range
+{
+  double low, high;
+  bool is_open = false; // without its ends
+
+  bool contains(const double x) const // no NaN
+  { return is_open ? x > low && x < high : x >= low && x <= high; }
+};
 
 class Options
 {
@@ -20,16 +31,23 @@ public:
   Options(const std::string& usage, const std::string& purpose);
   ~Options();
 
-  // Files are given in the order in which they are added here. All are needed.
-  void add_file(const std::string& name, std::string& filename);
+  // Files are given in the order in which they are added here. All are needed, but those that are
+  // optional and come last.
+  void add_file(const std::string& name, std::string& filename, bool is_optional = false);
 
   void add(const std::string& name, bool& is_set, const std::string& help);
   void add(const std::string& name, const std::string& placeholder, double& value,
-           const std::string& help);
+           const Range& range, const std::string& help);
   void add(const std::string& name, const std::string& placeholder, int& value,
-           const std::string& help);
+           const Range& range, const std::string& help);
   void add(const std::string& name, const std::string& placeholder, std::string& value,
            const std::string& help);
+
+  // An earlier name of an option that was added. It is not shown.
+  void add_alias(const std::string& alias, const std::string& name);
+
+  // Of which one can be given at most.
+  void exclude(const std::vector<std::string>& names);
 
   // Returns false if only the help or the version was asked for, which is printed then. Throws
   // `Failure` on wrong usage.
@@ -39,6 +57,9 @@ public:
   bool is_given(const std::string& name) const;
 
 private:
+  Arguments without_aliases(Arguments arguments) const;
+  void check_exclusions() const;
+
   struct Declarations;
   std::unique_ptr<Declarations> m_declarations;
 };

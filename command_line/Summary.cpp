@@ -1,6 +1,7 @@
 #include "Summary.h"
 
-#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
+#include "json_report.h"
+#include "words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,19 +34,10 @@ void write_row(std::ostream& os, const char* name, const A& a, const B& b)
 
 void write_mesh(std::ostream& os, const Summary& s)
 {
-  os << s.faces << " faces, " << s.vertices << " vertices, " << s.border_edges
-     << " border edges, " << s.features << " feature edges\n";
-  if(s.welded_edges > 0)
-    os << "note: " << s.welded_edges << " edges were welded\n";
-  if(s.coinciding_border_edges > 0)
-    os << "note: "
-       << CGAL::Seamless_snapping::internal::note_on_coinciding_border_edges(
-            s.coinciding_border_edges)
-       << (s.welded_edges > 0 ? " They can't be welded, as it is open which belong together.\n"
-                              : " --weld closes it.\n");
-  if(s.split_vertices > 0)
-    os << "note: " << s.split_vertices
-       << " vertices were added where the faces around a vertex form several fans\n";
+  os << counted(s.faces, "face") << ", " << counted(s.vertices, "vertex") << ", "
+     << counted(s.border_edges, "border edge") << ", " << counted(s.features, "feature edge")
+     << "\n";
+  os << s.notes_on_reading;
   if(s.left_out_edges > 0)
     os << "note: " << s.left_out_edges << " edges are left out, as they lie on no isocurve\n";
 }
@@ -63,9 +55,6 @@ nlohmann::json json_of(const CGAL::Seamless_snapping::Seamlessness& s)
 nlohmann::json json_of(const Summary& s, bool success, const std::string& message)
 {
   const auto& r = s.report;
-  nlohmann::json steps = nlohmann::json::array();
-  for(const auto& [name, seconds] : r.run.step_times)
-    steps.push_back({{"step", name}, {"seconds", seconds}});
   return {{"exact", success},
           {"message", message},
           {"status", s.has_report ? CGAL::Seamless_snapping::to_string(r.status) : "not snapped"},
@@ -92,7 +81,7 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
           {"change", {{"grid_step", r.run.grid_step}, {"largest", r.largest_change},
                       {"mean", r.mean_change}, {"rms", r.rms_change}}},
           {"seconds", {{"reading", s.reading_time}, {"snapping", s.snapping_time},
-                       {"writing", s.writing_time}, {"steps", steps}}}};
+                       {"writing", s.writing_time}, {"steps", json_of_steps(r.run.step_times)}}}};
 }
 
 } // namespace
@@ -102,7 +91,7 @@ Summary::Summary(const Model& model, const Alignment& alignment)
     split_vertices(model.number_of_split_vertices), welded_edges(model.number_of_welded_edges),
     coinciding_border_edges(model.number_of_coinciding_border_edges),
     aligned_edges(alignment.number_of_aligned_edges),
-    left_out_edges(alignment.number_of_left_out_edges)
+    left_out_edges(alignment.number_of_left_out_edges), notes_on_reading(::notes_on_reading(model))
 {
   for(const Edge e : model.mesh.edges()) {
     border_edges += model.mesh.is_border(e) ? 1 : 0;
@@ -169,16 +158,15 @@ void write_check(std::ostream& os, const Summary& s)
   if(s.aligned_edges > 0)
     os << s.before.number_of_misaligned_edges << " misaligned edges of " << s.aligned_edges
        << ", largest misalignment " << to_text(s.before.misalignment, s.before.extent) << "\n";
-  os << s.before.number_of_flipped_faces << " flipped faces, "
-     << s.before.number_of_degenerate_faces << " degenerate faces\n"
+  os << counted(s.before.number_of_flipped_faces, "flipped face") << ", "
+     << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n"
      << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
      << " (in brackets: relative to the extent " << to_text(s.before.extent) << ")" << std::endl;
 }
 
-// Names of files in messages may hold bytes that are not UTF-8; JSON cannot.
-std::string to_json(const Summary& summary, const bool success, const std::string& message)
+void write_report(const std::string& filename, const Summary& summary, const bool success,
+                  const std::string& message)
 {
-  return json_of(summary, success, message)
-           .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  write_json(filename, json_of(summary, success, message));
 }

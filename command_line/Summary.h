@@ -19,6 +19,7 @@ struct Summary
   std::size_t vertices, faces, border_edges = 0, features = 0; // vertices as the file counts them
   std::size_t split_vertices, welded_edges, coinciding_border_edges;
   std::size_t aligned_edges, left_out_edges;
+  std::string notes_on_reading;
   CGAL::Seamless_snapping::Seamlessness before, after;
   CGAL::Seamless_snapping::Snapping_report report;
   bool has_report = false;
@@ -35,6 +36,8 @@ std::string to_text(const Misfits& misfits);
 void write_snap(std::ostream& os, const Summary& summary);
 void write_check(std::ostream& os, const Summary& summary);
 
-std::string to_json(const Summary& summary, bool success, const std::string& message);
+// As JSON.
+void write_report(const std::string& filename, const Summary& summary, bool success,
+                  const std::string& message);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_SUMMARY_H

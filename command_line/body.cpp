@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "files.h"
 #include "handle_body.h"
+#include "words.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -26,18 +27,18 @@ void make_body(const Arguments& arguments)
                   "row of holes, rounded or not. OUT is a .off or .obj file, or - for the standard\n"
                   "output, in the OFF format.\n");
   options.add_file("output", output);
-  options.add("genus", "G", body.genus, "the number of holes, at least 0 (default: 2)");
+  options.add("genus", "G", body.genus, {0, 1000}, "the number of holes (default: 2)");
   options.add("sharp", body.is_sharp, "keep the sharp edges of the box");
-  options.add("borders", "N", body.number_of_borders, "0, 1 or 2 ends are cut off (default: 0)");
-  options.add("edge-length", "L", body.edge_length, "of the triangles (default: 0.25)");
+  options.add("borders", "N", body.number_of_borders, {0, 2},
+              "how many ends are cut off (default: 0)");
+  options.add("edge-length", "L", body.edge_length, {0.001, 1000},
+              "of the triangles (default: 0.25)");
   if(!options.parse(arguments))
     return;
-  if(body.genus < 0 || body.number_of_borders < 0 || body.number_of_borders > 2
-     || !(body.edge_length > 0))
-    throw Failure(USAGE, "an option is out of its range; see seamless body --help");
   const std::string suffix = is_special_file(output) ? "off" : suffix_of(output);
   if(suffix != "off" && suffix != "obj")
     throw Failure(USAGE, "'" + output + "': surfaces are written to .off and .obj files");
+  check_outputs({}, {output});
 
   Mesh mesh;
   make_handle_body(body, mesh);
@@ -47,5 +48,5 @@ void make_body(const Arguments& arguments)
   if(!good)
     throw Failure(UNWRITABLE, "cannot write '" + output + "'");
   write_file(output, os.str());
-  summary_stream({output}) << output << ": " << mesh.number_of_faces() << " faces" << std::endl;
+  summary_stream({output}) << output << ": " << counted(mesh.number_of_faces(), "face") << std::endl;
 }

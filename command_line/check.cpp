@@ -10,6 +10,26 @@
 #include <iostream>
 #include <string>
 
+namespace {
+
+// What a mesh would be whose border edges coincide.
+std::string what_welding_gives(const Model& model, Seam_options options)
+{
+  const std::string begin = "cut open, as if along its seams; welded it would ";
+  const std::string end = "; use --weld, or --open if the cuts are borders";
+  options.reading.weld = true;
+  Model welded;
+  try {
+    read_again(model, options.reading, welded);
+  } catch(const Failure& failure) {
+    return begin + "be refused (" + failure.what() + ")" + end;
+  }
+  const bool is_exact = measure(welded, Alignment(welded, options)).is_exact();
+  return begin + (is_exact ? "be exactly seamless" : "not be exactly seamless") + end;
+}
+
+} // namespace
+
 void check(const Arguments& arguments)
 {
   Options options("check IN",
@@ -18,30 +38,37 @@ void check(const Arguments& arguments)
                   "a multiple of 90 degrees and a translation. IN is a .obj file, a .ply file with a\n"
                   "list 'texcoord' for each face, or - for the standard input.\n");
   std::string input, report;
+  bool keeps_open = false;
   Seam_options seam_options;
   options.add_file("input", input);
   seam_options.add_to(options);
   options.add("float", seam_options.reading.in_float,
               "look at the coordinates as programs see them that read 32-bit floats");
+  options.add("open", keeps_open, "take border edges between the same points for borders");
   options.add("report", "R.json", report, "write all figures to a file");
+  options.exclude({"weld", "open"});
   if(!options.parse(arguments))
     return;
   seam_options.check(options);
-  check_outputs({input}, {report}, false);
+  check_outputs({input}, {report});
 
   Model model;
   read_model(input, seam_options.reading, model);
   const Alignment alignment(model, seam_options);
   Summary summary(model, alignment);
   summary.before = measure(model, alignment);
-  const bool is_exact = summary.before.is_exact();
+  bool is_exact = summary.before.is_exact();
   std::string message = is_exact ? "" : input + ": not exactly seamless";
   const Misfits misfits = count_misfits(model, seam_options.tolerance);
   if(misfits.number_of_misfits > 0)
     message += ": " + to_text(misfits);
+  if(summary.coinciding_border_edges > 0 && !seam_options.reading.weld && !keeps_open) {
+    message += (is_exact ? input + ": " : ", and ") + what_welding_gives(model, seam_options);
+    is_exact = false; // what this says of the seams is unknown
+  }
   write_check(summary_stream({report}), summary);
   if(!report.empty())
-    write_file(report, to_json(summary, is_exact, message));
+    write_report(report, summary, is_exact, message);
   if(!is_exact)
     throw Failure(NOT_SOLVED, message);
 }

@@ -93,7 +93,7 @@ void write_directly(const fs::path& place, const std::string& filename, const st
 }
 
 // A file that may not be written to is not replaced either.
-void check_writable(const fs::path& place, const std::string& filename)
+void check_existing(const fs::path& place, const std::string& filename)
 {
   errno = 0;
   if(!std::ofstream(place, std::ios::binary | std::ios::app))
@@ -107,6 +107,20 @@ fs::path unused_name(const fs::path& place)
   for(int i = 2; fs::exists(result, error); ++i)
     result = place.string() + ".unfinished" + std::to_string(i);
   return result;
+}
+
+// Throws unless the file can be written, which it will be when all is computed: then would be late.
+// What is there stays as it is. Pipes are not opened, as their readers would take it for the end.
+void check_writable(const std::string& filename)
+{
+  if(filename.empty() || is_special_file(filename))
+    return;
+  const fs::path place = resolved(filename), unfinished = unused_name(place);
+  std::error_code error;
+  if(fs::exists(place, error))
+    check_existing(place, filename);
+  write_directly(unfinished, filename, "");
+  fs::remove(unfinished, error);
 }
 
 } // namespace
@@ -149,7 +163,7 @@ void write_file(const std::string& filename, const std::string& text)
     write_directly(unfinished, filename, "");
     const bool exists = fs::exists(place, error);
     if(exists)
-      check_writable(place, filename);
+      check_existing(place, filename);
     const bool may_replace = !exists || take_mode_and_owner(place, unfinished);
     write_directly(unfinished, filename, text);
     if(may_replace) {
@@ -189,7 +203,7 @@ void check_picture(const std::string& filename)
 }
 
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                   const bool may_overwrite_input)
+                   const Overwriting overwriting)
 {
   for(auto file = outputs.begin(); file != outputs.end(); ++file) {
     const auto same = std::find_if(outputs.begin(), file, [&](const std::string& other) {
@@ -197,12 +211,15 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
     });
     if(same != file)
       throw Failure(USAGE, "'" + *same + "' and '" + *file + "' are the same file");
+    const bool is_first = file == outputs.begin(); // the only one that may replace an input
     for(const std::string& input : inputs)
       if(*file != standard_stream && are_same_file(*file, input)
-         && !(may_overwrite_input && file == outputs.begin()))
+         && !(is_first && overwriting == Overwriting::ASKED_FOR))
         throw Failure(USAGE, "'" + *file + "' is the input"
-                               + (file == outputs.begin() ? "; --overwrite replaces it" : ""));
+                               + (is_first && overwriting == Overwriting::NOT_ASKED_FOR
+                                    ? "; --overwrite replaces it" : ""));
   }
+  std::for_each(outputs.begin(), outputs.end(), check_writable);
 }
 
 std::ostream& summary_stream(const std::vector<std::string>& outputs)

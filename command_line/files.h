@@ -22,10 +22,13 @@ std::string suffix_of(const std::string& filename);
 // Throws `Failure` if it is the name of a picture that cannot be written.
 void check_picture(const std::string& filename);
 
+// Whether a command may write to its input.
+enum class Overwriting { NOT_OFFERED, NOT_ASKED_FOR, ASKED_FOR };
+
 // Throws `Failure` if two of the files that a command writes are one, or one of them is an input and
-// may not be. Empty names are ignored.
+// may not be; or if one cannot be written, before it is known what to write. Empty names are ignored.
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
-                   bool may_overwrite_input);
+                   Overwriting overwriting = Overwriting::NOT_OFFERED);
 
 // Where to tell what was done: not where a file goes to.
 std::ostream& summary_stream(const std::vector<std::string>& outputs);

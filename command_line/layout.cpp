@@ -2,17 +2,20 @@
 
 #include "Failure.h"
 #include "Options.h"
+#include "Progress.h"
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
 #include "layout_picture.h"
 #include "measures.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/layout.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <cstddef>
+#include <ostream>
 #include <sstream>
 #include <string>
 
@@ -43,6 +46,7 @@ struct Layout_options
                 "let curves run on where they meet others, to a cone, corner, border, or feature");
     seams.add_repair_to(options);
     options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
+    options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
     seams.check(options);
@@ -50,13 +54,15 @@ struct Layout_options
     if(suffix_of(output) != "obj" && !is_special_file(output))
       throw Failure(USAGE, "'" + output + "': layouts are written to .obj files");
     check_picture(picture);
-    check_outputs({input}, {output, picture}, false);
+    check_outputs({input}, {output, picture});
     return true;
   }
 };
 
 void snap(const Layout_options& options, Model& model, const Edge_bool_map is_aligned)
 {
+  const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
+                          options.seams.reading.verbose);
   const SS::Snapping_report report = SS::snap_to_seamless(
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
@@ -64,6 +70,17 @@ void snap(const Layout_options& options, Model& model, const Edge_bool_map is_al
       .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
+}
+
+// What was tried is no remedy.
+std::string without_vain_advice(std::string message, const Seam_options& options)
+{
+  const std::string advice = "repair them by --repair-flips";
+  const std::size_t i = message.find(advice);
+  if(options.repair_flips && i != message.npos)
+    message.replace(i, advice.size(),
+                    "--repair-flips could not repair them; change the map there");
+  return message;
 }
 
 } // namespace
@@ -75,8 +92,11 @@ void layout(const Arguments& arguments)
     return;
   Model model;
   read_model(options.input, options.seams.reading, model);
+  std::ostream& os = summary_stream({options.output, options.picture});
+  os << notes_on_reading(model) << std::flush;
   const Alignment alignment(model, options.seams);
   snap(options, model, alignment.is_aligned);
+  const Progress progress("dividing the surface", options.seams.reading.verbose);
   const auto np = SS::parameters::edge_is_constrained_map(alignment.is_aligned);
   const SS::Motorcycle_graph<Mesh> graph =
     options.base_complex
@@ -84,20 +104,20 @@ void layout(const Arguments& arguments)
       : SS::motorcycle_graph(model.mesh, model.uv_map, np);
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
-                                in_words_of_user(graph.message(), model));
-  std::ostringstream os;
-  SS::IO::write_layout(os, graph);
-  write_file(options.output, os.str());
+                                without_vain_advice(in_words_of_user(graph.message(), model),
+                                                    options.seams));
+  std::ostringstream text;
+  SS::IO::write_layout(text, graph);
+  write_file(options.output, text.str());
   if(!options.picture.empty())
     write_file(options.picture, layout_picture(graph));
   std::size_t junctions = 0;
   const std::size_t cut = graph.number_of_cut_patches();
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
     junctions += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 1 : 0;
-  summary_stream({options.output, options.picture})
-    << graph.number_of_patches() - cut << " rectangles, "
-    << (cut > 0 ? std::to_string(cut) + (cut == 1 ? " patch" : " patches") + " cut by the border, "
-                : "") << graph.number_of_arcs() << " arcs between "
-    << graph.number_of_nodes() - junctions << " cones and corners and " << junctions
-    << " points at which curves meet\n";
+  os << counted(graph.number_of_patches() - cut, "rectangle") << ", "
+     << (cut > 0 ? std::to_string(cut) + (cut == 1 ? " patch" : " patches") + " cut by the border, "
+                 : "") << counted(graph.number_of_arcs(), "arc") << " between "
+     << graph.number_of_nodes() - junctions << " cones and corners and "
+     << counted(junctions, "point") << " at which curves meet\n";
 }

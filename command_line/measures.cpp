@@ -1,7 +1,5 @@
 #include "measures.h"
 
-#include "Failure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -48,7 +46,7 @@ void Seam_options::add_to(Options& options)
               "seams");
   options.add("align-border", align_border, "keep border edges on isocurves");
   options.add("features", features, "keep the edges of 'l' elements on isocurves");
-  options.add("tolerance", "T", tolerance,
+  options.add("tolerance", "T", tolerance, {0, 1, true},
               "the largest deviation that counts as inaccuracy, relative to the extent of the "
               "coordinates (default: 1e-4; where alignment is concerned, 100 times the inaccuracy of "
               "the seams, from 1e-9 to 1e-4)");
@@ -69,8 +67,6 @@ SS::Flip_repair Seam_options::flip_repair() const
 void Seam_options::check(const Options& options)
 {
   has_tolerance = options.is_given("tolerance");
-  if(!(tolerance > 0 && tolerance < 1))
-    throw Failure(USAGE, "the tolerance must be between 0 and 1");
 }
 
 Alignment::Alignment(Model& model, const Seam_options& options)

@@ -3,17 +3,25 @@
 #include "Failure.h"
 #include "Model.h"
 #include "Options.h"
+#include "Progress.h"
+#include "Repairs.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "picture.h"
 #include "plain_meshes.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace SS = CGAL::Seamless_snapping;
@@ -22,37 +30,130 @@ namespace {
 
 struct Parametrize_options
 {
-  std::string input, output, approximate, svg;
+  std::string input, output, approximate, picture, report;
+  Plain_reading_options reading;
   double feature_angle = 0; // in degrees; 0: no features
   double curvature = 0;
   bool align_border = false;
   bool overwrite = false;
+  bool verbose = false;
 
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
   {
     Options options("parametrize IN OUT",
-                    "Computes an exactly seamless parametrization of a triangle mesh. IN is a file\n"
-                    "of any format that CGAL reads (.off, .obj, .ply, .stl and others); what it\n"
-                    "holds besides points and faces is not kept. OUT is a .obj or .ply file, or -\n"
-                    "for the standard output, in the OBJ format.\n");
+                    "Computes an exactly seamless parametrization of a mesh. IN is a .obj, .ply,\n"
+                    ".off, or .stl file, or one of another format that CGAL reads, or - for the\n"
+                    "standard input; what it holds besides points, faces, and features is not kept,\n"
+                    "and what has to be repaired is told. OUT is a .obj or .ply file, or - for the\n"
+                    "standard output, in the OBJ format.\n");
     options.add_file("input", input);
     options.add_file("output", output);
-    options.add("feature-angle", "DEGREES", feature_angle, "align edges that are sharper");
+    options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
+                "align edges that are sharper");
     options.add("align-border", align_border, "align border edges");
-    options.add("curvature", "STRENGTH", curvature, "how strongly to follow the curvature");
+    options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
+                "how strongly to follow the curvature");
+    reading.add_to(options);
     options.add("approximate", "APPROX", approximate, "write the input of the snapping, too");
     options.add("overwrite", overwrite, "let OUT replace IN");
-    options.add("svg", "PICTURE.svg", svg, "draw the domain, and the largest gaps before and after");
+    options.add("picture", "FILE", picture,
+                "draw the domain, and the largest gaps before and after, as .svg");
+    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("verbose", verbose, "tell of each step");
+    options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
     check_format(output);
     if(!approximate.empty())
       check_format(approximate);
-    check_outputs({input}, {output, approximate, svg}, overwrite);
+    check_picture(picture);
+    check_outputs({input}, {output, approximate, picture, report},
+                  overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
     return true;
   }
 };
+
+// What is told of the work, as far as it came.
+struct Outcome
+{
+  Repairs repairs;
+  SS::Parameterization_report<Mesh::Vertex_index> made;
+  SS::Snapping_report snapped;
+  bool is_exact = false;
+
+  nlohmann::json json(const std::string& message) const
+  {
+    return {{"exact", is_exact},
+            {"message", message},
+            {"status", made ? to_string(snapped.status) : to_string(made.status)},
+            {"input", json_of(repairs)},
+            {"faces", made.number_of_faces}, {"genus", made.genus},
+            {"components", made.number_of_components},
+            {"border_loops", made.number_of_border_loops}, {"cones", made.cones.size()},
+            {"cut_edges", made.number_of_cut_edges},
+            {"aligned_edges", made.number_of_aligned_edges},
+            {"released_edges", made.released_edges.size()},
+            {"flipped_faces", made.number_of_flipped_faces},
+            {"extent", made.extent}, {"violation", made.violation},
+            {"largest_change", snapped.largest_change},
+            {"steps", json_of_steps(made.step_times)}};
+  }
+};
+
+void write_made(std::ostream& os, const Outcome& outcome, const Model& model)
+{
+  const auto& made = outcome.made;
+  os << counted(made.number_of_faces, "face") << ", genus " << made.genus << ", "
+     << counted(made.number_of_border_loops, "border loop") << ", "
+     << counted(made.cones.size(), "cone") << ", "
+     << counted(made.number_of_flipped_faces, "flipped face") << ", violation "
+     << made.violation / made.extent << " of the extent" << std::endl;
+  for(const auto& [v, w] : made.released_edges)
+    os << in_words_of_user("not aligned, as faces would be flipped: the edge of the vertices " +
+                             std::to_string(v) + " and " + std::to_string(w), model) << "\n";
+}
+
+void make_parametrization(const Parametrize_options& options, Model& model, Outcome& outcome,
+                          std::ostream& os)
+{
+  const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
+                                        .align_border(options.align_border)
+                                        .verbose(options.verbose);
+  const std::string faces = counted(model.mesh.number_of_faces(), "face");
+  {
+    const Progress progress("parametrizing " + faces, options.verbose);
+    outcome.made = SS::approximate_seamless_parameterization(
+      model.mesh, model.uv_map,
+      alignment.curvature_alignment(options.curvature).release_alignment(true));
+  }
+  const auto& made = outcome.made;
+  if(!made)
+    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(made.message, model));
+  write_made(os, outcome, model);
+  for(const auto& [v, w] : made.released_edges)
+    model.is_feature[model.mesh.edge(model.mesh.halfedge(v, w))] = false;
+  if(!options.approximate.empty())
+    write_file(options.approximate, text_of_model(model, options.approximate));
+
+  const Uv_map old_uv_map = copy_of_uv_map(model);
+  {
+    const Progress progress("snapping " + faces, options.verbose);
+    outcome.snapped = SS::snap_to_seamless(model.mesh, model.uv_map, alignment);
+  }
+  if(!outcome.snapped)
+    throw Failure(NOT_SOLVED,
+                  options.input + ": " + in_words_of_user(outcome.snapped.message, model));
+  outcome.is_exact = SS::is_seamless(model.mesh, model.uv_map, alignment);
+  if(!outcome.is_exact)
+    throw Failure(NOT_SOLVED, options.input + ": the result is not exact; please report this");
+  write_file(options.output, text_of_model(model, options.output));
+  if(!options.picture.empty())
+    write_file(options.picture, picture(model, old_uv_map, 1e-4,
+                                        std::filesystem::path(options.input).filename().string()));
+  os << "exactly seamless: largest change " << outcome.snapped.largest_change << ", that is "
+     << outcome.snapped.largest_change / outcome.snapped.extent << " of the extent" << std::endl;
+}
 
 } // namespace
 
@@ -61,41 +162,28 @@ void parametrize(const Arguments& arguments)
   Parametrize_options options;
   if(!options.parse(arguments))
     return;
-  std::ostream& os = summary_stream({options.output, options.approximate, options.svg});
+  std::ostream& os =
+    summary_stream({options.output, options.approximate, options.picture, options.report});
   Model model;
-  read_mesh(options.input, model.mesh);
+  Outcome outcome;
+  outcome.repairs = read_plain_model(options.input, options.reading, model);
+  write_repairs(os, options.input, outcome.repairs);
   if(options.feature_angle > 0)
-    mark_features(options.feature_angle, model.mesh, model.is_feature);
-
-  const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
-                                        .align_border(options.align_border);
-  const auto made = SS::approximate_seamless_parameterization(
-    model.mesh, model.uv_map,
-    alignment.curvature_alignment(options.curvature).release_alignment(true));
-  if(!made)
-    throw Failure(NOT_SOLVED, options.input + ": " + made.message);
-  os << made.number_of_faces << " faces, genus " << made.genus << ", "
-     << made.number_of_border_loops << " border loops, " << made.cones.size() << " cones, "
-     << made.number_of_flipped_faces << " flipped faces, violation "
-     << made.violation / made.extent << " of the extent" << std::endl;
-  for(const auto& [v, w] : made.released_edges) {
-    os << "not aligned, as faces would be flipped: the edge of the vertices " << v.idx() << " and "
-       << w.idx() << "\n";
-    model.is_feature[model.mesh.edge(model.mesh.halfedge(v, w))] = false;
+    mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  const std::size_t released = release_one_of_three(model.mesh, model.is_feature);
+  if(released > 0)
+    os << "not aligned, as all three of a face would be: " << counted(released, "feature edge")
+       << "\n";
+  std::string message;
+  Exit status = SUCCESS;
+  try {
+    make_parametrization(options, model, outcome, os);
+  } catch(const Failure& failure) {
+    status = failure.status;
+    message = failure.what();
   }
-  if(!options.approximate.empty())
-    write_file(options.approximate, text_of_model(model, options.approximate));
-
-  const Uv_map old_uv_map = copy_of_uv_map(model);
-  const auto snapped = SS::snap_to_seamless(model.mesh, model.uv_map, alignment);
-  if(!snapped)
-    throw Failure(NOT_SOLVED, options.input + ": " + snapped.message);
-  if(!SS::is_seamless(model.mesh, model.uv_map, alignment))
-    throw Failure(NOT_SOLVED, options.input + ": the result is not exact; please report this");
-  write_file(options.output, text_of_model(model, options.output));
-  if(!options.svg.empty())
-    write_file(options.svg, picture(model, old_uv_map, 1e-4,
-                                    std::filesystem::path(options.input).filename().string()));
-  os << "exactly seamless: largest change " << snapped.largest_change / snapped.extent
-     << " of the extent" << std::endl;
+  if(!options.report.empty())
+    write_json(options.report, outcome.json(message));
+  if(status != SUCCESS)
+    throw Failure(status, message);
 }

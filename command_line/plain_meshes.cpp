@@ -2,42 +2,63 @@
 
 #include "Failure.h"
 #include "files.h"
+#include "words.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <ostream>
 #include <sstream>
 #include <string>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-void read_mesh(const std::string& filename, Mesh& mesh)
+void mark_sharp_edges(const double angle, Mesh& mesh, Edge_bool_map& is_feature)
 {
-  read_file(filename); // tells why, if it cannot be read
-  if(!PMP::IO::read_polygon_mesh(filename, mesh) || is_empty(mesh))
-    throw Failure(UNREADABLE, "'" + filename + "' is not a mesh in a format that its suffix names");
-  PMP::triangulate_faces(mesh);
+  const Edge_bool_map is_sharp = mesh.add_property_map<Edge, bool>("e:sharp", false).first;
+  PMP::detect_sharp_edges(mesh, angle, is_sharp);
+  for(const Edge e : mesh.edges())
+    is_feature[e] = is_feature[e] || (is_sharp[e] && !mesh.is_border(e));
 }
 
-// A face can be aligned along two of its edges at most.
-void mark_features(const double angle, Mesh& mesh, Edge_bool_map& is_feature)
+std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)
 {
-  PMP::detect_sharp_edges(mesh, angle, is_feature);
-  for(const Edge e : mesh.edges())
-    if(mesh.is_border(e))
-      is_feature[e] = false;
+  std::size_t result = 0;
   for(const auto f : mesh.faces()) {
     const auto around = mesh.halfedges_around_face(mesh.halfedge(f));
     if(std::all_of(around.begin(), around.end(),
-                   [&](Halfedge h) { return is_feature[mesh.edge(h)]; }))
+                   [&](Halfedge h) { return is_feature[mesh.edge(h)]; })) {
       is_feature[mesh.edge(mesh.halfedge(f))] = false;
+      ++result;
+    }
   }
+  return result;
+}
+
+void check_quad_file(const std::string& filename)
+{
+  if(suffix_of(filename) != "obj" && suffix_of(filename) != "off")
+    throw Failure(USAGE, "'" + filename + "': quads are written to .obj and .off files");
+}
+
+void write_inverted_quads(std::ostream& os, const std::size_t number,
+                          const std::vector<std::size_t>& first, const std::string& filename)
+{
+  if(number == 0)
+    return;
+  os << "warning: " << counted(number, "quad") << (number == 1 ? " is" : " are")
+     << " inverted: at a corner, the sides turn the other way than the quad as a whole does. ";
+  os << (number == 1 ? "It is face" : number == first.size() ? "They are faces"
+                                                             : "The first are faces");
+  const std::size_t first_number = suffix_of(filename) == "obj" ? 1 : 0;
+  for(const std::size_t f : first)
+    os << (f == first.front() ? " " : ", ") << f + first_number;
+  os << " of " << filename << "\n";
 }
 
 namespace {

@@ -1,5 +1,5 @@
-// Meshes without texture coordinates: what programs read before a parametrization, and write after
-// an extraction of quads.
+// Meshes without texture coordinates: their features before a parametrization, and what is written
+// after an extraction of quads.
 
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H
@@ -7,20 +7,29 @@
 #include "Model.h"
 
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
-// Triangulated. Throws `Failure`.
-void read_mesh(const std::string& filename, Mesh& mesh);
+// Marks edges inside that are sharper than the angle, in degrees, as features, too.
+void mark_sharp_edges(double angle, Mesh& mesh, Edge_bool_map& is_feature);
 
-// Marks edges that are sharper than the angle, in degrees, as features.
-void mark_features(double angle, Mesh& mesh, Edge_bool_map& is_feature);
+// A face can be aligned along two of its edges at most. Returns the number of edges that are no
+// features any more.
+std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature);
 
 struct Quad_soup
 {
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
 };
+
+// Throws `Failure` if it is not the name of a file that quads can be written to.
+void check_quad_file(const std::string& filename);
+
+// Warns of quads that are inverted, and names the first, as the file that was written counts them.
+void write_inverted_quads(std::ostream& os, std::size_t number,
+                          const std::vector<std::size_t>& first, const std::string& filename);
 
 // In the format that the suffix of the file's name asks for, OFF or OBJ. Throws `Failure`.
 std::string text_of_quads(const Mesh& quads, const std::string& filename);

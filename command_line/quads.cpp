@@ -2,15 +2,20 @@
 
 #include "Failure.h"
 #include "Options.h"
+#include "Progress.h"
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "measures.h"
 #include "plain_meshes.h"
 #include "quad_picture.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -26,12 +31,14 @@ namespace {
 struct Quad_options
 {
   Seam_options seams;
-  std::string input, output, picture;
+  std::string input, output, picture, report;
   double scale = 1, number = 0, rounding = 0.01;
   bool allow_holes = false, soup = false;
 
   bool parse(const Arguments& arguments)
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double largest_number = 1 << 28;
     Options options("quads IN OUT",
                     "Makes the texture coordinates of a triangle mesh an exact integer-grid map,\n"
                     "and extracts the quad mesh that it describes: its edges are the lines on which\n"
@@ -41,11 +48,12 @@ struct Quad_options
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
-    options.add("grid-scale", "K", scale, "multiply the coordinates by K first (default: 1)");
-    options.add("number", "N", number,
+    options.add("grid-scale", "K", scale, {0, infinity, true},
+                "multiply the coordinates by K first (default: 1)");
+    options.add("number", "N", number, {1, largest_number},
                 "instead, scale the coordinates to an area of N, for about N quads, and round as "
                 "far as needed");
-    options.add("rounding", "D", rounding,
+    options.add("rounding", "D", rounding, {0, infinity},
                 "how far from integers translations, cones, and levels may be that are rounded to "
                 "them (default: 0.01; with --number, any distance)");
     seams.add_repair_to(options);
@@ -56,21 +64,19 @@ struct Quad_options
                 "write quads that no mesh of quads can be, as they meet themselves or each other "
                 "twice");
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+    options.add("report", "R.json", report, "write all figures to a file");
+    options.add_alias("quads", "number");
+    options.add_alias("svg", "picture");
+    options.exclude({"number", "grid-scale"});
+    options.exclude({"soup", "picture"});
     if(!options.parse(arguments))
       return false;
     seams.check(options);
-    if(options.is_given("number") && options.is_given("grid-scale"))
-      throw Failure(USAGE, "--number and --grid-scale exclude each other");
-    if(options.is_given("number") && !(number >= 1))
-      throw Failure(USAGE, "the number of quads must be at least 1");
-    if(soup && options.is_given("picture"))
-      throw Failure(USAGE, "--soup and --picture exclude each other");
     if(options.is_given("number") && !options.is_given("rounding"))
-      rounding = std::numeric_limits<double>::infinity();
-    if(suffix_of(output) != "obj" && suffix_of(output) != "off")
-      throw Failure(USAGE, "'" + output + "': quads are written to .obj and .off files");
+      rounding = infinity;
+    check_quad_file(output);
     check_picture(picture);
-    check_outputs({input}, {output, picture}, false);
+    check_outputs({input}, {output, picture, report});
     return true;
   }
 };
@@ -101,6 +107,8 @@ double scale_for_number(const Model& model, const Quad_options& options)
 SS::Snapping_report snap(const Quad_options& options, Model& model)
 {
   const Alignment alignment(model, options.seams);
+  const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
+                          options.seams.reading.verbose);
   const SS::Snapping_report report = SS::snap_to_seamless(
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(alignment.is_aligned).tolerance(options.seams.tolerance)
@@ -116,8 +124,8 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
 // In the words of the command line.
 std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
 {
-  return std::to_string(faces.size()) +
-         " faces of the integer-grid map are flipped or degenerate, the first is face " +
+  return counted(faces.size(), "face") + " of the integer-grid map " +
+         (faces.size() == 1 ? "is" : "are") + " flipped or degenerate, the first is face " +
          std::to_string(faces.front()) +
          "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
          "or leave out the quads around these faces by --allow-holes";
@@ -134,6 +142,39 @@ void check_report(const Quad_options& options, const Model& model,
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
 }
 
+void write_summary(std::ostream& os, const Quad_options& options,
+                   const SS::Snapping_report& snapped, const SS::Extraction_report& report)
+{
+  os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
+     << counted(report.number_of_vertices, "vertex") << ", "
+     << counted(report.number_of_cones, "cone") << "\n"
+     << "translations, cones, and levels rounded by up to " << snapped.largest_rounding << "\n";
+  if(report.number_of_other_polygons > 0)
+    os << counted(report.number_of_other_polygons, "other polygon")
+       << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
+  if(report.number_of_cut_cells > 0)
+    os << "left out: " << counted(report.number_of_cut_cells, "piece")
+       << " of cells at the border or at holes\n";
+  if(!report.nonpositive_faces.empty())
+    os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
+  write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
+                       options.output);
+}
+
+nlohmann::json json_of(const SS::Snapping_report& snapped, const SS::Extraction_report& report)
+{
+  return {{"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
+          {"number_of_vertices", report.number_of_vertices},
+          {"number_of_cones", report.number_of_cones},
+          {"number_of_inverted_quads", report.number_of_inverted_quads},
+          {"first_inverted_quads", report.first_inverted_quads},
+          {"number_of_other_polygons", report.number_of_other_polygons},
+          {"number_of_cut_cells", report.number_of_cut_cells},
+          {"nonpositive_faces", report.nonpositive_faces},
+          {"largest_rounding", snapped.largest_rounding},
+          {"steps", json_of_steps(snapped.run.step_times)}};
+}
+
 } // namespace
 
 void quads(const Arguments& arguments)
@@ -143,10 +184,13 @@ void quads(const Arguments& arguments)
     return;
   Model model;
   read_model(options.input, options.seams.reading, model);
+  std::ostream& os = summary_stream({options.output, options.picture, options.report});
+  os << notes_on_reading(model) << std::flush;
   const SS::Snapping_report snapped = snap(options, model);
   const auto np =
     SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
   SS::Extraction_report report;
+  const Progress progress("extracting quads", options.seams.reading.verbose);
   if(options.soup) {
     Quad_soup soup;
     report = SS::extract_quad_soup<CGAL::Parallel_if_available_tag>(
@@ -163,15 +207,8 @@ void quads(const Arguments& arguments)
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(mesh, is_feature));
   }
-  std::ostream& os = summary_stream({options.output, options.picture});
-  os << report.number_of_faces - report.number_of_other_polygons << " quads, "
-     << report.number_of_vertices << " vertices, " << report.number_of_cones << " cones\n"
-     << "translations, cones, and levels rounded by up to " << snapped.largest_rounding << "\n";
-  if(report.number_of_other_polygons > 0)
-    os << report.number_of_other_polygons << " other polygons around cones between grid lines; "
-          "--grid-scale 2 avoids those at half-integers\n";
-  if(report.number_of_cut_cells > 0)
-    os << report.number_of_cut_cells << " pieces of cells at the border or at holes left out\n";
-  if(!report.nonpositive_faces.empty())
-    os << report.nonpositive_faces.size() << " flipped faces taken for holes\n";
+  write_summary(os, options,
+                snapped, report);
+  if(!options.report.empty())
+    write_json(options.report, json_of(snapped, report));
 }

@@ -2,16 +2,25 @@
 
 #include "Failure.h"
 #include "Options.h"
-#include "Summary.h"
+#include "Progress.h"
+#include "Repairs.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "plain_meshes.h"
 #include "quad_picture.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <limits>
 #include <string>
 
 namespace SS = CGAL::Seamless_snapping;
@@ -20,39 +29,106 @@ namespace {
 
 struct Remesh_options
 {
-  std::string input, output, picture;
+  std::string input, output, picture, report;
+  Plain_reading_options reading;
   double number = 10000, edge_length = 0, feature_angle = 0, curvature = 0;
   bool coarsest = false, verbose = false;
 
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double largest_number = 1 << 28;
     Options options("remesh IN OUT",
-                    "Remeshes a triangle mesh with quads only, aligned to borders. IN is a file of\n"
-                    "any format that CGAL reads (.off, .obj, .ply, .stl and others); OUT is a .obj\n"
-                    "or .off file.\n");
+                    "Remeshes a mesh with quads only, aligned to borders. IN is a .obj, .ply, .off,\n"
+                    "or .stl file, or one of another format that CGAL reads, or - for the standard\n"
+                    "input; OUT is a .obj or .off file. What has to be repaired in IN is told.\n");
     options.add_file("input", input);
     options.add_file("output", output);
-    options.add("quads", "N", number, "about how many quads to make (default: 10000)");
-    options.add("edge-length", "L", edge_length, "instead, how long to make their edges");
+    options.add("number", "N", number, {1, largest_number},
+                "about how many quads to make (default: 10000)");
+    options.add("edge-length", "L", edge_length, {0, infinity, true},
+                "instead, how long to make their edges");
     options.add("coarsest", coarsest, "instead, make as few quads as are found");
-    options.add("feature-angle", "DEGREES", feature_angle, "keep edges that are sharper");
-    options.add("curvature", "STRENGTH", curvature, "how strongly to follow the curvature");
+    options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
+                "keep edges that are sharper");
+    options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
+                "how strongly to follow the curvature");
+    reading.add_to(options);
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+    options.add("report", "R.json", report, "write all figures to a file");
     options.add("verbose", verbose, "tell of each step");
+    options.add_alias("quads", "number");
+    options.add_alias("svg", "picture");
+    options.exclude({"number", "edge-length", "coarsest"});
     if(!options.parse(arguments))
       return false;
-    if(!(number >= 1))
-      throw Failure(USAGE, "the number of quads must be at least 1");
-    if(options.is_given("edge-length") && !(edge_length > 0))
-      throw Failure(USAGE, "the length of edges must be positive");
-    if(suffix_of(output) != "obj" && suffix_of(output) != "off")
-      throw Failure(USAGE, "'" + output + "': quads are written to .obj and .off files");
+    check_quad_file(output);
     check_picture(picture);
-    check_outputs({input}, {output, picture}, false);
+    check_outputs({input}, {output, picture, report});
     return true;
   }
 };
+
+SS::Remeshing_report make_quads(const Remesh_options& options, Model& model, Mesh& quads,
+                                const Edge_bool_map is_kept)
+{
+  const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
+                          options.verbose);
+  const auto parameters =
+    SS::parameters::edge_is_constrained_map(model.is_feature)
+                   .curvature_alignment(options.curvature)
+                   .coarsest(options.coarsest).verbose(options.verbose)
+                   .target_number_of_quads(static_cast<std::size_t>(options.number));
+  const auto output = SS::parameters::edge_is_constrained_map(is_kept);
+  return options.edge_length > 0
+           ? SS::quad_remesh(model.mesh, quads, parameters.target_edge_length(options.edge_length),
+                             output)
+           : SS::quad_remesh(model.mesh, quads, parameters, output);
+}
+
+double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+void write_summary(std::ostream& os, const Remesh_options& options,
+                   const SS::Remeshing_report& report, const double diagonal)
+{
+  os << counted(report.number_of_quads, "quad") << ", "
+     << counted(report.number_of_vertices, "vertex") << ", "
+     << counted(report.number_of_cones, "cone") << "\n"
+     << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
+     << report.mean_scaled_jacobian << "\n"
+     << "largest distance from the input: " << report.largest_distance << ", that is "
+     << report.largest_distance / diagonal << " of its diagonal\n";
+  write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
+                       options.output);
+  if(report.number_of_released_edges > 0)
+    os << "not kept, as faces would be flipped: "
+       << counted(report.number_of_released_edges, "feature edge") << "\n";
+}
+
+nlohmann::json json_of(const SS::Remeshing_report& report, const std::string& message,
+                       const Repairs& repairs, const double diagonal)
+{
+  return {{"status", to_string(report.status)},
+          {"message", message},
+          {"input", json_of(repairs)},
+          {"number_of_quads", report.number_of_quads},
+          {"number_of_vertices", report.number_of_vertices},
+          {"number_of_cones", report.number_of_cones},
+          {"number_of_inverted_quads", report.number_of_inverted_quads},
+          {"first_inverted_quads", report.first_inverted_quads},
+          {"least_scaled_jacobian", report.least_scaled_jacobian},
+          {"mean_scaled_jacobian", report.mean_scaled_jacobian},
+          {"largest_distance", report.largest_distance},
+          {"relative_largest_distance", report.largest_distance / diagonal},
+          {"diagonal", diagonal},
+          {"number_of_released_edges", report.number_of_released_edges},
+          {"steps", json_of_steps(report.step_times)}};
+}
 
 } // namespace
 
@@ -61,34 +137,24 @@ void remesh(const Arguments& arguments)
   Remesh_options options;
   if(!options.parse(arguments))
     return;
-  Mesh mesh, quads;
-  read_mesh(options.input, mesh);
-  Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
+  std::ostream& os = summary_stream({options.output, options.picture, options.report});
+  Model model;
+  const Repairs repairs = read_plain_model(options.input, options.reading, model);
+  write_repairs(os, options.input, repairs);
   if(options.feature_angle > 0)
-    mark_features(options.feature_angle, mesh, is_feature);
-  const auto parameters =
-    SS::parameters::edge_is_constrained_map(is_feature).curvature_alignment(options.curvature)
-                   .coarsest(options.coarsest).verbose(options.verbose)
-                   .target_number_of_quads(static_cast<std::size_t>(options.number));
-  Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
-  const auto output = SS::parameters::edge_is_constrained_map(is_kept);
-  const SS::Remeshing_report report =
-    options.edge_length > 0
-      ? SS::quad_remesh(mesh, quads, parameters.target_edge_length(options.edge_length), output)
-      : SS::quad_remesh(mesh, quads, parameters, output);
+    mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  Mesh quads;
+  const Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
+  const SS::Remeshing_report report = make_quads(options, model, quads, is_kept);
+  const std::string message =
+    report ? "" : in_words_of_user(to_string(report.status) + (": " + report.message), model);
+  const double size = diagonal(model.mesh);
+  if(!options.report.empty())
+    write_json(options.report, json_of(report, message, repairs, size));
   if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
-                                report.message);
+    throw Failure(NOT_SOLVED, options.input + ": " + message);
   write_file(options.output, text_of_quads(quads, options.output));
   if(!options.picture.empty())
     write_file(options.picture, quad_picture(quads, is_kept));
-  summary_stream({options.output, options.picture})
-    << report.number_of_quads << " quads, " << report.number_of_vertices << " vertices, "
-    << report.number_of_cones << " cones\n"
-    << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
-    << report.mean_scaled_jacobian << "\n"
-    << "largest distance from the input: " << report.largest_distance << "\n";
-  if(report.number_of_released_edges > 0)
-    summary_stream({options.output, options.picture}) << report.number_of_released_edges
-                                     << " feature edges are not kept, as faces would be flipped\n";
+  write_summary(os, options, report, size);
 }

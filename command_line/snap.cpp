@@ -2,12 +2,14 @@
 
 #include "Failure.h"
 #include "Options.h"
+#include "Progress.h"
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
 #include "measures.h"
 #include "picture.h"
 #include "snap_model.h"
+#include "words.h"
 
 #include <CGAL/Real_timer.h>
 
@@ -20,7 +22,7 @@ namespace {
 struct Snap_options
 {
   Seam_options seams;
-  std::string input, output, report, svg;
+  std::string input, output, report, picture;
   bool overwrite = false;
 
   // Returns whether there is something to do.
@@ -42,14 +44,17 @@ struct Snap_options
                 "make the coordinates exact as 32-bit floats, for programs that read such numbers");
     options.add("overwrite", overwrite, "let OUT replace IN");
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("svg", "PICTURE.svg", svg,
-                "draw the domain, and the largest gaps before and after");
+    options.add("picture", "FILE", picture,
+                "draw the domain, and the largest gaps before and after, as .svg");
+    options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
     seams.check(options);
     check_format(input);
     check_format(output);
-    check_outputs({input}, {output, report, svg}, overwrite);
+    check_picture(picture);
+    check_outputs({input}, {output, report, picture},
+                  overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
     return true;
   }
 };
@@ -59,6 +64,8 @@ void snap(const Snap_options& options, Model& model, const Alignment& alignment,
 {
   CGAL::Real_timer timer;
   timer.start();
+  const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
+                          options.seams.reading.verbose);
   summary.report = model.is_float ? snap_in_float(model, alignment, options.seams)
                                   : snap_in_double(model, alignment, options.seams);
   summary.has_report = true;
@@ -82,11 +89,11 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
   timer.start();
   write_file(options.output, text_of_model(model, options.output));
   summary.writing_time = timer.time();
-  if(!options.svg.empty())
-    write_file(options.svg,
+  if(!options.picture.empty())
+    write_file(options.picture,
                picture(model, old_uv_map, options.seams.tolerance,
                        std::filesystem::path(options.input).filename().string()));
-  std::ostream& os = summary_stream({options.output, options.report, options.svg});
+  std::ostream& os = summary_stream({options.output, options.report, options.picture});
   if(changes_format(model, options.output))
     os << "note: what " << options.input << " holds besides the mesh, its coordinates and its "
           "features is not in " << options.output << ", which is of another format\n";
@@ -119,7 +126,7 @@ void snap(const Arguments& arguments)
     message = failure.what();
   }
   if(!options.report.empty())
-    write_file(options.report, to_json(summary, status == SUCCESS, message));
+    write_report(options.report, summary, status == SUCCESS, message);
   if(status != SUCCESS)
     throw Failure(status, message);
 }

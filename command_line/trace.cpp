@@ -1,10 +1,11 @@
 // seamless trace IN: traces the isocurves that leave the singular vertices of a parametrization: in
 // floating point on the map as it is, and exactly on the snapped one. Tells how the curves end, and
-// writes them as polylines and pictures, among them one with an example of each failure.
+// if asked to writes them as polylines and pictures, among them one with an example of each failure.
 
 #include "Failure.h"
 #include "Model.h"
 #include "Options.h"
+#include "Progress.h"
 #include "commands.h"
 #include "files.h"
 #include "tracing_constraint_figure.h"
@@ -17,9 +18,12 @@
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -30,10 +34,16 @@ namespace {
 
 using Overview = Tracing_overview<Mesh, Uv_map>;
 
+// The files that are written, but for how their names begin.
+enum File { overview, failures, constraints, inexact_obj, inexact_ply, exact_obj, exact_ply };
+constexpr std::array<const char*, 7> names = {{
+  "overview.svg", "failures.svg", "constraints.svg", "curves_inexact.obj", "curves_inexact.ply",
+  "curves_exact.obj", "curves_exact.ply"}};
+
 struct Trace_options
 {
   Reading_options reading;
-  std::string input, exact_input, output = "traced";
+  std::string input, exact_input, output; // the last: how names of files begin; none if empty
   int maximum_number = 500;
   double tolerance = 1e-4, near_by = 0;
   bool features = false, border = false, constrain = false, starts_at_all_vertices = false;
@@ -41,12 +51,13 @@ struct Trace_options
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
   {
-    Options options("trace IN",
+    Options options("trace IN [NAME]",
                     "Traces the isocurves from the singular vertices of a parametrization, in\n"
-                    "floating point and, after snapping, exactly; tells how they end, and writes\n"
-                    "pictures (.svg) and the curves (.obj, .ply).\n");
+                    "floating point and, after snapping, exactly, and tells how they end. With NAME,\n"
+                    "writes pictures (.svg) and the curves (.obj, .ply) to files whose names begin\n"
+                    "with it, as NAME_overview.svg; or into NAME, if it is a folder.\n");
     options.add_file("input", input);
-    options.add("output", "NAME", output, "how the names of the files begin (default: traced)");
+    options.add_file("output", output, true);
     options.add("exact", "EXACT", exact_input,
                 "the same mesh with an exact map, which else is made by snapping");
     options.add("weld", reading.weld, "weld border edges between the same points");
@@ -56,18 +67,43 @@ struct Trace_options
                 "snap with what fails as constraints: curves that miss a vertex as connections, "
                 "curves that spiral as cycles");
     options.add("all", starts_at_all_vertices, "start at all vertices, not only at singular ones");
-    options.add("maximum-number", "N", maximum_number, "crossings per curve (default: 500)");
-    options.add("tolerance", "T", tolerance, "relative violation that is accepted (default: 1e-4)");
-    options.add("near", "D", near_by, "relative distance at which a target counts as missed");
+    options.add("maximum-number", "N", maximum_number,
+                {1, (std::numeric_limits<int>::max)()}, "crossings per curve (default: 500)");
+    options.add("tolerance", "T", tolerance, {0, 1, true},
+                "relative violation that is accepted (default: 1e-4)");
+    options.add("near", "D", near_by, {0, 1},
+                "relative distance at which a target counts as missed");
+    options.add("verbose", reading.verbose, "tell of each step on the error stream");
     if(!options.parse(arguments))
       return false;
-    if(maximum_number < 1 || !(tolerance > 0 && tolerance < 1) || !(near_by >= 0 && near_by < 1))
-      throw Failure(USAGE, "an option is out of its range: N must be at least 1, T and D between 0 "
-                           "and 1");
-    if(output.empty() || output == "-")
-      throw Failure(USAGE, "--output: several files are written, whose names need a beginning");
+    if(output == "-")
+      throw Failure(USAGE, "several files are written, whose names need a beginning");
+    const std::string suffix = suffix_of(output);
+    if(suffix == "obj" || suffix == "ply" || suffix == "svg")
+      throw Failure(USAGE, "'" + output + "': several files are written, whose names begin so; "
+                           "leave the suffix out");
     check_format(input);
+    if(!exact_input.empty())
+      check_format(exact_input);
+    check_outputs({input, exact_input}, filenames());
     return true;
+  }
+
+  // Those that are written.
+  std::vector<std::string> filenames() const
+  {
+    std::vector<std::string> result;
+    if(!output.empty())
+      for(const char* const name : names)
+        if(constrain || name != names[constraints])
+          result.push_back(filename(name));
+    return result;
+  }
+
+  std::string filename(const std::string& name) const
+  {
+    return std::filesystem::is_directory(output) ? (std::filesystem::path(output) / name).string()
+                                                 : output + "_" + name;
   }
 };
 
@@ -122,6 +158,7 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
     throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(outcome.str(), model));
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
             << " cycles: " << outcome.str() << ", largest change " << report.largest_change
+            << ", that is " << report.largest_change / report.extent << " of the extent"
             << std::endl;
 }
 
@@ -167,30 +204,30 @@ void write_and_tell(const std::string& filename, const Write& write)
   std::cout << "written: " << filename << std::endl;
 }
 
-void write_curves(const std::string& name, const Overview& overview)
-{
-  write_and_tell(name + ".obj", [&](std::ostream& os) { overview.write_OBJ(os); });
-  write_and_tell(name + ".ply", [&](std::ostream& os) { overview.write_PLY(os); });
-}
-
 void write_results(const Trace_options& options, const Pair_of_maps& maps,
                    const Tracer& inexact_tracer, const Tracer& exact_tracer,
                    const std::vector<Curve>& before, const std::vector<Curve>& after)
 {
   const Overview overview_before(maps.mesh, maps.inexact, before);
   const Overview overview_after(maps.mesh, maps.exact, after);
-  write_and_tell(options.output + "_overview.svg", [&](std::ostream& os) {
+  write_and_tell(options.filename(names[overview]), [&](std::ostream& os) {
     write_overview(os, overview_before, overview_after);
   });
-  write_and_tell(options.output + "_failures.svg", [&](std::ostream& os) {
+  write_and_tell(options.filename(names[failures]), [&](std::ostream& os) {
     write_failures(os, maps, before, exact_tracer);
   });
   if(options.constrain)
-    write_and_tell(options.output + "_constraints.svg", [&](std::ostream& os) {
+    write_and_tell(options.filename(names[constraints]), [&](std::ostream& os) {
       Constraint_figure(os, maps, inexact_tracer, exact_tracer).write(before);
     });
-  write_curves(options.output + "_curves_inexact", overview_before);
-  write_curves(options.output + "_curves_exact", overview_after);
+  write_and_tell(options.filename(names[inexact_obj]),
+                 [&](std::ostream& os) { overview_before.write_OBJ(os); });
+  write_and_tell(options.filename(names[inexact_ply]),
+                 [&](std::ostream& os) { overview_before.write_PLY(os); });
+  write_and_tell(options.filename(names[exact_obj]),
+                 [&](std::ostream& os) { overview_after.write_OBJ(os); });
+  write_and_tell(options.filename(names[exact_ply]),
+                 [&](std::ostream& os) { overview_after.write_PLY(os); });
 }
 
 } // namespace
@@ -209,6 +246,8 @@ void trace(const Arguments& arguments)
     for(const Edge e : model.mesh.edges())
       model.is_feature[e] = false;
 
+  std::cout << notes_on_reading(model) << std::flush;
+  const Progress progress("tracing", options.reading.verbose);
   const Tracer inexact_tracer(model.mesh, model.uv_map, parameters::tolerance(options.tolerance));
   if(!inexact_tracer)
     throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance");
@@ -219,5 +258,9 @@ void trace(const Arguments& arguments)
   const auto after = trace(model.mesh, exact_tracer, options, true);
   print_table(before, after);
   const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
-  write_results(options, maps, inexact_tracer, exact_tracer, before, after);
+  if(options.output.empty())
+    std::cout << "nothing is written; name a beginning of names, or a folder, to have pictures and "
+                 "curves\n";
+  else
+    write_results(options, maps, inexact_tracer, exact_tracer, before, after);
 }

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What a file holds, in any format: points, coordinates, triangles, and polylines, with the lines
-// they come from.
+// What a file holds, in any format: points, coordinates, faces, and polylines, with the lines they
+// come from.
 
 #include <array>
 #include <cstddef>
@@ -46,6 +46,23 @@ struct Corner_soup
   std::vector<std::array<PointNumber, 3> > points;
   std::vector<std::array<UVNumber, 2> > uvs;
   std::vector<Triangle> triangles;
+  std::vector<Segment> segments;
+};
+
+// Without coordinates, and with faces of any number of corners: plain meshes.
+template <typename PointNumber>
+struct Corner_soup<PointNumber, void>
+{
+  struct Polygon
+  {
+    std::vector<std::size_t> vertices;
+    std::size_t line = 0;
+  };
+
+  using Segment = typename Corner_soup<PointNumber, PointNumber>::Segment;
+
+  std::vector<std::array<PointNumber, 3> > points;
+  std::vector<Polygon> polygons;
   std::vector<Segment> segments;
 };
 

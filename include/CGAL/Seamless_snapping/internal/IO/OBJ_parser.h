@@ -15,14 +15,14 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of an OBJ file as a triangle soup. Checks each statement, and no relation between
-// statements but that indices are in range.
+// The text of an OBJ file as a triangle soup, or, where coordinates of type `void` are asked for,
+// as a polygon soup without coordinates. Checks each statement, and no relation between statements
+// but that indices are in range.
 
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-
 
 #include <array>
 #include <charconv>
@@ -30,6 +30,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,8 @@ public:
   Soup parse();
 
 private:
-  using Triangle = typename Soup::Triangle;
   using Segment = typename Soup::Segment;
+  static constexpr bool has_uvs = !std::is_void_v<UVNumber>;
 
   // A fourth number is a weight, unless it begins a color, which is dropped.
   std::array<PointNumber, 3> parse_point()
@@ -64,11 +65,11 @@ private:
   }
 
   // The third coordinate of a texture is dropped.
-  std::array<UVNumber, 2> parse_uv()
+  void parse_uv()
   {
     std::array<UVNumber, 2> numbers{};
     parse_numbers("vt", 2, numbers);
-    return numbers;
+    m_soup.uvs.push_back(numbers);
   }
 
   // Returns how many numbers there are; those for which there is no place are checked and dropped.
@@ -92,7 +93,7 @@ private:
 
   void parse_triangle()
   {
-    Triangle triangle;
+    typename Soup::Triangle triangle;
     triangle.line = m_scanner.line();
     std::size_t count = 0;
     for(std::string_view token = m_scanner.next_token(); !token.empty();
@@ -127,6 +128,19 @@ private:
     uv = parse_index(uv_token, m_soup.uvs.size(), "texture coordinate");
     if(second != token.npos && second + 1 < token.size())
       parse_signed_index(token.substr(second + 1), "normal");
+  }
+
+  // Corners are v, v/vt, v//vn, or v/vt/vn.
+  template <typename Polygons>
+  void parse_polygon(Polygons& polygons)
+  {
+    typename Polygons::value_type polygon;
+    polygon.line = m_scanner.line();
+    for(std::string_view token = m_scanner.next_token(); !token.empty();
+        token = m_scanner.next_token())
+      polygon.vertices.push_back(parse_index(token.substr(0, token.find('/')),
+                                             m_soup.points.size(), "vertex"));
+    polygons.push_back(std::move(polygon));
   }
 
   void parse_polyline()
@@ -179,14 +193,24 @@ private:
 
   void check_indices() const
   {
-    for(const Triangle& triangle : m_soup.triangles)
-      for(std::size_t i = 0; i < 3; ++i) {
-        check_index(triangle.vertices[i], m_soup.points.size(), "vertex", triangle.line);
-        check_index(triangle.uvs[i], m_soup.uvs.size(), "texture coordinate", triangle.line);
-      }
+    for(const auto& face : faces()) {
+      for(const std::size_t vertex : face.vertices)
+        check_index(vertex, m_soup.points.size(), "vertex", face.line);
+      if constexpr(has_uvs)
+        for(const std::size_t uv : face.uvs)
+          check_index(uv, m_soup.uvs.size(), "texture coordinate", face.line);
+    }
     for(const Segment& segment : m_soup.segments)
       for(const std::size_t vertex : segment.vertices)
         check_index(vertex, m_soup.points.size(), "vertex", segment.line);
+  }
+
+  const auto& faces() const
+  {
+    if constexpr(has_uvs)
+      return m_soup.triangles;
+    else
+      return m_soup.polygons;
   }
 
   static void check_index(std::size_t index, std::size_t size, const char* of, std::size_t line)
@@ -211,14 +235,17 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
       keyword = m_scanner.next_statement()) {
     if(keyword == "v")
       m_soup.points.push_back(parse_point());
-    else if(keyword == "vt")
-      m_soup.uvs.push_back(parse_uv());
-    else if(keyword == "f")
-      parse_triangle();
     else if(keyword == "l")
       parse_polyline();
+    else if constexpr(has_uvs) {
+      if(keyword == "vt")
+        parse_uv();
+      else if(keyword == "f")
+        parse_triangle();
+    } else if(keyword == "f")
+      parse_polygon(m_soup.polygons);
   }
-  if(m_soup.triangles.empty())
+  if(faces().empty())
     m_scanner.refuse("the file ends without a face");
   check_indices();
   return std::move(m_soup);

@@ -16,7 +16,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The text of a PLY file as a triangle soup. Coordinates per corner are those that MeshLab writes:
-// a list `texcoord` of six numbers for each face.
+// a list `texcoord` of six numbers for each face. Where coordinates of type `void` are asked for, a
+// polygon soup without coordinates.
 
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -59,6 +61,8 @@ public:
   Soup parse();
 
 private:
+  static constexpr bool has_uvs = !std::is_void_v<UVNumber>;
+
   // Calls `read(property, its index)` for all properties of all rows.
   template <typename Read>
   void for_each_row(const PLY_element& element, const Read& read)
@@ -107,18 +111,36 @@ private:
   {
     const PLY_face_layout layout(element);
     need(element, layout.vertices, true, "vertex_indices");
-    need(element, layout.uvs, true,
-         "texcoord: coordinates per corner are needed, not per vertex");
-    for_each_row(element, [&](const PLY_property& property, const std::size_t i) {
-      if(i == 0)
-        m_soup.triangles.push_back({{}, {}, 0});
-      if(i == layout.vertices)
-        parse_triangle(property);
-      else if(i == layout.uvs)
-        parse_uvs(property);
-      else
-        m_values.skip(property);
-    });
+    if constexpr(has_uvs) {
+      need(element, layout.uvs, true,
+           "texcoord: coordinates per corner are needed, not per vertex");
+      for_each_row(element, [&](const PLY_property& property, const std::size_t i) {
+        if(i == 0)
+          m_soup.triangles.push_back({{}, {}, 0});
+        if(i == layout.vertices)
+          parse_triangle(property);
+        else if(i == layout.uvs)
+          parse_uvs(property);
+        else
+          m_values.skip(property);
+      });
+    } else {
+      for_each_row(element, [&](const PLY_property& property, const std::size_t i) {
+        if(i == layout.vertices)
+          parse_polygon(property, m_soup.polygons);
+        else
+          m_values.skip(property);
+      });
+    }
+  }
+
+  template <typename Polygons>
+  void parse_polygon(const PLY_property& property, Polygons& polygons)
+  {
+    polygons.emplace_back();
+    // a length that is wrong ends with the file
+    for(std::size_t n = m_values.next_length(property); n > 0; --n)
+      polygons.back().vertices.push_back(next_index(property));
   }
 
   void parse_triangle(const PLY_property& property)
@@ -181,8 +203,16 @@ private:
                             + std::to_string(m_soup.points.size()) + " vertices");
           }
     };
-    check(m_soup.triangles, "face");
+    check(faces(), "face");
     check(m_soup.segments, "edge");
+  }
+
+  const auto& faces() const
+  {
+    if constexpr(has_uvs)
+      return m_soup.triangles;
+    else
+      return m_soup.polygons;
   }
 
   PLY_header m_header;
@@ -209,7 +239,7 @@ Corner_soup<PointNumber, UVNumber> PLY_parser<PointNumber, UVNumber>::parse()
     else
       for_each_row(element, [this](const PLY_property& p, std::size_t) { m_values.skip(p); });
   }
-  if(m_soup.triangles.empty())
+  if(faces().empty())
     throw File_refusal(0, "the file has no face");
   check_indices();
   return std::move(m_soup);
