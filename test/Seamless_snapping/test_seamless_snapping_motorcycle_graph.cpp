@@ -3,12 +3,15 @@
 // made of is checked in rationals on each.
 
 #include "Polyhedron_copy.h"
+#include "foreign_locales.h"
 #include "layout_checks.h"
 #include "quad_reference.h"
 #include "test_data.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/IO/PLY.h>
+#include <CGAL/Seamless_snapping/IO/layout.h>
 #include <CGAL/Seamless_snapping/integer_arc_lengths.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
@@ -16,11 +19,13 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 
 using namespace layout_checks;
@@ -751,6 +756,37 @@ void test_cube_file()
   check_numbering(file.mesh, file.uv, file.is_feature, "cube");
 }
 
+// All that is written about a map with a corner that is off: statuses, messages, files.
+std::string all_texts(const std::string& path, const bool is_far)
+{
+  File file(path);
+  std::ostringstream os;
+  const auto h = file.mesh.halfedge(*file.mesh.faces().begin());
+  file.uv[h] = Point_2(is_far ? 12345.5 : std::nextafter(file.uv[h].x(), 1e9), file.uv[h].y());
+  const auto np = parameters::tolerance(1e-4);
+  os << SS::snap_to_seamless(file.mesh, file.uv, np.integer_grid(true)) << '\n'
+     << SS::snap_to_seamless(file.mesh, file.uv, np.align_border(true)) << '\n'
+     << SS::snap_to_seamless(file.mesh, file.uv, parameters::tolerance(-1.5)) << '\n';
+  const Graph refused = SS::motorcycle_graph(file.mesh, file.uv);
+  os << refused.status() << ' ' << refused.message() << '\n'
+     << SS::snap_to_seamless(file.mesh, file.uv, np) << '\n';
+  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv);
+  os << graph.status() << ' ' << graph.message() << '\n'
+     << SS::IO::write_layout(os, graph) << '\n'
+     << SS::IO::write_OBJ(os, file.mesh, file.uv) << '\n'
+     << SS::IO::write_PLY(os, file.mesh, file.uv) << '\n';
+  std::ifstream original(path);
+  os << SS::IO::rewrite_OBJ(original, os, file.mesh, file.uv) << '\n';
+  return os.str();
+}
+
+void test_text()
+{
+  for(const auto& path : test_data::package_files())
+    for(const bool is_far : {false, true})
+      foreign_locales::check_text([&] { return all_texts(path.string(), is_far); }, path.string());
+}
+
 int main()
 {
   std::cout.precision(17);
@@ -767,5 +803,6 @@ int main()
   test_refusals();
   test_files();
   test_cube_file();
+  test_text();
   return report_checks();
 }

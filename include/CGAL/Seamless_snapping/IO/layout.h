@@ -19,11 +19,13 @@
 
 #include <CGAL/Seamless_snapping/copy_to_face_graph.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/layout/Refined_faces.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -32,6 +34,7 @@
 #include <numeric>
 #include <ios>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -41,7 +44,7 @@ namespace internal {
 
 // Cells by patches, counted from 1.
 template <typename IsCut>
-void write_groups(std::ostream& os, const Refined_faces& faces, const IsCut& is_cut)
+void append_groups(const Refined_faces& faces, const IsCut& is_cut, std::string& text)
 {
   const Cell_complex& cells = faces.cells();
   std::vector<std::size_t> darts(cells.number_of_cells);
@@ -55,28 +58,28 @@ void write_groups(std::ostream& os, const Refined_faces& faces, const IsCut& is_
   for(std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t patch = faces.patch_of_cell(order[i]);
     if(i == 0 || faces.patch_of_cell(order[i - 1]) != patch)
-      os << "g patch_" << patch + 1 << (is_cut(patch) ? " cut\n" : "\n");
-    os << 'f';
+      text += "g patch_" + std::to_string(patch + 1) + (is_cut(patch) ? " cut\n" : "\n");
+    text += 'f';
     std::size_t d = darts[order[i]];
     do {
-      os << ' ' << cells.targets[d] + 1;
+      text += ' ' + std::to_string(cells.targets[d] + 1);
       d = std::size_t(cells.nexts[d]);
     } while(d != darts[order[i]]);
-    os << "\n";
+    text += '\n';
   }
 }
 
-inline void write_lines(std::ostream& os, const Refined_faces& faces)
+inline void append_lines(const Refined_faces& faces, std::string& text)
 {
-  os << "g arcs";
+  text += "g arcs";
   Half_arc_index half = no_index;
   for(const Arc_step& step : faces.steps()) {
     if(step.half != half)
-      os << "\nl " << step.source + 1;
+      text += "\nl " + std::to_string(step.source + 1);
     half = step.half;
-    os << ' ' << step.target + 1;
+    text += ' ' + std::to_string(step.target + 1);
   }
-  os << "\n";
+  text += '\n';
 }
 
 } // namespace internal
@@ -122,16 +125,20 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
   using Point = typename boost::property_traits<decltype(points)>::value_type;
   const internal::Layout_data& data = graph.data();
   const internal::Refined_faces faces(data.domain.mesh, data.race->curves(), data.layout);
-  const std::streamsize precision = os.precision(17);
+  std::string text;
   for(std::size_t v = 0; v < faces.cells().number_of_vertices; ++v) {
     const Point p =
       internal::point_at<Point>(graph.mesh(), points, graph.location(faces.point(v)));
-    os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << "\n";
+    text += 'v';
+    for(const double x : {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}) {
+      text += ' ';
+      internal::append_decimal(text, x);
+    }
+    text += '\n';
   }
-  internal::write_groups(os, faces, [&](const std::size_t p) { return graph.patch_is_cut(p); });
-  internal::write_lines(os, faces);
-  os.precision(precision);
-  return bool(os);
+  internal::append_groups(faces, [&](const std::size_t p) { return graph.patch_is_cut(p); }, text);
+  internal::append_lines(faces, text);
+  return bool(os.write(text.data(), static_cast<std::streamsize>(text.size())));
 }
 
 } // namespace IO

@@ -17,6 +17,8 @@
 
 // Times the steps of a function into its report and, if asked to, tells the error stream of each.
 
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -50,7 +52,7 @@ public:
     else
       same->second += seconds; // made again, for another part or on another grid
     if(m_verbose && (is_new || seconds > 0.1))
-      std::cerr << "  " << step << ": " << seconds * 1e3 << " ms" << std::endl;
+      std::cerr << "  " << step << ": " << short_number(seconds * 1e3) << " ms" << std::endl;
   }
 
 private:

@@ -18,6 +18,7 @@
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 

@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ namespace internal {
 inline void assign(const Exact_integer& a, mpz_t& result) // whatever type CGAL has chosen
 {
   std::ostringstream os;
+  os.imbue(std::locale::classic());
   os << a;
   mpz_set_str(result, os.str().c_str(), 10);
 }
@@ -47,6 +49,7 @@ inline void assign(const mpz_t& a, Exact_integer& result)
   std::vector<char> digits(mpz_sizeinbase(a, 10) + 2);
   mpz_get_str(digits.data(), 10, a);
   std::istringstream is(std::string(digits.data()));
+  is.imbue(std::locale::classic());
   is >> result;
 }
 

@@ -19,6 +19,7 @@
 // along each.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 

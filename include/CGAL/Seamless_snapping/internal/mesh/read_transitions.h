@@ -19,6 +19,7 @@
 // noise.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
@@ -34,7 +35,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -138,14 +138,6 @@ edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const
 {
   return "the edge between vertices " + std::to_string(get(vertex_indices, source(h, tmesh))) +
          " and " + std::to_string(get(vertex_indices, target(h, tmesh)));
-}
-
-inline std::string short_number(const double x)
-{
-  std::ostringstream os;
-  os.precision(3);
-  os << x;
-  return os.str();
 }
 
 // One run; the member functions are its steps, in order.

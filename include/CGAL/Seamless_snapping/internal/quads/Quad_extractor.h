@@ -19,6 +19,7 @@
 // on the mesh data structure.
 
 #include <CGAL/Seamless_snapping/Extraction_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/quads/Cell_shape.h>
 #include <CGAL/Seamless_snapping/internal/quads/cells_with_border.h>
 #include <CGAL/Seamless_snapping/internal/quads/check_cells.h>
@@ -283,10 +284,10 @@ private:
       return true;
     return fail(Extraction_status::TOO_LARGE,
                 has_too_many_cells
-                  ? "there would be " + std::to_string(m_report.area) + " " + Shape::plural() +
+                  ? "there would be " + short_number(m_report.area) + " " + Shape::plural() +
                     "; raise maximum_number, or shrink the map by grid_scale"
                   : "the lines of the grid would cross edges of the mesh " +
-                    std::to_string(crossings / 2) + " times; shrink the map by grid_scale");
+                    short_number(crossings / 2) + " times; shrink the map by grid_scale");
   }
 
   template <typename ConcurrencyTag>

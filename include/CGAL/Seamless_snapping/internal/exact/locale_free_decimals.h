@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_LOCALE_FREE_DECIMALS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_LOCALE_FREE_DECIMALS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_LOCALE_FREE_DECIMALS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_LOCALE_FREE_DECIMALS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -82,11 +82,12 @@ std::from_chars_result read_decimal_by_stream(const std::string_view text, Numbe
 
 // With as many digits as determine the number.
 template <typename Number>
-std::string decimal_by_stream(const Number x)
+std::string decimal_by_stream(const Number x,
+                              const int digits = std::numeric_limits<Number>::max_digits10)
 {
   std::ostringstream os;
   os.imbue(std::locale::classic());
-  os.precision(std::numeric_limits<Number>::max_digits10);
+  os.precision(digits);
   os << x;
   return os.str();
 }
@@ -112,8 +113,20 @@ inline void append_decimal(std::string& text, const double x)
 #endif
 }
 
+// With three digits, for messages. Independent of the rounding mode, too.
+inline std::string short_number(const double x)
+{
+#ifdef __cpp_lib_to_chars
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof(buffer), x, std::chars_format::general,
+                                3).ptr};
+#else
+  return decimal_by_stream(x, 3);
+#endif
+}
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_LOCALE_FREE_DECIMALS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_LOCALE_FREE_DECIMALS_H
