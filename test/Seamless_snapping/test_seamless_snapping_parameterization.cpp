@@ -568,8 +568,48 @@ void test_poor_meshes()
                   degenerate, uv);
 }
 
+// --- threads of BLAS -----------------------------------------------------------------------------
+
+#if defined(CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE) && defined(__ELF__) && defined(__GNUC__)
+
+// These stand in for those of OpenBLAS.
+int blas_threads = 7;
+std::size_t times_at_one = 0;
+
+extern "C" int openblas_get_num_threads() { return blas_threads; }
+
+extern "C" void openblas_set_num_threads(const int n)
+{
+  blas_threads = n;
+  times_at_one += n == 1 ? 1 : 0;
+}
+
+// Threads that wait for each other would take many times as long on a machine with other work.
+void test_blas_threads()
+{
+  times_at_one = 0;
+  Mesh mesh = icosphere(2);
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:threads").first;
+  CHECK(bool(CGAL::Seamless_snapping::approximate_seamless_parameterization(mesh, uv)));
+  CHECK(times_at_one > 0 && blas_threads == 7);
+  {
+    const CGAL::Seamless_snapping::internal::One_blas_thread first;
+    CHECK(blas_threads == 1);
+    { const CGAL::Seamless_snapping::internal::One_blas_thread second; }
+    CHECK(blas_threads == 1);
+  }
+  CHECK(blas_threads == 7);
+}
+
+#else
+
+void test_blas_threads() { }
+
+#endif
+
 int main()
 {
+  test_blas_threads();
   test_generated_meshes();
   test_cube_with_creases();
   test_meshes_of_all_kinds();

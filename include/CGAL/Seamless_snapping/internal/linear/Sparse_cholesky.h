@@ -23,6 +23,8 @@
 #include <Eigen/SparseCore>
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
+#include <CGAL/Seamless_snapping/internal/linear/One_blas_thread.h>
+
 #include <Eigen/CholmodSupport>
 #else
 #include <Eigen/SparseCholesky>
@@ -38,8 +40,23 @@ namespace internal {
 template <typename Matrix>
 class Sparse_cholesky : public Eigen::CholmodDecomposition<Matrix>
 {
+  using Base = Eigen::CholmodDecomposition<Matrix>;
+
 public:
   Sparse_cholesky() { this->cholmod().print = 0; }
+
+  void compute(const Matrix& matrix)
+  {
+    const One_blas_thread guard;
+    Base::compute(matrix);
+  }
+
+  template <typename Right_hand_side>
+  Eigen::VectorXd solve(const Right_hand_side& b) const
+  {
+    const One_blas_thread guard;
+    return Base::solve(b);
+  }
 };
 
 #else
