@@ -71,8 +71,43 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     SKIP_REGULAR_EXPRESSION "SKIPPED")
 endif()
 
-# The benchmarks compile, where they are not built: with the flags of the precompiled headers, which
-# are those of all programs, or these would not be taken.
+# A benchmark prints a table that tells something in each column, but for some that may be 0. In
+# tables without lines, `number` columns are numbers; it is 0 where tables have lines.
+function(seamless_snapping_benchmark_table name number may_be_zero)
+  if(TARGET ${name})
+    add_test(NAME table_of_${name}
+      COMMAND "${CMAKE_COMMAND}" "-DPROGRAM=$<TARGET_FILE:${name}>" "-DARGUMENTS=${ARGN}"
+        "-DCOLUMNS=${number}" "-DMAY_BE_ZERO=${may_be_zero}"
+        -P "${PROJECT_SOURCE_DIR}/cmake/test_benchmark.cmake")
+    set_tests_properties(table_of_${name} PROPERTIES LABELS package)
+  endif()
+endfunction()
+
+# The table of the manual is always tested, the others where all benchmarks are built.
+set(built_benchmark dataset_statistics)
+find_package(Boost QUIET COMPONENTS program_options)
+if(NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS AND TARGET Boost::program_options)
+  add_executable(${built_benchmark} benchmark/Seamless_snapping/${built_benchmark}.cpp)
+  seamless_snapping_options(${built_benchmark})
+  seamless_snapping_use_precompiled(${built_benchmark})
+  target_link_libraries(${built_benchmark} PRIVATE Boost::program_options)
+endif()
+set(data "${PROJECT_SOURCE_DIR}/test/Seamless_snapping/data")
+seamless_snapping_benchmark_table(dataset_statistics 0
+  "flips;lost;still lost;flips after" "${data}" --noise 1e-7 --features)
+seamless_snapping_benchmark_table(connection_growth 0 "" "${data}/genus2.obj" --repeats 1)
+seamless_snapping_benchmark_table(exact_comparison 0 "bits;not exact" "${data}/genus0.obj")
+seamless_snapping_benchmark_table(parameterization_table 0 "genus;borders;aligned;flips"
+  "${data}/genus0.obj" "${data}/genus2_border.obj" --align-border)
+seamless_snapping_benchmark_table(quad_comparison 0 "released" "${data}/genus2.obj" --quads 1000)
+seamless_snapping_benchmark_table(tracing_speed 7 "" "${data}" --runs 1)
+seamless_snapping_benchmark_table(layout_speed 8 "" "${data}/genus2.obj" --runs 1 --faces 20000
+  --nodes 20)
+seamless_snapping_benchmark_table(extraction_speed 7 "" "${data}/genus2.obj" --runs 1 --quads 20000
+  --faces 20000 --nodes 20)
+
+# The other benchmarks compile, where they are not built: with the flags of the precompiled headers,
+# which are those of all programs, or these would not be taken.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
@@ -86,6 +121,9 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping/*.cpp")
   foreach(benchmark IN LISTS benchmarks)
     get_filename_component(name "${benchmark}" NAME_WE)
+    if(TARGET ${name})
+      continue()
+    endif()
     add_test(NAME "benchmark_${name}"
       COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
         "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"

@@ -1,14 +1,18 @@
-// The command lines of the benchmarks.
+// The command lines of the benchmarks, and the files that they name.
 
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_COMMAND_LINE_H
 #define SEAMLESS_SNAPPING_BENCHMARK_COMMAND_LINE_H
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace benchmark {
 
@@ -38,6 +42,31 @@ inline std::optional<int> read_command_line(int argc, char** argv, const std::st
     return EXIT_FAILURE;
   }
   return std::nullopt;
+}
+
+// The named files, and of named folders all files with such a suffix that are in them or below.
+inline std::vector<std::string> files_of(const std::vector<std::string>& names,
+                                         const std::vector<std::string>& suffixes = {".obj"})
+{
+  std::vector<std::string> result;
+  for(const std::string& name : names) {
+    if(!std::filesystem::is_directory(name)) {
+      result.push_back(name);
+      continue;
+    }
+    const auto first = result.size();
+    for(const auto& entry : std::filesystem::recursive_directory_iterator(name))
+      if(std::find(suffixes.begin(), suffixes.end(), entry.path().extension()) != suffixes.end())
+        result.push_back(entry.path().string());
+    std::sort(result.begin() + std::ptrdiff_t(first), result.end());
+  }
+  return result;
+}
+
+// What programs on meshes without coordinates read.
+inline std::vector<std::string> mesh_files_of(const std::vector<std::string>& names)
+{
+  return files_of(names, {".obj", ".off", ".ply", ".stl"});
 }
 
 } // namespace benchmark

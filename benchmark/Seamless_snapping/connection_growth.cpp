@@ -177,7 +177,8 @@ std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
   description.add_options()(
-    "file", options::value(&settings.files)->required(), "OBJ files (may go without --file)")(
+    "file", options::value(&settings.files)->required(),
+    "OBJ files, or folders (may go without --file)")(
     "connections",
     options::value(&settings.connections)->multitoken()->default_value({ 0, 10, 20, 50, 100 },
                                                                        "0 10 20 50 100"),
@@ -189,7 +190,7 @@ std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
     "also the largest coefficient of the textbook method: slow from a few hundred nodes on")(
     "svg", options::value(&settings.svg), "where to draw the times against the numbers of nodes");
   const auto exit_code = benchmark::read_command_line(
-    argc, argv, "connection_growth [options] FILE...", description, "file");
+    argc, argv, "connection_growth [options] FILE_OR_FOLDER...", description, "file");
   settings.repeats = (std::max)(settings.repeats, 1);
   return exit_code;
 }
@@ -204,7 +205,7 @@ int main(int argc, char** argv)
     series.push_back({ std::to_string(n) + " connections", {} });
   print_head(settings);
   bool ok = true;
-  for(const std::string& file : settings.files) {
+  for(const std::string& file : benchmark::files_of(settings.files)) {
     try {
       ok = measure_and_print(file, settings, series) && ok;
     } catch(const std::exception& error) {

@@ -1,8 +1,9 @@
-// What snap_to_seamless() does on all OBJ files of a folder, as in Tables 1 and 2 of the paper:
-// size, time of each step, density of the constraint matrix, violation, change, and orientation.
-// Prints a table in Markdown, with the averages of the data set, and writes CSV where asked to.
+// What snap_to_seamless() does on OBJ files, as in Tables 1 and 2 of the paper: size, time of the
+// steps, density of the constraint matrix, violation, change, and orientation. Prints a table in
+// Markdown, with the averages of the data set, and writes CSV where asked to.
 //
-//   dataset_statistics FOLDER [--noise X --seed S] [--features] [--align-border] [--csv FILE]
+//   dataset_statistics FILE_OR_FOLDER... [--noise X --seed S] [--features] [--align-border]
+//                                        [--csv FILE]
 //
 // With --noise, every sector beside a cut is first moved by up to X times the extent, in both
 // coordinates.
@@ -41,7 +42,8 @@ using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 struct Settings
 {
-  std::string folder, csv;
+  std::vector<std::string> names;
+  std::string csv;
   double noise = 0;
   unsigned int seed = 1;
   bool features = false, align_border = false;
@@ -84,7 +86,7 @@ struct Column
 
 const std::vector<Column> columns = {
   {"#F", 0}, {"#N", 0}, {"#B", 0},
-  {"elimination ms", 2}, {"target ms", 2}, {"evaluation ms", 2}, {"total ms", 2},
+  {"transitions ms", 2}, {"elimination ms", 2}, {"solution ms", 2}, {"total ms", 2},
   {"density %", 4}, {"after %", 4}, {"violation", -1}, {"mean change", -1}, {"rms / optimum", 6},
   {"largest change", -1}, {"/ unrepaired", 4},
   {"flips", 1}, {"lost", 1}, {"still lost", 1}, {"flips after", 1}};
@@ -128,7 +130,7 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
   const double unrepaired = report.run.largest_change_before_repair;
   return {double(report.run.number_of_faces), double(report.run.number_of_nodes),
           double(report.run.number_of_cut_branches + report.run.number_of_align_branches),
-          ms("elimination"), ms("least-squares target"), ms("evaluation"), 1e3 * total,
+          ms("transitions"), ms("elimination"), ms("solution"), 1e3 * total,
           density(system.number_of_coefficients), density(system.number_of_eliminated_coefficients),
           report.violation_before / extent, report.mean_change / extent,
           report.optimal_rms_change > 0 ? report.rms_change / report.optimal_rms_change : 1,
@@ -167,11 +169,7 @@ void write_csv_row(std::ostream& os, const std::string& name, const std::vector<
 
 int run(const Settings& settings)
 {
-  std::vector<std::filesystem::path> files;
-  for(const auto& entry : std::filesystem::recursive_directory_iterator(settings.folder))
-    if(entry.path().extension() == ".obj")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = benchmark::files_of(settings.names);
   std::ofstream csv;
   if(!settings.csv.empty())
     csv.open(settings.csv);
@@ -190,7 +188,7 @@ int run(const Settings& settings)
 
   std::vector<double> sums(columns.size(), 0.);
   std::size_t number = 0;
-  for(const auto& file : files) {
+  for(const std::filesystem::path file : files) {
     const std::vector<double> values = measure(file, settings);
     if(values.empty())
       continue;
@@ -216,7 +214,8 @@ int main(int argc, char** argv)
   Settings settings;
   options::options_description description("Options");
   description.add_options()
-    ("folder", options::value(&settings.folder)->required(), "OBJ files, also in folders below")
+    ("file", options::value(&settings.names)->required(),
+     "OBJ files, or folders (may go without --file)")
     ("noise", options::value(&settings.noise)->default_value(0), "relative to the extent")
     ("seed", options::value(&settings.seed)->default_value(1), "of the noise")
     ("features", options::bool_switch(&settings.features),
@@ -224,7 +223,7 @@ int main(int argc, char** argv)
     ("align-border", options::bool_switch(&settings.align_border), "and the border too")
     ("csv", options::value(&settings.csv), "file to write the table to");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "dataset_statistics [options] FOLDER", description, "folder"))
+       argc, argv, "dataset_statistics [options] FILE_OR_FOLDER...", description, "file"))
     return *exit_code;
   return run(settings);
 }

@@ -1,5 +1,4 @@
-// Times snap_to_linear_constraints() on systems C x = 0 from MatrixMarket files: those named on the
-// command line, or else those in the folder systems/ of the data folder.
+// Times snap_to_linear_constraints() on systems C x = 0 from MatrixMarket files.
 //
 // Input: values of magnitude 1 drawn at random and snapped once, so that they solve the system,
 // then moved by noise of 1e-8, which is what numerical solvers leave. Times are in milliseconds,
@@ -149,36 +148,17 @@ void print_growth(const std::vector<Measurement>& all)
 
 // --- the command line ----------------------------------------------------------------------------
 
-std::vector<std::string> default_files()
-{
-  std::vector<std::string> result;
-  const char* const data = std::getenv("SEAMLESS_SNAPPING_DATA_DIR");
-  const auto folder = std::filesystem::path(data != nullptr ? data : "") / "systems";
-  if(data != nullptr && std::filesystem::is_directory(folder))
-    for(const auto& entry : std::filesystem::directory_iterator(folder))
-      if(entry.path().extension() == ".mtx")
-        result.push_back(entry.path().string());
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
   description.add_options()(
-    "file", options::value(&settings.files), "MatrixMarket files (may go without --file)")(
+    "file", options::value(&settings.files)->required(),
+    "MatrixMarket files, or folders (may go without --file)")(
     "repeats", options::value(&settings.repeats)->default_value(5), "the shortest counts")(
     "seed", options::value(&settings.seed)->default_value(1), "of the random values")(
     "noise", options::value(&settings.noise)->default_value(1e-8), "added to a solution");
-  const auto exit_code = benchmark::read_command_line(
-    argc, argv, "elimination [options] [FILE...]", description, "file");
-  if(settings.files.empty())
-    settings.files = default_files();
-  if(!exit_code && settings.files.empty()) {
-    std::cerr << "no systems: name MatrixMarket files on the command line" << std::endl;
-    return EXIT_FAILURE;
-  }
-  return exit_code;
+  return benchmark::read_command_line(argc, argv, "elimination [options] FILE_OR_FOLDER...",
+                                      description, "file");
 }
 
 int main(int argc, char** argv)
@@ -189,7 +169,7 @@ int main(int argc, char** argv)
 
   std::vector<Measurement> all;
   print_head();
-  for(const std::string& file : settings.files) {
+  for(const std::string& file : benchmark::files_of(settings.files, {".mtx"})) {
     Matrix matrix;
     if(!Eigen::loadMarket(matrix, file)) {
       std::cerr << "cannot read " << file << std::endl;

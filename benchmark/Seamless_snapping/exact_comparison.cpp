@@ -271,7 +271,7 @@ std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
 {
   options::options_description description("Options");
   description.add_options()("file", options::value(&settings.files)->required(),
-                            "OBJ or MatrixMarket files (may go without --file)")(
+                            "OBJ or MatrixMarket files, or folders")(
     "methods",
     options::value(&settings.methods)
       ->multitoken()
@@ -288,7 +288,8 @@ std::optional<int> read_command_line(int argc, char** argv, Settings& settings)
     "time-limit", options::value(&settings.limits.seconds)->default_value(600), "seconds a run")(
     "memory-limit", options::value(&settings.limits.megabytes)->default_value(8000),
     "megabytes a run");
-  return benchmark::read_command_line(argc, argv, "exact_comparison [options] FILE...", description,
+  return benchmark::read_command_line(argc, argv,
+                                      "exact_comparison [options] FILE_OR_FOLDER...", description,
                                       "file");
 }
 
@@ -301,7 +302,7 @@ int main(int argc, char** argv)
               settings.limits.megabytes);
   print_head();
   bool ok = true;
-  for(const std::string& file : settings.files) {
+  for(const std::string& file : benchmark::files_of(settings.files, {".obj", ".mtx"})) {
     try {
       for(const Problem& problem : compared_systems::problems_of_file(file, settings.systems))
         ok = compare_methods(problem, settings) && ok;

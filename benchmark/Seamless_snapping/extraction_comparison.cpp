@@ -100,11 +100,11 @@ int main(int argc, char* argv[])
   options.add_options()(
     "number", po::value(&number),
     "scale maps to so many quads, and round as far as needed; else they must be integer-grid maps")(
-    "files", po::value(&files)->required(), "parametrized meshes (OBJ)");
+    "files", po::value(&files)->required(), "parametrized meshes (OBJ), or folders");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "extraction_comparison [options] FILE...", options, "files"))
+       argc, argv, "extraction_comparison [options] FILE_OR_FOLDER...", options, "files"))
     return *exit_code;
-  for(const std::string& file : files)
+  for(const std::string& file : benchmark::files_of(files))
     compare(file, number);
   return EXIT_SUCCESS;
 }

@@ -115,9 +115,9 @@ int main(int argc, char* argv[])
     "quads", po::value(&settings.quads)->default_value(1.06e6), "about")(
     "faces", po::value(&faces)->default_value(1900000), "of the height field; 0 for none")(
     "nodes", po::value(&nodes)->default_value(200), "of the height field")(
-    "files", po::value(&files), "parametrized meshes (OBJ)");
+    "files", po::value(&files), "parametrized meshes (OBJ), or folders");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "extraction_speed [options] [FILE...]", options, "files"))
+       argc, argv, "extraction_speed [options] [FILE_OR_FOLDER...]", options, "files"))
     return *exit_code;
   std::cout << std::fixed
             << "     faces     quads  1 thread/s  several/s   ratio  output B/quad  more B/quad"
@@ -130,7 +130,7 @@ int main(int argc, char* argv[])
     const double side = height_field_surface::make_surface(wish, mesh);
     measure(mesh, side, settings, "height field");
   }
-  for(const std::string& file : files) {
+  for(const std::string& file : benchmark::files_of(files)) {
     Mesh mesh;
     if(SS::IO::read_OBJ(file, mesh, square_complex::uv_map(mesh)))
       measure(mesh, 1e-9, settings, file.substr(file.find_last_of('/') + 1));

@@ -80,9 +80,9 @@ int main(int argc, char* argv[])
     "runs", po::value(&runs)->default_value(3), "the fastest of so many runs counts")(
     "faces", po::value(&faces)->default_value(1900000), "of the height field; 0 for none")(
     "nodes", po::value(&nodes)->default_value(5000), "of the height field")(
-    "files", po::value(&files), "parametrized meshes (OBJ)");
+    "files", po::value(&files), "parametrized meshes (OBJ), or folders");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "layout_speed [options] [FILE...]", options, "files"))
+       argc, argv, "layout_speed [options] [FILE_OR_FOLDER...]", options, "files"))
     return *exit_code;
   std::cout << std::fixed
             << "     faces     nodes   patches    segments   visited   reading/s  dividing/s"
@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
     if(SS::snap_to_seamless(mesh, square_complex::uv_map(mesh)))
       measure(mesh, square_complex::uv_map(mesh), runs, "height field, with noise, snapped");
   }
-  for(const std::string& file : files) {
+  for(const std::string& file : benchmark::files_of(files)) {
     Mesh mesh;
     UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
     if(SS::IO::read_OBJ(file, mesh, uv) &&

@@ -2,7 +2,7 @@
 // cones, cuts, flips, violation, and time, in total and in the sparse solvers; and whether
 // snap_to_seamless() makes the result exact.
 //
-//   parameterization_table [--subdivide N] [--align-border] MESH...
+//   parameterization_table [--subdivide N] [--align-border] MESH_OR_FOLDER...
 //
 // With --subdivide, each mesh is refined by N rounds of Loop subdivision first.
 
@@ -89,12 +89,12 @@ int main(int argc, char** argv)
   options.add_options()
     ("subdivide", po::value(&subdivisions), "rounds of Loop subdivision")
     ("align-border", po::bool_switch(&align_border), "align border edges")
-    ("mesh", po::value(&meshes)->required(), "the meshes, in any format that CGAL reads");
+    ("mesh", po::value(&meshes)->required(), "meshes of any format that CGAL reads, or folders");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "parameterization_table [options] MESH...", options, "mesh"))
+       argc, argv, "parameterization_table [options] MESH_OR_FOLDER...", options, "mesh"))
     return *exit_code;
   print_header();
-  for(const std::string& mesh : meshes)
+  for(const std::string& mesh : benchmark::mesh_files_of(meshes))
     print_row(mesh, subdivisions, align_border);
   return EXIT_SUCCESS;
 }

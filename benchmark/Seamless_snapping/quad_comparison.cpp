@@ -43,20 +43,6 @@ struct Totals
   std::size_t tried = 0, remeshed = 0, parametrized = 0, quantized_unsnapped = 0;
 };
 
-std::vector<std::string> files_of(const std::vector<std::string>& names)
-{
-  std::vector<std::string> result;
-  for(const std::string& name : names)
-    if(std::filesystem::is_directory(name)) {
-      for(const auto& entry : std::filesystem::directory_iterator(name))
-        result.push_back(entry.path().string());
-    } else {
-      result.push_back(name);
-    }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 // Whether the parametrization is good for quads as the solver returns it.
 void try_unsnapped(Mesh& mesh, const Feature_map& is_feature, Totals& totals)
 {
@@ -113,7 +99,7 @@ int main(int argc, char** argv)
                "| mean Jacobian | distance, % of diagonal | seconds | outcome |\n"
                "|---|---|---|---|---|---|---|---|---|---|---|" << std::endl;
   Totals totals;
-  for(const std::string& filename : files_of(names)) {
+  for(const std::string& filename : benchmark::mesh_files_of(names)) {
     const std::string name = std::filesystem::path(filename).filename().string();
     Mesh mesh;
     if(!PMP::IO::read_polygon_mesh(filename, mesh)) {

@@ -122,14 +122,14 @@ int main(int argc, char* argv[])
   options.add_options()(
     "runs", po::value(&runs)->default_value(5), "the fastest of so many runs counts")(
     "maximum-number", po::value(&maximum_number)->default_value(10000), "crossings per curve")(
-    "files", po::value(&files)->required(), "parametrized meshes (OBJ)");
+    "files", po::value(&files)->required(), "parametrized meshes (OBJ), or folders");
   if(const auto exit_code = benchmark::read_command_line(
-       argc, argv, "tracing_speed [options] FILE...", options, "files"))
+       argc, argv, "tracing_speed [options] FILE_OR_FOLDER...", options, "files"))
     return *exit_code;
   std::cout << std::fixed << std::setprecision(1)
             << "     faces   crossings     prep/ms     exact/s      kept/s  threaded/s     naive/s"
                "  (million crossings per second)" << std::endl;
-  for(const std::string& file : files)
+  for(const std::string& file : benchmark::files_of(files))
     measure(file, runs, maximum_number);
   return EXIT_SUCCESS;
 }
