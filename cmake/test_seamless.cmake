@@ -146,9 +146,10 @@ foreach(command IN ITEMS check trace)
   seamless(3 ${command} missing.obj)
   expect_message("${err}" "cannot read 'missing.obj': ${reason}")
   seamless(3 ${command} empty.obj)
-  expect_message("${err}" "empty.obj: line 1: the file ends without a face")
+  expect_message("${err}" "empty.obj: the file is empty")
   seamless(3 ${command} wrong.obj)
   expect_message("${err}" "wrong.obj: line 2: corner '2' has no texture coordinate")
+  expect_message("${err}" "'seamless parametrize' computes some")
   seamless(2 ${command} in.off)
 endforeach()
 set(missing "folder/missing")
@@ -217,6 +218,9 @@ expect_unreadable(a.ply "${head}element vertex 1\nproperty float x\nend_header\n
   "element vertex has no number y")
 expect_unreadable(a.stl "solid a\nouter loop\nvertex 0 0 0\nendloop\n" "line 4: the face has 1")
 
+expect_unreadable(a.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nf 1 2 3 4 3 5\n"
+  "line 6: the face meets itself in a corner")
+
 # Remeshes and parametrizes a mesh, and expects the words on the screen and the number in reports.
 function(expect_repair file content words key number)
   file(WRITE "${WORK_DIR}/${file}" "${content}")
@@ -250,16 +254,23 @@ expect_repair(degenerate.off "OFF\n5 5 0\n${points}${body}3 2 0 4\n3 1 1 0\n"
   "1 face was removed that had less than three different corners" removed_degenerate_faces 1)
 expect_repair(square.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2//1 3 4\n"
   "1 face was triangulated" triangulated_faces 1)
-set(halves "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\n")
-expect_repair(doubled.obj "${halves}f 1 2 3\nf 4 5 6\n"
+set(halves "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nv -1 0 0\n")
+expect_repair(doubled.obj "${halves}f 1 2 3\nf 4 5 6\nf 4 6 7\n"
   "2 points were welded to others in the same place" welded_points 2)
+# bodies that touch in an edge stay as they are
+set(body "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+set(other "v 0 0 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n")
+file(WRITE "${WORK_DIR}/touching.obj" "${body}${other}")
+seamless(0 parametrize touching.obj repaired.obj --strict)
+expect_message("${out}" "read: 8 triangles, 8 vertices, 2 pieces")
+expect_message("${out}" "0 border loops")
 set(ring "OFF\n6 6 0\n0 0 0\n0 0 1\n1 0 0\n1 0 1\n0 1 0\n0 1 1\n")
 expect_repair(moebius.off "${ring}3 0 2 3\n3 0 3 1\n3 2 4 5\n3 2 5 3\n3 4 1 0\n3 4 0 5\n"
   "cut as the surface had one side only" cut_one_sided_edges 1)
 set(facet "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n")
 expect_repair(two.stl "solid two\n${facet}vertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n\
 ${facet}vertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid two\n"
-  "welded: 2 points, as the format has one for each corner" pieces 1)
+  "welded: 2 points, as the file has one for each corner" pieces 1)
 
 # 'l' elements are features, and do not disturb
 configure_file("${DATA_DIR}/genus1_features.obj" "${WORK_DIR}/features.obj" COPYONLY)

@@ -72,7 +72,11 @@ void parse(Model& model)
     changes = model.is_float ? build_from_format<float>(model)
                              : build_from_format<double>(model);
   } catch(const SS::internal::File_refusal& refusal) {
-    throw Failure(UNREADABLE, model.filename + ": " + refusal.message());
+    const std::string message = refusal.message();
+    const bool lacks_coordinates = message.find("has no texture coordinate") != message.npos ||
+                                   message.find("has no list texcoord") != message.npos;
+    throw Failure(UNREADABLE, model.filename + ": " + message +
+                                (lacks_coordinates ? "; 'seamless parametrize' computes some" : ""));
   }
   model.file_vertices = changes.file_vertices;
   model.number_of_split_vertices = changes.number_of_split_vertices;

@@ -221,8 +221,6 @@ void check(const Soup& soup)
 Polygon_soup read_polygon_soup(const std::string& filename)
 {
   const std::string text = read_file(filename);
-  if(text.find_first_not_of(" \t\r\n") == text.npos)
-    throw Failure(UNREADABLE, filename + ": the file is empty");
   const std::string format = is_special_file(filename) ? format_of_text(text)
                                                        : suffix_of(filename);
   try {

@@ -76,26 +76,27 @@ void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
                                         "can't be triangulated");
 }
 
-// All edges between the points of segments, of which there are several where edges were cut.
-void mark_segments(const Polygon_soup& soup, Model& model)
+// All edges between the places of segments, of which there are several where edges were cut.
+void mark_segments(const Polygon_soup& soup, const Surface_soup& surface, Model& model)
 {
-  const auto edge_in_file = [](const std::size_t v, const std::size_t w) {
-    return std::array<std::size_t, 2>{{(std::min)(v, w), (std::max)(v, w)}};
+  const auto key = [&](const std::size_t v, const std::size_t w) { // of points in the file
+    const std::size_t p = surface.places[v], q = surface.places[w];
+    return std::array<std::size_t, 2>{{(std::min)(p, q), (std::max)(p, q)}};
   };
   std::vector<std::pair<std::array<std::size_t, 2>, Edge> > edges;
   for(const Edge e : model.mesh.edges())
-    edges.emplace_back(edge_in_file(model.file_vertices[model.mesh.vertex(e, 0)],
-                                    model.file_vertices[model.mesh.vertex(e, 1)]), e);
+    edges.emplace_back(key(model.file_vertices[model.mesh.vertex(e, 0)],
+                           model.file_vertices[model.mesh.vertex(e, 1)]), e);
   std::sort(edges.begin(), edges.end());
   for(const auto& segment : soup.segments) {
-    const auto sought = edge_in_file(segment.vertices[0], segment.vertices[1]);
+    const auto sought = key(segment.vertices[0], segment.vertices[1]);
     auto it = std::lower_bound(edges.begin(), edges.end(), sought,
-                               [](const auto& e, const auto& key) { return e.first < key; });
+                               [](const auto& e, const auto& k) { return e.first < k; });
     if(it == edges.end() || it->first != sought)
       throw Failure(UNREADABLE,
                     (segment.line == 0 ? "" : "line " + std::to_string(segment.line) + ": ") +
-                      "line element " + std::to_string(sought[0] + soup.first_number) + " " +
-                      std::to_string(sought[1] + soup.first_number) +
+                      "line element " + std::to_string(segment.vertices[0] + soup.first_number) +
+                      " " + std::to_string(segment.vertices[1] + soup.first_number) +
                       " is not an edge of the mesh");
     for(; it != edges.end() && it->first == sought; ++it)
       model.is_feature[it->second] = true;
@@ -116,12 +117,11 @@ std::size_t count_faces_without_area(const Mesh& mesh)
     }));
 }
 
-Repairs build(Polygon_soup& soup, const bool with_features, Model& model)
+Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
 {
   Repairs repairs;
   repairs.file_points = soup.points.size();
   repairs.file_faces = soup.polygons.size();
-  repairs.is_indexed = soup.format != "stl";
   const Surface_soup surface = make_surface(soup, repairs);
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.polygons, model.mesh);
   model.file_vertices = surface.file_points;
@@ -135,7 +135,7 @@ Repairs build(Polygon_soup& soup, const bool with_features, Model& model)
   if(repairs.faces_without_area == repairs.faces)
     throw Failure(UNREADABLE, "the faces have no area: the corners of each lie on a line");
   if(with_features)
-    mark_segments(soup, model);
+    mark_segments(soup, surface, model);
   return repairs;
 }
 
@@ -171,7 +171,7 @@ Repairs read_plain_model(const std::string& filename, const Plain_reading_option
                          Model& model)
 {
   model.filename = filename;
-  Polygon_soup soup = read_polygon_soup(filename);
+  const Polygon_soup soup = read_polygon_soup(filename);
   Repairs repairs;
   try {
     repairs = build(soup, options.features, model);
@@ -191,9 +191,9 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
   const std::string words = repairs.in_words();
   if(!words.empty())
     os << "\nrepaired: " << words;
-  if(!repairs.is_indexed)
+  if(!repairs.is_indexed && repairs.welded_points > 0)
     os << "\nwelded: " << counted(repairs.welded_points, "point")
-       << ", as the format has one for each corner";
+       << ", as the file has one for each corner";
   os << "\nread: " << counted(repairs.faces, "triangle") << ", "
      << counted(repairs.vertices, "vertex") << ", " << counted(repairs.pieces, "piece") << "\n";
   if(repairs.faces_without_area > 0)

@@ -17,8 +17,8 @@ struct Repairs
 {
   std::size_t file_points = 0, file_faces = 0;
   bool is_indexed = true;             // faces share points; if not, welding is no repair
-  std::size_t welded_points = 0;      // which became one with another in the same place
   std::size_t degenerate_faces = 0;   // removed: fewer than three different corners
+  std::size_t welded_points = 0;      // which became one with another in the same place
   std::size_t duplicate_faces = 0;    // removed: the corners of another face
   std::size_t unused_points = 0;      // of no face
   std::size_t cut_edges = 0;          // of three faces or more

@@ -6,6 +6,8 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -33,24 +35,28 @@ std::vector<std::size_t> first_points(const Polygon_soup& soup)
   return result;
 }
 
-// Counts points of no face, and makes those one that lie in one place.
-void weld(Polygon_soup& soup, Repairs& repairs)
+// Counts points of no face. Returns whether faces share points.
+bool are_points_shared(const Polygon_soup& soup, Repairs& repairs)
 {
-  std::vector<char> is_used(soup.points.size(), false);
+  std::vector<std::size_t> uses(soup.points.size(), 0);
   for(const auto& polygon : soup.polygons)
     for(const std::size_t v : polygon.vertices)
-      is_used[v] = true;
-  const std::vector<std::size_t> first = first_points(soup);
-  for(std::size_t i = 0; i < is_used.size(); ++i) {
-    repairs.unused_points += is_used[i] ? 0 : 1;
-    repairs.welded_points += is_used[i] && first[i] != i ? 1 : 0;
-  }
-  for(auto& polygon : soup.polygons)
-    for(std::size_t& v : polygon.vertices)
-      v = first[v];
-  for(auto& segment : soup.segments)
-    for(std::size_t& v : segment.vertices)
-      v = first[v];
+      ++uses[v];
+  repairs.unused_points = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), 0u));
+  return std::any_of(uses.begin(), uses.end(), [](const std::size_t n) { return n > 1; });
+}
+
+// Replaces the points of the faces by others, and counts those that no face has any more.
+void replace_points(const std::vector<std::size_t>& by, Surface_soup& surface, Repairs& repairs)
+{
+  std::set<std::size_t> replaced;
+  for(Polygon& polygon : surface.polygons)
+    for(std::size_t& v : polygon)
+      if(by[v] != v) {
+        replaced.insert(v);
+        v = by[v];
+      }
+  repairs.welded_points += replaced.size();
 }
 
 // From the least vertex on, in the direction of its lesser neighbor: the same for all polygons with
@@ -63,37 +69,125 @@ Polygon canonical(Polygon polygon)
   return polygon;
 }
 
-// Without corners that follow on themselves.
-Polygon simplified(Polygon polygon)
+// Without corners that follow on others in the same place.
+Polygon simplified(Polygon polygon, const std::vector<std::size_t>& places)
 {
-  polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
-  while(polygon.size() > 1 && polygon.front() == polygon.back())
+  const auto is_same = [&](const std::size_t v, const std::size_t w)
+    { return places[v] == places[w]; };
+  polygon.erase(std::unique(polygon.begin(), polygon.end(), is_same), polygon.end());
+  while(polygon.size() > 1 && is_same(polygon.front(), polygon.back()))
     polygon.pop_back();
   return polygon;
 }
 
-// Faces with three different corners or more, each once.
-Surface_soup clean_faces(const Polygon_soup& soup, Repairs& repairs)
+// Removes faces that have less than three different corners.
+void remove_degenerate_faces(const Polygon_soup& soup, Surface_soup& surface, Repairs& repairs)
 {
-  Surface_soup result;
-  std::set<Polygon> known;
   for(std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    Polygon polygon = simplified(soup.polygons[f].vertices);
-    const std::size_t corners = std::set<std::size_t>(polygon.begin(), polygon.end()).size();
-    if(corners < 3) {
+    Polygon polygon = simplified(soup.polygons[f].vertices, surface.places);
+    const std::set<std::size_t> corners(polygon.begin(), polygon.end());
+    if(corners.size() < 3) {
       ++repairs.degenerate_faces;
       continue;
     }
-    if(corners < polygon.size())
-      refuse(soup, f, "the face meets itself in a corner");
-    if(!known.insert(canonical(polygon)).second) {
-      ++repairs.duplicate_faces;
-      continue;
-    }
-    result.polygons.push_back(std::move(polygon));
-    result.file_faces.push_back(f);
+    surface.polygons.push_back(std::move(polygon));
+    surface.file_faces.push_back(f);
   }
-  return result;
+}
+
+// No polygon mesh has a face with a corner twice.
+void check_corners(const Polygon_soup& soup, const Surface_soup& surface)
+{
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
+    const Polygon& polygon = surface.polygons[i];
+    if(std::set<std::size_t>(polygon.begin(), polygon.end()).size() < polygon.size())
+      refuse(soup, surface.file_faces[i], "the face meets itself in a corner");
+  }
+}
+
+// Keeps the first of the faces that have the same corners.
+void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
+{
+  std::set<Polygon> known;
+  std::size_t n = 0;
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i)
+    if(known.insert(canonical(surface.polygons[i])).second) {
+      surface.polygons[n] = surface.polygons[i];
+      surface.file_faces[n++] = surface.file_faces[i];
+    }
+  repairs.duplicate_faces = surface.polygons.size() - n;
+  surface.polygons.resize(n);
+  surface.file_faces.resize(n);
+}
+
+struct Side
+{
+  std::array<std::size_t, 2> key; // the sides that are compared have the same
+  std::size_t source, target, face;
+};
+
+std::array<std::size_t, 2> sorted(const std::size_t v, const std::size_t w)
+{
+  return {{(std::min)(v, w), (std::max)(v, w)}};
+}
+
+// Calls `visit` with the begin and the end of each range of sides of the same key.
+template <typename Visit>
+void for_each_key(std::vector<Side>& sides, const Visit& visit)
+{
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.key < b.key; });
+  for(auto begin = sides.begin(); begin != sides.end(); ) {
+    const auto end = std::find_if(begin, sides.end(),
+                                  [&](const Side& s) { return s.key != begin->key; });
+    visit(begin, end);
+    begin = end;
+  }
+}
+
+// Of all polygons, by their points.
+std::vector<Side> all_sides(const Surface_soup& surface)
+{
+  std::vector<Side> sides;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f) {
+    const Polygon& polygon = surface.polygons[f];
+    for(std::size_t k = 0; k < polygon.size(); ++k) {
+      const std::size_t v = polygon[k], w = polygon[(k + 1) % polygon.size()];
+      sides.push_back({sorted(v, w), v, w, f});
+    }
+  }
+  return sides;
+}
+
+// Makes two border edges between the same places one, as those of a mesh that was cut open. Bodies
+// that only touch, each closed, stay apart.
+void weld_borders(Surface_soup& surface, Repairs& repairs)
+{
+  std::vector<Side> sides = all_sides(surface), border;
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    if(end - begin == 1)
+      border.push_back({sorted(surface.places[begin->source], surface.places[begin->target]),
+                        begin->source, begin->target, begin->face});
+  });
+  const std::size_t n = surface.places.size();
+  boost::disjoint_sets_with_storage<> sets(n);
+  for(std::size_t v = 0; v < n; ++v)
+    sets.make_set(v);
+  for_each_key(border, [&](const auto begin, const auto end) {
+    if(end - begin != 2 || begin->face == (end - 1)->face) // which belong together is unknown
+      return;
+    const Side &a = *begin, &b = *(begin + 1);
+    const bool is_same_direction = surface.places[a.source] == surface.places[b.source];
+    sets.union_set(a.source, is_same_direction ? b.source : b.target);
+    sets.union_set(a.target, is_same_direction ? b.target : b.source);
+  });
+  std::vector<std::size_t> first(n, n), by(n);
+  for(std::size_t v = 0; v < n; ++v) {
+    std::size_t& first_of_set = first[sets.find_set(v)];
+    first_of_set = (std::min)(first_of_set, v);
+    by[v] = first_of_set;
+  }
+  replace_points(by, surface, repairs);
 }
 
 // Adds the points of the faces, in the order of the file.
@@ -114,35 +208,23 @@ void add_points(const Polygon_soup& soup, Surface_soup& surface)
       v = new_index[v];
 }
 
-// The edges at which faces came apart that had shared them.
-void count_cut_edges(const Surface_soup& soup, Repairs& repairs)
+// The edges at which faces came apart that had shared them, and the points.
+void count_cuts(const Surface_soup& surface, Repairs& repairs)
 {
-  struct Side
-  {
-    std::array<std::size_t, 2> in_file, now;
-  };
-  std::vector<Side> sides;
-  for(const Polygon& polygon : soup.polygons)
-    for(std::size_t k = 0; k < polygon.size(); ++k) {
-      const std::size_t v = polygon[k], w = polygon[(k + 1) % polygon.size()];
-      const auto edge = std::minmax(soup.file_points[v], soup.file_points[w]);
-      const auto edge_now = std::minmax(v, w);
-      sides.push_back({{edge.first, edge.second}, {edge_now.first, edge_now.second}});
-    }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.in_file < b.in_file; });
+  std::vector<Side> sides = all_sides(surface);
+  for(Side& side : sides)
+    side.key = sorted(surface.file_points[side.source], surface.file_points[side.target]);
   std::set<std::size_t> ends; // of these edges
-  for(std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    while(end < sides.size() && sides[end].in_file == sides[i].in_file)
-      ++end;
-    const bool is_one_sided = end == i + 2 && sides[i].now != sides[i + 1].now;
-    repairs.cut_edges += end > i + 2 ? 1 : 0;
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    const bool is_one_sided = end - begin == 2 && sorted(begin->source, begin->target) !=
+                                                    sorted((end - 1)->source, (end - 1)->target);
+    repairs.cut_edges += end - begin > 2 ? 1 : 0;
     repairs.one_sided_edges += is_one_sided ? 1 : 0;
-    if(end > i + 2 || is_one_sided)
-      ends.insert(sides[i].in_file.begin(), sides[i].in_file.end());
-  }
+    if(end - begin > 2 || is_one_sided)
+      ends.insert(begin->key.begin(), begin->key.end());
+  });
   std::set<std::size_t> seen; // points of the file
-  for(const std::size_t v : soup.file_points)
+  for(const std::size_t v : surface.file_points)
     if(!seen.insert(v).second && ends.count(v) == 0)
       ++repairs.bowtie_vertices;
 }
@@ -173,17 +255,25 @@ void refuse(const Polygon_soup& soup, const std::size_t face, const std::string&
                                        : "line " + std::to_string(line)) + ": " + why);
 }
 
-Surface_soup make_surface(Polygon_soup& soup, Repairs& repairs)
+Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
 {
-  weld(soup, repairs);
-  Surface_soup surface = clean_faces(soup, repairs);
+  Surface_soup surface;
+  surface.places = first_points(soup);
+  repairs.is_indexed = are_points_shared(soup, repairs);
+  remove_degenerate_faces(soup, surface, repairs);
   if(surface.polygons.empty())
     throw Failure(UNREADABLE, "no face has three corners in different places, as points coincide");
+  if(repairs.is_indexed)
+    weld_borders(surface, repairs);
+  else
+    replace_points(surface.places, surface, repairs);
+  check_corners(soup, surface);
+  remove_duplicate_faces(surface, repairs);
   add_points(soup, surface);
   surface.is_turned.assign(surface.polygons.size(), false);
   PMP::orient_polygon_soup(surface.points, surface.polygons,
                            CGAL::parameters::visitor(Orientation_visitor(surface)));
-  count_cut_edges(surface, repairs);
+  count_cuts(surface, repairs);
   if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
     throw Failure(UNREADABLE, "the faces are no surface, even when cut apart");
   return surface;

@@ -18,14 +18,14 @@ struct Surface_soup
   std::vector<Kernel::Point_3> points;
   std::vector<Polygon> polygons;
   std::vector<std::size_t> file_points, file_faces; // the numbers that they have in the file
+  std::vector<std::size_t> places; // for each point of the file, the first one in the same place
   std::vector<char> is_turned;                      // per polygon
 };
 
 // Throws `Failure` that names a face of the file.
 [[noreturn]] void refuse(const Polygon_soup& soup, std::size_t face, const std::string& why);
 
-// Welds, removes, turns, and cuts, and counts all that. The segments of `soup` are welded, too.
-// Throws `Failure`.
-Surface_soup make_surface(Polygon_soup& soup, Repairs& repairs);
+// Removes, welds, turns, and cuts, and counts all that. Throws `Failure`.
+Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_SURFACE_SOUP_H

@@ -123,9 +123,7 @@ void check_writable(const std::string& filename)
   fs::remove(unfinished, error);
 }
 
-} // namespace
-
-std::string read_file(const std::string& filename)
+std::string text_of_file(const std::string& filename)
 {
   errno = 0;
   if(filename == standard_stream) {
@@ -143,6 +141,16 @@ std::string read_file(const std::string& filename)
     text.append(buffer.data(), static_cast<std::size_t>(is.gcount()));
   if(is.bad() || fs::is_directory(filename))
     fail(UNREADABLE, "cannot read", filename, reason());
+  return text;
+}
+
+} // namespace
+
+std::string read_file(const std::string& filename)
+{
+  const std::string text = text_of_file(filename);
+  if(text.find_first_not_of(" \t\r\n") == text.npos)
+    throw Failure(UNREADABLE, filename + ": the file is empty");
   return text;
 }
 

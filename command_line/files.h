@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Throws `Failure` with the reason.
+// Throw `Failure` with the reason; to read a file without any text is a failure, too.
 std::string read_file(const std::string& filename);
 void write_file(const std::string& filename, const std::string& text);
 
