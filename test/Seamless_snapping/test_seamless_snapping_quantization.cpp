@@ -7,9 +7,11 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/Polyhedron_3.h>
 
@@ -668,6 +670,29 @@ void check_remeshing(const Parametrized_model& model, const std::size_t number,
   }
 }
 
+// Refused alike by all functions.
+void test_empty_mesh()
+{
+  Mesh empty, quads;
+  const auto uv = empty.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+  const auto check = [](const auto status, const auto expected, const std::string& message) {
+    CHECK(status == expected);
+    CHECK_EQUAL(message, std::string("the mesh has no face; was it read?"));
+  };
+  const auto snapped = SS::snap_to_seamless(empty, uv);
+  check(snapped.status, SS::Snapping_status::INVALID_ARGUMENT, snapped.message);
+  const auto made = SS::approximate_seamless_parameterization(empty, uv);
+  check(made.status, SS::Parameterization_status::INVALID_ARGUMENT, made.message);
+  const auto extracted = SS::extract_quad_mesh(empty, uv, quads);
+  check(extracted.status, SS::Extraction_status::INVALID_ARGUMENT, extracted.message);
+  const auto quantization = SS::quantize(empty, uv);
+  check(quantization.status, Status::INVALID_ARGUMENT, quantization.message);
+  const auto graph = SS::motorcycle_graph(empty, uv);
+  check(graph.status(), SS::Layout_status::INVALID_ARGUMENT, graph.message());
+  const auto remeshed = SS::quad_remesh(empty, quads);
+  check(remeshed.status, SS::Remeshing_status::NOT_PARAMETRIZED, remeshed.message);
+}
+
 void test_remeshing()
 {
   for(const auto& file : test_data::package_files())
@@ -937,6 +962,7 @@ int main()
   test_strips_in_both_directions();
   test_maps();
   test_folds();
+  test_empty_mesh();
   test_remeshing();
   test_improvement();
   test_division();

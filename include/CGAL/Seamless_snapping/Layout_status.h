@@ -31,7 +31,7 @@ enum class Layout_status
 {
   PARTITIONED,        ///< the surface is divided, and all checks held
   INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
-  INVALID_ARGUMENT,   ///< given rotations that contradict each other, and the like
+  INVALID_ARGUMENT,   ///< no face, given rotations that contradict each other, and the like
   NOT_TRIANGULAR,     ///< a face of the input is not a triangle
   NOT_FINITE,         ///< a coordinate is NaN, infinite, or beyond 1e300
   NOT_SEAMLESS,       ///< the map is not exactly seamless

@@ -48,7 +48,7 @@ enum class Quantization_status
 {
   QUANTIZED,          ///< there are integers for all edges
   INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
-  INVALID_ARGUMENT,   ///< a target that is not positive and finite, and the like
+  INVALID_ARGUMENT,   ///< no face, a target that is not positive and finite, and the like
   NOT_TRIANGULAR,     ///< a face of the input is not a triangle
   NOT_FINITE,         ///< a coordinate is NaN, infinite, or beyond 1e300
   NOT_SEAMLESS,       ///< the map is not exactly seamless

@@ -64,6 +64,8 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                               if(!numbering.defect())
                                 read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
                             });
+  if(mesh.corners.empty() && !numbering.defect())
+    return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
   const Seams& seams = *found_seams;
   if(!seams)
     return Refusal{*seams.failure(), seams.message(), {}};

@@ -57,7 +57,8 @@ Triangle_surface read_connectivity(const TriangleMesh& tmesh,
                                        [](Flat_corner&, const auto&) { });
   refuse(find_several_fans(surface));
   if(surface.corners.empty())
-    throw Failure{Parameterization_status::INVALID_ARGUMENT, "the mesh has no face"};
+    throw Failure{Parameterization_status::INVALID_ARGUMENT,
+                  "the mesh has no face; was it read?"};
   return surface;
 }
 
