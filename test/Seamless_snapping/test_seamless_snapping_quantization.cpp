@@ -22,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -713,6 +714,53 @@ void test_remeshing()
   CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
+// Times a power of two, the quads are the same ones times this power, to the last bit; so are those
+// that are quantized on a map of any size.
+void test_sizes_in_space()
+{
+  const auto np = parameters::target_number_of_quads(300);
+  const Parametrized_model model(test_data::package_files().front().string());
+  Mesh quads;
+  const auto report = SS::quad_remesh(model.mesh, quads, np);
+  CHECK(bool(report));
+  const auto by_length = SS::quad_remesh(model.mesh, *std::make_unique<Mesh>(),
+                                         parameters::target_edge_length(0.25));
+  CHECK(bool(by_length));
+  for(const int exponent : {-900, -500, 3, 531, 900}) {
+    const std::string context = "size 2^" + std::to_string(exponent);
+    Parametrized_model scaled(test_data::package_files().front().string());
+    for(const auto v : scaled.mesh.vertices()) {
+      Point_3& p = scaled.mesh.point(v);
+      p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                  std::ldexp(p.z(), exponent));
+    }
+    Mesh scaled_quads;
+    const auto scaled_report = SS::quad_remesh(scaled.mesh, scaled_quads, np);
+    CHECK_IN(context + ": " + scaled_report.message, bool(scaled_report));
+    CHECK_IN(context, scaled_report.largest_distance ==
+                        std::ldexp(report.largest_distance, exponent));
+    CHECK_IN(context, scaled_quads.number_of_vertices() == quads.number_of_vertices() &&
+                        scaled_quads.number_of_faces() == quads.number_of_faces());
+    for(const auto v : quads.vertices())
+      for(int c = 0; c < 3; ++c)
+        CHECK_IN(context, scaled_quads.is_valid(v) && scaled_quads.point(v)[c] ==
+                                                        std::ldexp(quads.point(v)[c], exponent));
+    const auto scaled_by_length =
+      SS::quad_remesh(scaled.mesh, *std::make_unique<Mesh>(),
+                      parameters::target_edge_length(std::ldexp(0.25, exponent)));
+    CHECK_IN(context, scaled_by_length.number_of_quads == by_length.number_of_quads);
+
+    CHECK_IN(context, bool(SS::snap_to_seamless(model.mesh, scaled.uv)));
+    const auto in_domain = SS::quantize(model.mesh, scaled.uv, np);
+    for(const auto h : scaled.mesh.halfedges())
+      scaled.uv[h] = Point_2(std::ldexp(scaled.uv[h].x(), exponent),
+                             std::ldexp(scaled.uv[h].y(), exponent));
+    const auto scaled_in_domain = SS::quantize(model.mesh, scaled.uv, np);
+    CHECK_IN(context + ": " + scaled_in_domain.message, bool(scaled_in_domain));
+    CHECK_IN(context, scaled_in_domain.number_of_quads == in_domain.number_of_quads);
+  }
+}
+
 // --- improvement of quads ------------------------------------------------------------------------
 
 // A grid of 4 x 4 points at integers, times a height, and the surface below.
@@ -749,6 +797,7 @@ struct Flat_quads
       is_feature[e] = quads.is_border(e);
     const SS::internal::Surface_to_remesh surface(
       square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+    scale_quads(1 / surface.unscaled(1)); // as large as the copy
     Smoother smoother(quads, quads.points(), surface.mesh());
     const SS::internal::Feature_lines lines(surface);
     SS::internal::Quad_improver<Mesh, Feature_map, Smoother> improver(quads, is_feature, lines,
@@ -756,7 +805,15 @@ struct Flat_quads
     const double before = smoother.measure_shape()[0];
     improver.move_vertices();
     const std::size_t removed = improver.remove_vertices_of_two_edges();
-    return {before, smoother.measure_shape()[0], removed};
+    const double after = smoother.measure_shape()[0];
+    scale_quads(surface.unscaled(1));
+    return {before, after, removed};
+  }
+
+  void scale_quads(const double factor)
+  {
+    for(const auto v : quads.vertices())
+      quads.point(v) = CGAL::ORIGIN + factor * (quads.point(v) - CGAL::ORIGIN);
   }
 
   Mesh square, quads;
@@ -964,6 +1021,7 @@ int main()
   test_folds();
   test_empty_mesh();
   test_remeshing();
+  test_sizes_in_space();
   test_improvement();
   test_division();
   test_triangles();

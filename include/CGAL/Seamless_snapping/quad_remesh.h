@@ -29,9 +29,11 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -211,6 +213,7 @@ public:
     const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), result);
     if(parametrize(m_surface) && extract(result, is_feature)) {
       smooth(result, is_feature);
+      restore_size(result);
       write(result, is_feature, quads, np);
     }
     return m_report;
@@ -303,8 +306,22 @@ private:
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
     m_report.mean_scaled_jacobian = shape[1];
-    m_report.largest_distance = smoother.measure_distance();
+    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
     m_timer.finish("measurement");
+  }
+
+  template <typename QuadMesh>
+  void restore_size(QuadMesh& quads) const
+  {
+    const auto point_map = CGAL::get_property_map(CGAL::vertex_point, quads);
+    using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
+    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+    const auto unscaled = [&](const auto& x)
+                          { return FT(m_surface.unscaled(CGAL::to_double(x))); };
+    for(const auto v : vertices(quads)) {
+      const Point p = get(point_map, v);
+      put(point_map, v, Point(unscaled(p.x()), unscaled(p.y()), unscaled(p.z())));
+    }
   }
 
   template <typename QuadMesh, typename FeatureMap, typename NamedParameters>

@@ -38,8 +38,9 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
-double area_in_space(const TriangleMesh& tmesh, const NamedParameters& np)
+double area_in_squares(const TriangleMesh& tmesh, const double length, const NamedParameters& np)
 {
+  const int exponent = std::ilogb(length); // no square is too large then
   const auto point_map = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
     CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
@@ -51,6 +52,8 @@ double area_in_space(const TriangleMesh& tmesh, const NamedParameters& np)
     for(std::array<double, 3>& q : p) {
       const auto& point = get(point_map, target(g, tmesh));
       q = {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+      for(double& x : q)
+        x = std::ldexp(x, -exponent);
       g = next(g, tmesh);
     }
     std::array<double, 3> normal;
@@ -61,7 +64,8 @@ double area_in_space(const TriangleMesh& tmesh, const NamedParameters& np)
     }
     area += std::hypot(normal[0], normal[1], normal[2]) / 2;
   }
-  return area;
+  const double scaled = std::ldexp(length, -exponent);
+  return area / (scaled * scaled);
 }
 
 template <typename TriangleMesh, typename NamedParameters>
@@ -75,8 +79,9 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   if constexpr(!is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value) {
     const double length =
       static_cast<double>(get_parameter(np, internal_np::target_edge_length));
-    options.number_of_quads = length > 0 ? area_in_space(tmesh, np) / (length * length)
-                                         : std::numeric_limits<double>::quiet_NaN();
+    options.number_of_quads = length > 0 && std::isfinite(length)
+                                ? area_in_squares(tmesh, length, np)
+                                : std::numeric_limits<double>::quiet_NaN();
   } else {
     options.number_of_quads = static_cast<double>(choose_parameter(
       get_parameter(np, internal_np::target_number_of_quads), std::size_t(10000)));

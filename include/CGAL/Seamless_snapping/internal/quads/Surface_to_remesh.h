@@ -29,7 +29,9 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <set>
@@ -42,7 +44,8 @@ namespace internal {
 
 // Invariant: no triangle with an area has three sides that are features or border, which no map
 // without flips aligns. Such ones are divided into nine, and their neighbors so that there are
-// triangles only.
+// triangles only. The copy is the input times a power of two, of a size near 1, so that squares of
+// lengths are neither too large nor too small.
 class Surface_to_remesh
 {
 public:
@@ -65,6 +68,7 @@ public:
     CGAL::copy_face_graph(tmesh, m_mesh,
                           CGAL::parameters::vertex_point_map(point_map)
                             .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+    scale();
     for(const auto& [original, copy] : copies)
       m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
     for(const Face f : m_mesh.faces())
@@ -80,10 +84,29 @@ public:
   Feature_map is_feature() const { return m_is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
 
+  // A length in the size of the input.
+  double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
+
   // The number of a face in the input.
   std::size_t original(const std::size_t face) const { return m_originals[face]; }
 
 private:
+  void scale()
+  {
+    double size = 0;
+    for(const auto v : m_mesh.vertices())
+      for(int c = 0; c < 3; ++c)
+        size = (std::max)(size, std::abs(m_mesh.point(v)[c]));
+    if(!(size > 0 && std::isfinite(size)))
+      return;
+    m_exponent = std::ilogb(size);
+    const auto scaled = [&](const double x) { return std::ldexp(x, -m_exponent); };
+    for(const auto v : m_mesh.vertices()) {
+      Kernel::Point_3& p = m_mesh.point(v);
+      p = Kernel::Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+  }
+
   // Divides all sides of the triangles with three aligned sides into three parts, one for each
   // corner and one between, and leads edges from the centers of all faces around to their corners.
   void divide(const std::vector<Face>& faces)
@@ -143,6 +166,7 @@ private:
   Feature_map m_is_feature;
   Uv_map m_uv_map;
   std::vector<std::size_t> m_originals; // per face
+  int m_exponent = 0;
 };
 
 } // namespace internal

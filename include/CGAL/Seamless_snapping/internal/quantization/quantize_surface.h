@@ -19,11 +19,13 @@
 // mesh data structure.
 
 #include <CGAL/Seamless_snapping/Quantization.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -80,7 +82,7 @@ private:
       m_options.number_of_quads = 1;
     return (m_options.number_of_quads >= 1 && m_options.number_of_quads <= std::ldexp(1., 28)) ||
            fail(Quantization_status::INVALID_ARGUMENT,
-                "the target is " + std::to_string(m_options.number_of_quads) +
+                "the target is " + short_number(m_options.number_of_quads) +
                   " quads; it must be at least 1 and at most 2^28");
   }
 
@@ -147,17 +149,21 @@ private:
     return m_options.number_of_quads / (m_options.refinement * m_options.refinement);
   }
 
-  // Units per step of each part's grid.
+  // Units per step of each part's grid. Steps, which are powers of two, are measured by the largest
+  // one, so that no square is too large.
   std::vector<double> scales() const
   {
+    std::vector<double> result(m_surface.input.steps);
+    const double largest = *std::max_element(result.begin(), result.end());
+    for(double& s : result)
+      s /= largest;
     double area = 0;
     const Intrinsic_complex& complex = m_surface.complex;
     for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
-      const double step = m_surface.input.steps[std::size_t(complex.part[std::size_t(h / 3)])];
+      const double step = result[std::size_t(complex.part[std::size_t(h / 3)])];
       area += step * step *
               approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
     }
-    std::vector<double> result(m_surface.input.steps);
     for(double& s : result)
       s *= std::sqrt(number_before_refinement() / area);
     return result;
