@@ -299,6 +299,19 @@ expect_message("${json}" "\"exact\": true")
 file(READ "${WORK_DIR}/out.json" json)
 expect_message("${json}" "\"status\": \"snapped\"")
 
+# A face that alignment leaves no area: the result is exact and written, but the face is told.
+file(WRITE "${WORK_DIR}/thin.obj"
+     "v 0 0 0\nv 1 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 2 0.0009765625\nf 1/1 2/2 3/3\n")
+seamless(5 snap thin.obj thin_out.obj --align-border --tolerance 0.1 --repair-flips
+         --report thin.json)
+expect_message("${err}" "exact, but flips remain: 1 face that was positive no longer is (number 0,")
+file(READ "${WORK_DIR}/thin.json" json)
+expect_message("${json}" "\"exact\": true")
+seamless(0 check thin_out.obj --align-border)
+seamless(0 snap thin.obj thin_out.obj --overwrite --align-border --tolerance 0.1)
+expect_message("${out}" "note: 1 face that was positive no longer is")
+seamless(2 snap thin.obj thin_out.obj --repair-flips --untangling-iterations -1)
+
 # all else stays
 file(READ "${WORK_DIR}/in.obj" text)
 set(text "# a comment\nmtllib a b.mtl\nvn 0 0 1\n${text}\n  \t\nusemtl red # the end")

@@ -6,7 +6,11 @@
 #include <stdexcept>
 #include <string>
 
-enum Exit { SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4 };
+// `STILL_FLIPPED`: the result is exact and written, but flips remain that were to be repaired.
+enum Exit
+{
+  SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4, STILL_FLIPPED = 5
+};
 
 struct Failure : public std::runtime_error
 {

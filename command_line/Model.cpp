@@ -28,7 +28,8 @@ std::string with_options(std::string message)
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
      "a mesh of quads"},
     {"by grid_scale", "by --grid-scale or --number"},
-    {"the rounding_tolerance of", "--rounding"}};
+    {"the rounding_tolerance of", "--rounding"},
+    {"number_of_untangling_iterations", "--untangling-iterations"}};
   for(const auto& [parameter, option] : words)
     if(const std::size_t i = message.find(parameter); i != message.npos)
       message.replace(i, std::string(parameter).size(), option);

@@ -67,8 +67,9 @@ void snap(const Layout_options& options, Model& model, const Edge_bool_map is_al
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
       .repair_flips(options.seams.flip_repair())
+      .number_of_untangling_iterations(options.seams.untangling_iterations)
       .verbose(options.seams.reading.verbose));
-  if(!report)
+  if(!report || report.status == SS::Snapping_status::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 

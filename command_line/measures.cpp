@@ -57,6 +57,9 @@ void Seam_options::add_repair_to(Options& options)
 {
   options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
               "need be by changing the coordinates around them");
+  options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
+              "the largest number of iterations over all faces that the search for these repairs "
+              "takes (default: 400)");
 }
 
 SS::Flip_repair Seam_options::flip_repair() const

@@ -18,6 +18,7 @@ struct Seam_options
   bool align_border = false;
   bool features = false;
   bool repair_flips = false;
+  int untangling_iterations = 400;
   double tolerance = 1e-4;
   bool has_tolerance = false; // given on the command line
 

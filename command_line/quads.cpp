@@ -115,6 +115,7 @@ SS::Snapping_report snap(const Quad_options& options, Model& model)
       .integer_grid(true).grid_scale(scale_for_number(model, options))
       .rounding_tolerance(options.rounding)
       .repair_flips(options.seams.flip_repair())
+      .number_of_untangling_iterations(options.seams.untangling_iterations)
       .verbose(options.seams.reading.verbose));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));

@@ -11,5 +11,6 @@ SS::Snapping_report snap_in_double(Model& model, const Alignment& alignment,
                               SS::parameters::edge_is_constrained_map(alignment.is_aligned)
                                              .tolerance(options.tolerance)
                                              .repair_flips(options.flip_repair())
+                                             .number_of_untangling_iterations(options.untangling_iterations)
                                              .verbose(options.reading.verbose));
 }

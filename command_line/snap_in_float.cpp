@@ -18,6 +18,7 @@ SS::Snapping_report snap_in_float(Model& model, const Alignment& alignment,
                          SS::parameters::edge_is_constrained_map(alignment.is_aligned)
                                         .tolerance(options.tolerance)
                                         .repair_flips(options.flip_repair())
+                                        .number_of_untangling_iterations(options.untangling_iterations)
                                         .verbose(options.reading.verbose));
   for(const Halfedge h : model.mesh.halfedges())
     model.uv_map[h] = Kernel::Point_2(float_map[h].x(), float_map[h].y());

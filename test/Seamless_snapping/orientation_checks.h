@@ -49,7 +49,7 @@ inline bool are_all_positive(const std::vector<int>& signs)
 struct Tally
 {
   std::size_t runs = 0, lost = 0, moves = 0, program = 0, remaining = 0;
-  std::size_t flips = 0, repaired_flips = 0;
+  std::size_t flips = 0, repaired_flips = 0, iterations = 0;
   double largest_growth = 0, rms_growth = 0; // of the changes, by repairs
 
   void add(const SS::Snapping_report& report)
@@ -60,6 +60,7 @@ struct Tally
     program += report.run.number_of_faces_repaired_by_program;
     remaining += report.lost_faces.size();
     repaired_flips += report.run.number_of_repaired_flips;
+    iterations = (std::max)(iterations, report.run.number_of_untangling_iterations);
     flips += report.run.number_of_repaired_flips + report.remaining_flips.size();
     if(report.run.number_of_lost_faces > 0) {
       largest_growth =
@@ -72,7 +73,8 @@ struct Tally
   {
     std::cout << name << ": " << runs << " runs, " << lost << " faces lost, repaired by moves "
               << moves << ", by programs " << program << ", remaining " << remaining << "; flips "
-              << flips << ", repaired " << repaired_flips << "; largest change times "
+              << flips << ", repaired " << repaired_flips << " in " << iterations
+              << " iterations at most; largest change times "
               << largest_growth << ", rms change times " << rms_growth << std::endl;
   }
 };
@@ -104,6 +106,10 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   } else {
     CHECK_IN(context, report.remaining_flips.empty() && report.run.number_of_repaired_flips == 0);
   }
+  const bool is_told = report.message.find("counted from 0") != std::string::npos;
+  CHECK_IN(context, is_told == !(report.lost_faces.empty() && report.remaining_flips.empty()));
+  CHECK_IN(context, (report.status == SS::Snapping_status::FLIPS_REMAIN) ==
+                      (repair != 0 && is_told));
   const double change = largest_difference(bits_before, all_bits(g, uv));
   CHECK_IN(context, std::abs(report.largest_change - change) <= 1e-12 * change);
   return report;

@@ -160,8 +160,9 @@ inline void test_mirrored_map()
   const Bits mirrored = all_bits(mesh, uv);
   const auto report = snap(mesh, uv, SS::parameters::default_values(),
                            exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(context, report.status == SS::Snapping_status::FLIPS_REMAIN);
   CHECK_IN(context, report.remaining_flips.size() == mesh.number_of_faces());
+  CHECK_IN(context, report.message.find(std::to_string(mesh.number_of_faces()) + " faces") == 0);
   CHECK_IN(context, all_bits(mesh, uv) == mirrored);
 }
 
@@ -189,6 +190,80 @@ inline void test_flips_near_origin()
            true);
       CHECK_IN(context, are_all_positive(signs(mesh, uv)));
     }
+}
+
+// One wrong number, as after a broken read: the vertex comes back, and no other moves.
+inline void test_far_vertex()
+{
+  for(const double x : { 1e10, -1e19, 1e100, 1e150 })
+    for(const int coordinate : { 0, 1 }) {
+      const std::string context = "a vertex far away, coordinate " + std::to_string(coordinate);
+      Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::double_torus(), 2);
+      const auto uv = test_meshes::uv_map(mesh);
+      const std::vector<Kernel::Point_2> before = points(mesh, uv);
+      const uv_noise::Cuts<Mesh, UV_map> cuts(mesh, uv);
+      std::vector<Mesh::Halfedge_index> corners;
+      const auto v = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(), [&](auto w) {
+        uv_noise::corners_in_turn(mesh.halfedge(w), mesh, cuts, corners);
+        return std::all_of(corners.begin(), corners.end(),
+                           [&](auto h) { return cuts.is_passable(h); });
+      });
+      for(const auto h : CGAL::halfedges_around_target(v, mesh))
+        uv[h] = coordinate == 0 ? Kernel::Point_2(x, uv[h].y()) : Kernel::Point_2(uv[h].x(), x);
+      CHECK_IN(context, !are_all_positive(signs(mesh, uv)));
+      const auto report = snap(mesh, uv, SS::parameters::default_values(),
+                               exact_check::No_edge_aligned(), context, true);
+      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, are_all_positive(signs(mesh, uv)));
+      for(const auto h : mesh.halfedges())
+        CHECK_IN(context, mesh.target(h) == v || uv[h] == before[std::size_t(h)]);
+    }
+}
+
+// The search ends where the caller wants it to, and says so.
+inline void test_bound_of_search()
+{
+  std::size_t ended = 0;
+  for(const unsigned int iterations : { 0u, 1u, 400u })
+    for(const Named& original : test_meshes::all_meshes<Kernel>()) {
+      Named named = original;
+      tangle(named, 4, 1);
+      const auto uv = test_meshes::uv_map(named.mesh);
+      const auto report = SS::snap_to_seamless(
+        named.mesh, uv, SS::parameters::repair_flips(SS::Flip_repair::UNTANGLE)
+                          .number_of_untangling_iterations(iterations));
+      const std::string context =
+        named.name + ", " + std::to_string(iterations) + " iterations: " + report.message;
+      CHECK_IN(context, report.run.number_of_untangling_iterations <= iterations);
+      const bool is_told = report.message.find("raise it") != std::string::npos;
+      CHECK_IN(context, !is_told || report.status == SS::Snapping_status::FLIPS_REMAIN);
+      ended += iterations < 400 && is_told ? 1 : 0;
+      CHECK_IN(context, iterations < 400 || !is_told);
+    }
+  CHECK(ended > 10);
+}
+
+// A face with two edges on one isocurve can't have an area: it is told, and nothing is searched.
+inline void test_face_without_area()
+{
+  const std::string context = "face without area";
+  Mesh mesh;
+  const auto a = mesh.add_vertex(), b = mesh.add_vertex(), c = mesh.add_vertex();
+  const auto f = mesh.add_face(a, b, c);
+  const auto uv = test_meshes::uv_map(mesh);
+  const Kernel::Point_2 places[] = { { 0, 0 }, { 1, 0 }, { 2, 0x1p-10 } };
+  for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+    uv[h] = places[std::size_t(mesh.target(h))];
+  const auto np = SS::parameters::align_border(true).tolerance(0.1);
+  const auto is_aligned = [](auto) { return true; };
+  const auto first = snap(mesh, uv, np, is_aligned, context, 2);
+  CHECK_IN(context, first.status == SS::Snapping_status::FLIPS_REMAIN);
+  CHECK_IN(context, first.lost_faces == std::vector<std::size_t>{ 0 });
+  const auto second = snap(mesh, uv, np, is_aligned, context + ", again", 2);
+  CHECK_IN(context, second.remaining_flips == std::vector<std::size_t>{ 0 });
+  CHECK_IN(context, second.run.number_of_faces_without_area == 1);
+  CHECK_IN(context, second.run.number_of_untangling_iterations == 0);
+  CHECK_IN(context, second.message.find("no area") != std::string::npos);
 }
 
 // A face without area counts as one to be repaired.
@@ -365,6 +440,9 @@ inline void test_flips()
   test_mirrored_map();
   test_flips_near_origin();
   test_degenerate_face();
+  test_far_vertex();
+  test_bound_of_search();
+  test_face_without_area();
   test_flips_at_nodes();
   test_flips_off_grid();
   test_bow_tie();

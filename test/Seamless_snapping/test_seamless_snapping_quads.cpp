@@ -824,6 +824,9 @@ void test_refusals()
   map = fresh();
   map->shift(0, 1e15);
   check_refusal(*map, Status::TOO_LARGE, "2^46", none);
+  const auto snapped = SS::snap_to_seamless(map->mesh, map->uv, parameters::integer_grid(true));
+  CHECK(snapped.status == SS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(snapped.message.find("beyond 2^46") != std::string::npos);
 
   Grid_map pillow(surfaces::tetrahedron(), 1, 4); // too small for a quad
   for(const auto g : pillow.mesh.halfedges())

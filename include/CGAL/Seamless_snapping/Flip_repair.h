@@ -29,10 +29,13 @@ Values of the named parameter `repair_flips` of `snap_to_seamless()`. `true` sta
 Repairs leave cones their angles if they can: a cone of 450 degrees, for instance, does not become
 one of 90, for which another vertex would get 360 degrees more. Only where flips remain, all is
 tried again without this condition; and, but for integer-grid maps, before large parts of the map
-are changed. The work of untangling is bounded: 400 iterations of Newton's
-method over all faces, twice if all is tried again, and for integer-grid maps nine times that, as
-new cones are rounded up to eight times. Of the first 400, maps of common producers took at most 92,
-and small maps that were tangled at random 208.
+are changed. No face that is positive loses its orientation for another one.
+
+The search is bounded by the named parameter `number_of_untangling_iterations`, 400 by default: that
+many iterations of Newton's method over all faces. Maps of common producers took at most 92, small
+maps that were tangled at random 208. What remains flipped is told by the status
+`Snapping_status::FLIPS_REMAIN`; the result is exact nevertheless. A face that seams and alignments
+leave no area, whatever the coordinates are, is not searched for.
 */
 enum class Flip_repair
 {

@@ -32,14 +32,17 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-The outcome of a snapping function. After `ALREADY_EXACT` and `SNAPPED` all constraints hold
-exactly; after any other outcome the caller's values are untouched to the bit, unless they are in a
-property map that does not keep what is written to it.
+The outcome of a snapping function. After `ALREADY_EXACT`, `SNAPPED` and `FLIPS_REMAIN` all
+constraints hold exactly; after any other outcome the caller's values are untouched to the bit,
+unless they are in a property map that does not keep what is written to it.
 */
 enum class Snapping_status
 {
   ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
   SNAPPED,            ///< values were moved, and now all constraints hold exactly
+  /// all constraints hold exactly, but of the faces that `repair_flips` asked for, some are still
+  /// not positive, or no longer. `Snapping_report::largest_change` is 0 if nothing was written
+  FLIPS_REMAIN,
   INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, and the like
   NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
   NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
@@ -66,6 +69,7 @@ inline const char* to_string(const Snapping_status status)
   switch(status) {
   case Snapping_status::ALREADY_EXACT:     return "already exact";
   case Snapping_status::SNAPPED:           return "snapped";
+  case Snapping_status::FLIPS_REMAIN:      return "exact, but flips remain";
   case Snapping_status::INVALID_ARGUMENT:  return "invalid argument";
   case Snapping_status::NOT_TRIANGULAR:    return "not triangular";
   case Snapping_status::NOT_FINITE:        return "not finite";
@@ -149,6 +153,12 @@ struct Snapping_figures
   std::size_t number_of_faces_repaired_by_untangling = 0;
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;
+  /// with `Flip_repair::UNTANGLE`: faces that have no area, whatever the coordinates are, as long
+  /// as seams and alignments are what they are
+  std::size_t number_of_faces_without_area = 0;
+  /// with `Flip_repair::UNTANGLE`: iterations over all faces that it took, at most what the named
+  /// parameter `number_of_untangling_iterations` allows
+  std::size_t number_of_untangling_iterations = 0;
   /// @}
 
   /// the steps in the order in which they were made, with their wall-clock times in seconds
@@ -171,7 +181,7 @@ struct Snapping_report
   /// @{
   Snapping_status status = Snapping_status::ALREADY_EXACT; ///< the outcome
   /// on failure: the place, the reason, and the remedy; after success perhaps a note, such as that
-  /// border edges coincide
+  /// border edges coincide, or that faces are not positive
   std::string message;
   /*!
   If `status` is `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and
@@ -228,10 +238,12 @@ struct Snapping_report
   Snapping_figures run;                ///< figures of the run
   Linear_solver_figures linear_solver; ///< figures of the linear system
 
-  /// returns `true` if and only if all constraints hold exactly in the caller's values.
+  /// returns `true` if and only if all constraints hold exactly in the caller's values, whatever
+  /// the orientations of faces are.
   explicit operator bool() const
   {
-    return status == Snapping_status::ALREADY_EXACT || status == Snapping_status::SNAPPED;
+    return status == Snapping_status::ALREADY_EXACT || status == Snapping_status::SNAPPED ||
+           status == Snapping_status::FLIPS_REMAIN;
   }
 };
 

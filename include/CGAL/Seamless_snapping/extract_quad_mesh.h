@@ -113,6 +113,11 @@ Nothing is written unless the extraction succeeds.
     \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_untangling_iterations}
+    \cgalParamDescription{the bound of this search, as of `snap_to_seamless()`}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{400}
+  \cgalParamNEnd
   \cgalParamNBegin{allow_holes}
     \cgalParamDescription{whether faces that are flipped or degenerate in the domain, or that are
                           left so by repairs, are taken for holes, so that the cells that touch or

@@ -215,7 +215,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
- *   are spent on flipped triangles of a parametrization under way (`unsigned int`)
+ *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
  * - `release_alignment`: whether features need not be aligned where triangles would be flipped
  *   otherwise (`bool`)
  * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)

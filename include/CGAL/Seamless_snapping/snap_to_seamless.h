@@ -162,7 +162,17 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamExtra{With `Flip_repair::UNTANGLE`, what remains is untangled under all constraints:
                     there is no bound on how far vertices move, `Snapping_report::largest_change`
                     tells how far they did. It needs rotations by multiples of 90 degrees, takes
-                    seconds rather than milliseconds, and is not guaranteed to succeed.}
+                    seconds rather than milliseconds, and is not guaranteed to succeed. The
+                    status is `FLIPS_REMAIN` where faces are left that are not positive.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_untangling_iterations}
+    \cgalParamDescription{the largest number of iterations over all faces that the search for
+                          repairs takes: of Newton's method, where it untangles; quadratic programs
+                          take 250 multiplications each for an iteration and a face, as for 1000
+                          faces at least. With 0, only single vertices move.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{400; of what has been repaired, the most that was needed is told at
+                      `Flip_repair`}
   \cgalParamNEnd
   \cgalParamNBegin{integer_grid}
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
@@ -203,7 +213,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 \cgalNamedParamsEnd
 
 \return the status and figures; converts to `true` if and only if the parametrization is exactly
-        seamless and aligned. On failure, `Snapping_report::status` is
+        seamless and aligned, also where faces are left flipped, which the status `FLIPS_REMAIN`
+        tells if `repair_flips` asked for them. On failure, `Snapping_report::status` is
         - `NOT_TRIANGULAR`: a face has more or less than three corners;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
@@ -218,7 +229,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest
-          number, as can happen with `float`s close to it;
+          number, as can happen with `float`s close to it; or, with `integer_grid`, because a
+          coordinate is beyond \f$ 2^{46} \f$;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: the result failed its verification; or a `uv_map` does not keep what is
           written to it, as one that stores `float`s in place of `double`s. The old coordinates have
@@ -265,6 +277,8 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
       tmesh, uv_map, plain_np,
       CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.));
+  internal::tell_of_faces(internal::chosen_flip_repair(plain_np),
+                          internal::chosen_number_of_untangling_iterations(plain_np), report);
   if(report)
     internal::find_intercepted_connections(
       CGAL::parameters::get_parameter_reference(plain_np,

@@ -39,7 +39,7 @@
 #define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, HOW)                                 \
   PREFIX template bool untangle_flips<Rotation_group<4>, HOW>(                                     \
     const Movable_points<Rotation_group<4> >&, const Complex_solver<Rotation_group<4> >&,          \
-    Uv_state&);
+    Uv_state&, std::size_t&, std::size_t&);
 
 #define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_SOLVER(PREFIX)                                  \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                            \

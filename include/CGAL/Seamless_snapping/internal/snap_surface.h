@@ -24,6 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
@@ -86,6 +87,7 @@ public:
     , m_options(options)
     , m_timer(m_report.run, options.is_verbose)
     , m_flip_repair(options.flip_repair)
+    , m_iterations(options.number_of_untangling_iterations)
   { }
 
   Snapping_report run();
@@ -102,6 +104,10 @@ private:
     m_timer.finish("transitions");
     if(transitions.refusal)
       return transitions.refusal;
+    if constexpr(may_round)
+      if(m_options.rounds)
+        if(const auto refusal = check_range())
+          return refusal;
 
     const auto aligned_edges =
       read_aligned_edges<Group>(m_tmesh, m_uv_map, m_vertex_indices, m_options.edges_to_align,
@@ -160,7 +166,7 @@ private:
       if(m_flip_repair == Flip_repair::UNTANGLE)
         untangle = &untangle_flips<Group, how>;
     Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
-                              untangle)
+                              m_iterations, untangle)
       .run(snapped.coordinates, m_report);
     m_timer.finish("orientation");
     if(was_exact && m_report.run.number_of_repaired_flips == 0)
@@ -173,6 +179,23 @@ private:
                      {}};
     m_timer.finish("verification");
     return write(cuts, stars, snapped);
+  }
+
+  // Before the search for integers and repairs that no extraction takes.
+  std::optional<Refusal> check_range() const
+  {
+    for(const auto h : halfedges(m_tmesh)) {
+      if(is_border(h, m_tmesh))
+        continue;
+      const Uv u = get_uv(m_uv_map, h);
+      if((std::max)(std::abs(u[0]), std::abs(u[1])) > largest_grid_coordinate)
+        return Refusal{Snapping_status::NOT_REPRESENTABLE,
+                       "a coordinate of vertex " +
+                         std::to_string(get(m_vertex_indices, target(h, m_tmesh))) +
+                         " is too large: beyond 2^46, where units can't be counted safely; move or "
+                         "shrink the map", {}};
+    }
+    return std::nullopt;
   }
 
   // The uv map is a copy then, which can be changed before anything is known to succeed.
@@ -327,6 +350,7 @@ private:
   Snapping_report m_report;
   Step_timer m_timer;
   Flip_repair m_flip_repair;
+  std::size_t m_iterations; // that the search for repairs may still take
   bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
   bool m_has_spread = false; // the last roundings
   std::vector<Halfedge> m_large_cones;
@@ -348,6 +372,8 @@ Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_r
     m_report.message = std::move(refusal->message);
     m_report.certificate = std::move(refusal->certificate);
   }
+  m_report.run.number_of_untangling_iterations =
+    m_options.number_of_untangling_iterations - m_iterations;
   m_timer.finish("release of memory");
   if(m_report && m_report.run.number_of_cut_edges == 0)
     note_coinciding_border_edges();
@@ -379,6 +405,42 @@ void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
         .push_back(index);
     ++index;
   }
+}
+
+inline std::string number_of_faces_in_words(const std::vector<std::size_t>& faces,
+                                            const std::string& one, const std::string& many)
+{
+  return std::to_string(faces.size()) + (faces.size() == 1 ? one : many) + " (" +
+         (faces.size() == 1 ? "" : "the first is ") + "number " + std::to_string(faces.front()) +
+         ", counted from 0)";
+}
+
+// What became of the orientations, in words; and in the status, where repairs were asked for.
+inline void tell_of_faces(const Flip_repair repair, const std::size_t iterations,
+                          Snapping_report& report)
+{
+  const bool is_asked = repair != Flip_repair::NONE;
+  const bool has_flips = is_asked && !report.remaining_flips.empty();
+  if(!report || (!has_flips && report.lost_faces.empty()))
+    return;
+  std::string note;
+  if(has_flips)
+    note = number_of_faces_in_words(report.remaining_flips, " face is still flipped or degenerate",
+                                    " faces are still flipped or degenerate");
+  if(!report.lost_faces.empty())
+    note += (has_flips ? ", and " : "") +
+            number_of_faces_in_words(report.lost_faces, " face that was positive no longer is",
+                                     " faces that were positive no longer are");
+  if(is_asked)
+    report.status = Snapping_status::FLIPS_REMAIN;
+  if(const std::size_t n = report.run.number_of_faces_without_area; n > 0)
+    note += "; seams and alignments leave " + std::to_string(n) +
+            " of them no area, whatever the coordinates are: correct the seams, or align less";
+  else if(is_asked && report.run.number_of_untangling_iterations == iterations)
+    note += "; the search for repairs ended at number_of_untangling_iterations: raise it";
+  else if(repair == Flip_repair::NEAR_BY)
+    note += "; Flip_repair::UNTANGLE changes more of the map";
+  report.message += (report.message.empty() ? "" : "; ") + note;
 }
 
 // The named parameters as values: the rest does not know their types.

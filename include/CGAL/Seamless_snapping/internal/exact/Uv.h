@@ -25,6 +25,10 @@ namespace internal {
 
 using Uv = std::array<double, 2>;
 
+// Of integer-grid maps. Below, the error of a coordinate computed on an edge stays under 1/4, and
+// sums of coordinates and translations stay exact integers.
+constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

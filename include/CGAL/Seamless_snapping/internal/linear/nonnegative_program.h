@@ -29,14 +29,14 @@ namespace Seamless_snapping {
 namespace internal {
 
 // The x >= 0 that minimizes 1/2 x^T S x - r^T x, for a symmetric S with a positive diagonal.
-inline Eigen::VectorXd minimize_nonnegative(const Eigen::MatrixXd& s, const Eigen::VectorXd& r)
+// \param work the multiplications that are allowed; receives those that are left
+inline Eigen::VectorXd minimize_nonnegative(const Eigen::MatrixXd& s, const Eigen::VectorXd& r,
+                                            double& work)
 {
   constexpr double overrelaxation = 1.5, precision = 1e-6;
-  constexpr double largest_work = 1e9; // multiplications
-  const double size = static_cast<double>(r.size());
-  const int sweeps = static_cast<int>((std::min)(10000., largest_work / (size * size + 1)));
+  const double sweep_work = static_cast<double>(r.size()) * static_cast<double>(r.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(r.size());
-  for(int sweep = 0; sweep < sweeps; ++sweep) {
+  for(int sweep = 0; sweep < 10000 && work > 0; ++sweep, work -= sweep_work) {
     double largest_change = 0;
     for(Eigen::Index i = 0; i < r.size(); ++i) {
       const double step = (r[i] - s.col(i).dot(x)) / s(i, i);

@@ -30,6 +30,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +53,7 @@ struct Snapping_options
   bool has_given_indices; // of vertices; they may be wrong
   bool rounds;            // to an integer-grid map
   Flip_repair flip_repair;
+  std::size_t number_of_untangling_iterations;
   bool is_verbose;
 };
 
@@ -61,6 +63,13 @@ Flip_repair chosen_flip_repair(const NamedParameters& np)
 {
   return static_cast<Flip_repair>(int(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false)));
+}
+
+template <typename NamedParameters>
+std::size_t chosen_number_of_untangling_iterations(const NamedParameters& np)
+{
+  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::untangling_iterations), 400));
 }
 
 template <typename Group, typename TriangleMesh, typename NamedParameters>
@@ -78,6 +87,7 @@ Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
           has_vertex_index_map<NamedParameters>,
           bool(chosen(CGAL::internal_np::integer_grid, false)),
           chosen_flip_repair(np),
+          chosen_number_of_untangling_iterations(np),
           bool(chosen(CGAL::internal_np::verbose, false))};
 }
 

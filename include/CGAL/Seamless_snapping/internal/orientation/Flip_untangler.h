@@ -25,9 +25,14 @@
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/predicates/sign_of_determinant.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -61,23 +66,24 @@ public:
 
   // Changes exact coordinates into others with fewer flips, if they are found.
   // \pre all faces were met
+  // \param iterations over all faces that are allowed; receives the number that is left
+  // \param without_area receives the number of faces that seams and alignments leave no area
   // \return whether the coordinates were changed
-  bool run(Uv_state& state, const Untangling how) const
+  bool run(Uv_state& state, const Untangling how, std::size_t& iterations,
+           std::size_t& without_area) const
   {
     const Constrained_triangles map = constrained_triangles(state);
+    without_area = std::size_t(
+      std::count_if(map.triangles.begin(), map.triangles.end(),
+                    [](const Constrained_triangles::Triangle& t) { return !t.can_have_area; }));
     Untangler<double> untangler(map);
-    untangler.run(largest_number_of_iterations, how);
+    if(iterations == 0 || map.not_positive(untangler.unknowns()).empty())
+      return false;
+    iterations -= (std::min)(iterations, untangler.run(iterations, how));
     const std::vector<double>& unknowns = untangler.unknowns();
 
-    Target_shifts<Group> shifts;
-    const std::size_t number_of_sectors = m_points.stars().number_of_sectors();
-    for(std::size_t s = 0; s < number_of_sectors; ++s) {
-      const Uv to = map.point(s, unknowns), &from = m_points.complex().coordinates[s];
-      if(to != from)
-        shifts[Sector_index(s)] = {{to[0] - from[0], to[1] - from[1]}};
-    }
     Uv_state solution;
-    if(!m_solver.solve_shifted(shifts, solution))
+    if(!m_solver.solve_shifted(shifts_to(map, unknowns), solution))
       return false;
     Uv_state result(solution);
     for(std::size_t p = 0; p < map.start.size(); ++p) {
@@ -96,6 +102,23 @@ public:
   }
 
 private:
+  // The targets of sectors whose corners differ are their means.
+  Target_shifts<Group> shifts_to(const Constrained_triangles& map,
+                                 const std::vector<double>& unknowns) const
+  {
+    std::vector<Uv> targets(m_points.complex().coordinates);
+    for(const auto& mixed : m_points.complex().mixed_sectors)
+      for(std::size_t c = 0; c < 2; ++c)
+        targets[std::size_t(mixed.sector)][c] += mixed.deviation[c];
+    Target_shifts<Group> shifts;
+    for(std::size_t s = 0; s < targets.size(); ++s) {
+      const Uv to = map.point(s, unknowns), &from = targets[s];
+      if(to != from)
+        shifts[Sector_index(s)] = {{to[0] - from[0], to[1] - from[1]}};
+    }
+    return shifts;
+  }
+
   Constrained_triangles constrained_triangles(const Uv_state& state) const
   {
     const Free_coordinates<Group> coordinates(m_points.complex());
@@ -117,7 +140,36 @@ private:
                                  std::size_t(face.points[2])}}, wanted_shape(face)});
     }
     add_angles(map);
+    const std::vector<double> zeros(map.number_of_unknowns, 0.);
+    for(const std::size_t t : map.not_positive(zeros))
+      map.triangles[t].can_have_area = can_have_area(map, t);
     return map;
+  }
+
+  // Seams and alignments can leave a triangle no area, whatever the unknowns are. Twice the area is
+  // a polynomial of degree 2 in them: if it is not 0, it is so at one of 2^24 numbers with a
+  // probability of 2^-23 at most.
+  static bool can_have_area(const Constrained_triangles& map, const std::size_t t)
+  {
+    using Number = CGAL::Exact_rational;
+    std::array<std::array<Number, 2>, 3> corners;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t p = map.triangles[t].points[i];
+      for(std::size_t c = 0; c < 2; ++c) {
+        corners[i][c] = Number(map.start[p][c]);
+        for(const auto& [unknown, factor] : map.rows[p][c])
+          corners[i][c] += Number(factor) * Number(any_number(unknown));
+      }
+    }
+    return CGAL::sign_of_determinant<Number>(
+             corners[1][0] - corners[0][0], corners[1][1] - corners[0][1],
+             corners[2][0] - corners[0][0], corners[2][1] - corners[0][1]) != CGAL::ZERO;
+  }
+
+  static double any_number(const std::size_t unknown)
+  {
+    std::mt19937 random(static_cast<std::mt19937::result_type>(unknown));
+    return static_cast<double>(random() % (1u << 24));
   }
 
   void add_angles(Constrained_triangles& map) const
@@ -136,8 +188,6 @@ private:
       map.angle.push_back(sum.value());
   }
 
-  static constexpr std::size_t largest_number_of_iterations = 200; // over all faces
-
   const Movable_points<Group>& m_points;
   const Complex_solver<Group>& m_solver;
 };
@@ -145,9 +195,9 @@ private:
 // As Orientation_repair takes it.
 template <typename Group, Untangling how>
 bool untangle_flips(const Movable_points<Group>& points, const Complex_solver<Group>& solver,
-                    Uv_state& state)
+                    Uv_state& state, std::size_t& iterations, std::size_t& faces_without_area)
 {
-  return Flip_untangler<Group>(points, solver).run(state, how);
+  return Flip_untangler<Group>(points, solver).run(state, how, iterations, faces_without_area);
 }
 
 } // namespace internal

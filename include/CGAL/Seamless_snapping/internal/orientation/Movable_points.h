@@ -80,14 +80,16 @@ public:
     state[std::size_t(p)] = u;
   }
 
+  // Whether no constraint concerns it.
+  bool is_free(const Point_index p) const { return !is_sector(p) || grid_step(p) == 0; }
+
   // A multiple of the distance of neighboring numbers that the point can take: those of the coarser
   // of its grids or, where no constraint concerns it, of its coordinates' type, anywhere in the
   // ring around it.
   double spacing(const Point_index p) const
   {
-    const double step = is_sector(p) ? grid_step(p) : 0;
-    if(step > 0)
-      return step;
+    if(!is_free(p))
+      return grid_step(p);
     double largest = 0;
     for(const Face_corner& corner : m_stars.star(p))
       for(const Uv& u : domain_face(corner.face).input)

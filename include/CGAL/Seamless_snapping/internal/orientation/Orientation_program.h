@@ -57,8 +57,9 @@ public:
   // \param margin the part of its wanted area that each face is to have
   // \param at where the conditions are linearized
   // \param forces receives the multiplier of each face
+  // \param work see `minimize_nonnegative()`
   bool solve(const std::vector<Face_index>& active, const double margin, const Uv_state& at,
-             Uv_state& result, Eigen::VectorXd& forces)
+             Uv_state& result, Eigen::VectorXd& forces, double& work)
   {
     std::vector<Condition> conditions;
     for(const Face_index f : active)
@@ -74,7 +75,7 @@ public:
     }
     s = (0.5 * (s + s.transpose())).eval();
     s.diagonal().array() += 1e-9; // of lengths 1; for conditions that exclude each other
-    forces = minimize_nonnegative(s, missing);
+    forces = minimize_nonnegative(s, missing, work);
     if(!forces.allFinite())
       return false;
     Vectors shift(m_shift);

@@ -43,15 +43,20 @@ class Orientation_repair
 {
 public:
   // Changes exact coordinates into others with fewer flips, if it finds them; returns whether.
+  // Takes from the number of iterations over all faces that are allowed.
   // \pre all faces were met
-  using Untangle = bool (*)(const Movable_points<Group>&, const Complex_solver<Group>&, Uv_state&);
+  using Untangle = bool (*)(const Movable_points<Group>&, const Complex_solver<Group>&, Uv_state&,
+                            std::size_t& iterations, std::size_t& faces_without_area);
 
   // \param repair_flips whether faces that are not positive in the input are to be repaired too
+  // \param iterations that the search may take; receives those that are left
   // \param step what is done about those that remain, if anything
   Orientation_repair(const Cut_complex<Group>& complex, const Complex_solver<Group>& solver,
-                     Point_stars& stars, const bool repair_flips, const Untangle step = nullptr)
+                     Point_stars& stars, const bool repair_flips, std::size_t& iterations,
+                     const Untangle step = nullptr)
     : m_solver(solver), m_stars(stars), m_points(complex, solver, stars),
-      m_move(m_points, solver.format()), m_repair_flips(repair_flips), m_untangle(step)
+      m_move(m_points, solver.format()), m_repair_flips(repair_flips), m_untangle(step),
+      m_iterations(iterations)
   { }
 
   // Repairs the coordinates of an exact solution, and keeps them exact.
@@ -104,10 +109,14 @@ private:
     m_stars.meet_all_faces();
     for(std::size_t f = 0; f < m_stars.number_of_faces(); ++f)
       m_watched.add(Face_index(f));
-    Uv_state state = best.state;
-    if(!m_untangle(m_points, m_solver, state))
+    if(best.state != m_tangled) { // else the search has its result already
+      m_tangled = m_untangled = best.state;
+      m_untangle(m_points, m_solver, m_untangled, m_iterations,
+                 report.run.number_of_faces_without_area);
+    }
+    if(m_untangled == best.state)
       return;
-    const Attempt attempt = repaired_by_moves(state, m_largest_repair);
+    const Attempt attempt = repaired_by_moves(m_untangled, m_largest_repair);
     if(attempt.flips.size() >= best.flips.size() || !is_subset(attempt.lost, best.lost))
       return;
     report.run.number_of_faces_repaired_by_untangling = best.lost.size() - attempt.lost.size();
@@ -187,9 +196,10 @@ private:
     Eigen::VectorXd forces;
     const bool is_crowd = active.size() > largest_program;
     active.resize((std::min)(active.size(), largest_program));
-    for(int idle = 0; idle < 4 && !active.empty() && m_work < largest_work; ++idle) {
+    for(int idle = 0; idle < 4 && !active.empty() && m_work < largest_work && m_multiplications > 0;
+        ++idle) {
       m_work += active.size();
-      if(!program.solve(active, margin, at, next, forces))
+      if(!program.solve(active, margin, at, next, forces, m_multiplications))
         return;
       // conditions exclude each other: drop that which asks for most
       if(!is_near_input(next, reach)) {
@@ -253,8 +263,12 @@ private:
   static constexpr double largest_growth = 4;
   // Of the extent. Where constraints ask for larger changes, linearized orientations mean nothing.
   static constexpr double largest_reach = 0.01;
-  // Faces of one program, and of all together: what takes some seconds.
+  // Faces of one program, and of all together.
   static constexpr std::size_t largest_program = 1000, largest_work = 6000;
+  // Of programs, for each iteration and face: real maps take up to 100. There are some for small
+  // meshes, too.
+  static constexpr double multiplications = 250;
+  static constexpr std::size_t least_number_of_faces = 1000;
 
   const Complex_solver<Group>& m_solver;
   Point_stars& m_stars;
@@ -263,6 +277,9 @@ private:
   Kernel_moves<Group> m_move;
   bool m_repair_flips;
   Untangle m_untangle;
+  std::size_t& m_iterations;
+  double m_multiplications = 0; // that programs may still take
+  Uv_state m_tangled, m_untangled; // the last step of untangling
   Uv_state m_optimum; // the exact solution for targets that are not shifted
   std::size_t m_work = 0;
   // The largest change; that which repairs may make; that of programs for flips of the input; and
@@ -288,6 +305,8 @@ void Orientation_repair<Group>::run(Uv_state& state, Snapping_report& report)
                                 16 * m_solver.coarsest_step());
   m_flip_reach = (std::max)(m_largest_repair, largest_reach * report.extent);
   m_optimum = state;
+  m_multiplications = multiplications * static_cast<double>(m_iterations) *
+    static_cast<double>((std::max)(least_number_of_faces, report.run.number_of_faces));
   Attempt best{state, {}, {}};
   make_all_attempts(best, report);
   if(!best.flips.empty()) {

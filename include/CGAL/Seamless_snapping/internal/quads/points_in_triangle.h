@@ -32,10 +32,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Below, the error of a coordinate computed on an edge stays under 1/4, and sums of coordinates and
-// translations stay exact integers.
-constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
-
 inline bool is_integer(const double x) { return static_cast<double>(std::int64_t(x)) == x; }
 inline bool is_integer(const Exact_difference& x)
 {

@@ -58,6 +58,7 @@ struct Constrained_triangles
   {
     std::array<std::size_t, 3> points; // counterclockwise
     Reference_shape shape;
+    bool can_have_area = true; // else it is left as it is
   };
 
   std::size_t number_of_unknowns = 0;
@@ -79,12 +80,12 @@ struct Constrained_triangles
     return {{point(p[0], unknowns), point(p[1], unknowns), point(p[2], unknowns)}};
   }
 
-  // The triangles whose sign is not positive, exactly.
+  // The triangles whose sign is not positive, exactly, but could be.
   std::vector<std::size_t> not_positive(const std::vector<double>& unknowns) const
   {
     std::vector<std::size_t> result;
     for(std::size_t t = 0; t < triangles.size(); ++t)
-      if(orientation(triangle(t, unknowns)) != CGAL::POSITIVE)
+      if(triangles[t].can_have_area && orientation(triangle(t, unknowns)) != CGAL::POSITIVE)
         result.push_back(t);
     return result;
   }

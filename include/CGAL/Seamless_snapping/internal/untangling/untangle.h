@@ -65,7 +65,8 @@ public:
     add_angles(all, 1);
     for(std::size_t t = 0; t < map.triangles.size(); ++t)
       for_each_unknown(t, [&](const std::size_t i) {
-        if(m_triangles_of[i].empty() || m_triangles_of[i].back() != t)
+        if(map.triangles[t].can_have_area &&
+           (m_triangles_of[i].empty() || m_triangles_of[i].back() != t))
           m_triangles_of[i].push_back(t);
       });
   }
@@ -191,44 +192,64 @@ private:
     add_angles(triangles, 1);
   }
 
+  std::vector<std::size_t> triangles_of(const std::vector<std::size_t>& patch) const
+  {
+    std::vector<std::size_t> result;
+    for(const std::size_t i : patch)
+      result.insert(result.end(), m_triangles_of[i].begin(), m_triangles_of[i].end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Values of a patch: those with the fewest faults; then those that change least.
+  struct Candidate
+  {
+    std::pair<Faults, FT> cost;
+    std::vector<FT> values;
+
+    void improve(const Candidate& other)
+    {
+      if(other.cost < cost)
+        *this = other;
+    }
+  };
+
   // Returns the number of iterations times that of triangles.
   double improve(const std::vector<std::size_t>& patch, const Attempt& attempt)
   {
-    std::vector<std::size_t> triangles;
-    std::vector<FT> start;
+    const std::vector<std::size_t> triangles = triangles_of(patch);
+    if(attempt.may_change_angles)
+      for(const Found& found : m_found)
+        if(found.iterations == attempt.iterations && found.patch == patch) {
+          move(patch, triangles, found.values);
+          return 0;
+        }
+    Candidate start{{faults(triangles), 0}, {}};
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = int(k);
-      start.push_back(m_unknowns[patch[k]]);
-      triangles.insert(triangles.end(), m_triangles_of[patch[k]].begin(),
-                       m_triangles_of[patch[k]].end());
+      start.values.push_back(m_unknowns[patch[k]]);
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    // What has the fewest faults; then what changes least.
-    const Faults before = faults(triangles);
-    Faults least = before;
-    FT least_change = 0;
-    std::vector<FT> best = start, values(patch.size());
+    Candidate best = start, best_with_any_angles = start, next = start;
     double iterations = 0;
     for(const FT regularization : regularizations) {
       Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
       iterations += static_cast<double>(minimizer.run(attempt.iterations, regularization));
       for(std::size_t k = 0; k < patch.size(); ++k)
-        values[k] = start[k] + minimizer.change()[Eigen::Index(k)];
-      move(patch, triangles, values);
+        next.values[k] = start.values[k] + minimizer.change()[Eigen::Index(k)];
+      move(patch, triangles, next.values);
       const Faults after = faults(triangles);
-      const FT change = minimizer.change().cwiseAbs().maxCoeff();
-      if((attempt.may_change_angles || after.second <= before.second) &&
-         std::make_pair(after, change) < std::make_pair(least, least_change)) {
-        least = after;
-        least_change = change;
-        best = values;
-      }
+      next.cost = {after, minimizer.change().cwiseAbs().maxCoeff()};
+      best_with_any_angles.improve(next);
+      if(attempt.may_change_angles || after.second <= start.cost.first.second)
+        best.improve(next);
       if(after.first > 0 || after.second == 0)
         break; // another start is for other angles
-      move(patch, triangles, start);
+      move(patch, triangles, start.values);
     }
-    move(patch, triangles, best);
+    move(patch, triangles, best.values);
+    if(!attempt.may_change_angles && best.values == start.values)
+      m_found.push_back({attempt.iterations, patch, best_with_any_angles.values});
     for(const std::size_t i : patch)
       m_number_of[i] = -1;
     return iterations * static_cast<double>(triangles.size());
@@ -237,7 +258,17 @@ private:
   // To start with. From 1 on, triangles can collapse; but what comes out mostly changes less.
   static constexpr std::array<FT, 2> regularizations{{0.45, 1}};
 
+  // What became of a patch that had to keep its angles, and so stayed as it was: where the next
+  // attempt may change them, it need not search again.
+  struct Found
+  {
+    std::size_t iterations;
+    std::vector<std::size_t> patch;
+    std::vector<FT> values;
+  };
+
   const Constrained_triangles& m_map;
+  std::vector<Found> m_found;
   std::vector<FT> m_unknowns;
   std::vector<int> m_number_of; // per unknown: its number in the patch, or -1
   std::vector<std::vector<std::size_t> > m_triangles_of; // per unknown
