@@ -220,6 +220,8 @@ expect_unreadable(a.stl "solid a\nouter loop\nvertex 0 0 0\nendloop\n" "line 4: 
 
 expect_unreadable(a.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nf 1 2 3 4 3 5\n"
   "line 6: the face meets itself in a corner")
+expect_unreadable(a.obj "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nv 1 3 0\nf 1 2 3 4 5\n"
+  "line 6: the face has more than 4 corners, and meets itself")
 
 # Remeshes and parametrizes a mesh, and expects the words on the screen and the number in reports.
 function(expect_repair file content words key number)

@@ -7,6 +7,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -64,16 +67,60 @@ private:
   std::size_t m_of = 0;
 };
 
+// Whether a face crosses or touches itself, seen along its normal.
+bool meets_itself(const Mesh& mesh, const Mesh::Face_index f)
+{
+  using Plane_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const Kernel::Vector_3 n = PMP::compute_face_normal(f, mesh);
+  if(n == CGAL::NULL_VECTOR)
+    return false;
+  const Kernel::Vector_3 u =
+    CGAL::cross_product(n, n.x() * n.x() < 0.5 ? Kernel::Vector_3(1, 0, 0)
+                                               : Kernel::Vector_3(0, 1, 0));
+  const Kernel::Vector_3 v = CGAL::cross_product(n, u);
+  std::vector<Plane_kernel::Point_2> corners;
+  for(const auto w : mesh.vertices_around_face(mesh.halfedge(f))) {
+    const Kernel::Vector_3 p = mesh.point(w) - CGAL::ORIGIN;
+    corners.emplace_back(p * u, p * v);
+  }
+  return !CGAL::is_simple_2(corners.begin(), corners.end());
+}
+
+// Multiplies all points by a power of two, such that products neither overflow nor vanish.
+void scale_to_one(Mesh& mesh)
+{
+  double size = 0;
+  for(const auto v : mesh.vertices())
+    for(int c = 0; c < 3; ++c)
+      size = (std::max)(size, std::abs(mesh.point(v)[c]));
+  const int exponent = size > 0 ? -std::ilogb(size) : 0;
+  for(const auto v : mesh.vertices()) {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                    std::ldexp(p.z(), exponent));
+  }
+}
+
+// The points are as before.
 void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
 {
-  for(const auto f : model.mesh.faces())
+  std::vector<Kernel::Point_3> points;
+  for(const auto v : model.mesh.vertices())
+    points.push_back(model.mesh.point(v));
+  scale_to_one(model.mesh);
+  for(const auto f : model.mesh.faces()) {
     repairs.triangulated_faces += model.mesh.degree(f) > 3 ? 1 : 0;
+    if(model.mesh.degree(f) > 4 && meets_itself(model.mesh, f)) // no triangulation ends well there
+      refuse(soup, model.file_faces[f], "the face has more than 4 corners, and meets itself");
+  }
   PMP::triangulate_faces(model.mesh, CGAL::parameters::visitor(
                                        Triangulation_visitor(model.file_faces)));
   for(const auto f : model.mesh.faces())
     if(model.mesh.degree(f) > 3)
       refuse(soup, model.file_faces[f], "the face has more than 3 corners, and no area, so that it "
                                         "can't be triangulated");
+  for(const auto v : model.mesh.vertices())
+    model.mesh.point(v) = points[v];
 }
 
 // All edges between the places of segments, of which there are several where edges were cut.
