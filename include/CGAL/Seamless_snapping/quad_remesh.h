@@ -389,7 +389,8 @@ bool Quad_remesher::parametrize(Surface& surface)
   if(!m_report.remaining_flips.empty())
     return fail(Remeshing_status::NOT_POSITIVE,
                 std::to_string(m_report.remaining_flips.size()) +
-                  " faces are flipped in the parametrization, the first is face " +
+                  (m_report.remaining_flips.size() == 1 ? " face is" : " faces are") +
+                  " flipped in the parametrization, the first is face " +
                   std::to_string(m_report.remaining_flips.front()) +
                   "; mark fewer features, or remesh the input there");
   return true;
