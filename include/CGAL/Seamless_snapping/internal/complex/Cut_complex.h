@@ -47,6 +47,8 @@ using Offsets = std::vector<std::size_t>;
 template <typename Group>
 struct Cut_complex
 {
+  static_assert(Group::dimension == 2, "a volume has sheets and places, see internal/volume");
+
   using Vector = std::array<double, Group::dimension>;
   using Element = typename Group::Element;
 
