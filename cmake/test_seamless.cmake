@@ -634,3 +634,26 @@ seamless(0 trace "${TRACE_DATA_DIR}/isocurves.obj" --exact "${TRACE_DATA_DIR}/is
 expect_message("${out}" "missed its target")
 seamless(3 trace in.obj --exact body.obj)
 expect_message("${err}" "another mesh")
+
+# --- volumes
+
+configure_file("${DATA_DIR}/../../../examples/Seamless_snapping/data/three_quadrants.hexex"
+  "${WORK_DIR}/volume.hexex" COPYONLY)
+file(APPEND "${WORK_DIR}/volume.hexex" "0 1 0\n2 3\n")
+seamless(1 check volume.hexex)
+expect_message("${out}" "12 inexact facets")
+expect_message("${err}" "not exactly seamless")
+seamless(0 snap volume.hexex exact.hexex)
+expect_message("${out}" "12 cut facets in 3 sheets")
+seamless(0 check exact.hexex)
+expect_message("${out}" "exactly seamless")
+file(READ "${WORK_DIR}/exact.hexex" text)
+expect("the tail is kept" text MATCHES "\n0 1 0\n2 3\n$")
+seamless(2 snap volume.hexex exact.obj)
+seamless(2 snap volume.hexex volume.hexex)
+seamless(1 snap volume.hexex new.hexex --tolerance 1e-12)
+expect_message("${err}" "the two sides differ")
+seamless(3 check missing.hexex)
+file(WRITE "${WORK_DIR}/wrong.hexex" "1\n0 0 0\n1\n0 1 2 3\n")
+seamless(3 snap wrong.hexex new.hexex)
+expect_message("${err}" "line 4: there is no vertex 1")

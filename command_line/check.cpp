@@ -32,6 +32,8 @@ std::string what_welding_gives(const Model& model, Seam_options options)
 
 void check(const Arguments& arguments)
 {
+  if(is_volume(arguments))
+    return check_volume(arguments);
   Options options("check IN",
                   "Tells whether the texture coordinates of a triangle mesh are exactly seamless:\n"
                   "whether, across each edge, the coordinates on both sides differ by a rotation by\n"

@@ -20,4 +20,9 @@ void remesh(const Arguments& arguments);
 void snap(const Arguments& arguments);
 void trace(const Arguments& arguments);
 
+// The same for tetrahedral meshes, to which `snap` and `check` turn where a file is one.
+bool is_volume(const Arguments& arguments);
+void check_volume(const Arguments& arguments);
+void snap_volume(const Arguments& arguments);
+
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_COMMANDS_H

@@ -108,6 +108,8 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
 
 void snap(const Arguments& arguments)
 {
+  if(is_volume(arguments))
+    return snap_volume(arguments);
   Snap_options options;
   if(!options.parse(arguments))
     return;

@@ -45,6 +45,7 @@ enum class Snapping_status
   FLIPS_REMAIN,
   INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, and the like
   NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
+  NOT_MANIFOLD,       ///< a facet of a volume belongs to more than two cells
   NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
   /// an edge that is to lie on an isocurve is farther from one than the tolerance
@@ -72,6 +73,7 @@ inline const char* to_string(const Snapping_status status)
   case Snapping_status::FLIPS_REMAIN:      return "exact, but flips remain";
   case Snapping_status::INVALID_ARGUMENT:  return "invalid argument";
   case Snapping_status::NOT_TRIANGULAR:    return "not triangular";
+  case Snapping_status::NOT_MANIFOLD:      return "not manifold";
   case Snapping_status::NOT_FINITE:        return "not finite";
   case Snapping_status::NOT_SEAMLESS:      return "not seamless";
   case Snapping_status::NOT_ALIGNED:       return "not aligned";

@@ -35,7 +35,9 @@
 // The names that the package adds, one per line: tag type, tag, name of the function.
 #define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
   F(align_border_t, align_border, align_border)                                                    \
+  F(align_boundary_t, align_boundary, align_boundary)                                              \
   F(allow_holes_t, allow_holes, allow_holes)                                                       \
+  F(cell_neighbors_t, cell_neighbors, cell_neighbors)                                              \
   F(coarsest_t, coarsest, coarsest)                                                                \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
@@ -45,6 +47,8 @@
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
+  F(feature_edges_t, feature_edges, feature_edges)                                                 \
+  F(feature_facets_t, feature_facets, feature_facets)                                              \
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
@@ -198,7 +202,10 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *
  * Names of this package:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
+ * - `align_boundary`: whether boundary facets of a volume are to lie in planes of constant
+ *   coordinates (`bool`)
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
+ * - `cell_neighbors`: the neighbors of the cells of a volume, where they are known
  * - `coarsest`: whether a quantization has as few quads as are found (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
@@ -208,6 +215,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `feature_facets`, `feature_edges`: facets and edges of a volume that are to be aligned
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known

@@ -24,6 +24,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 using Uv = std::array<double, 2>;
+using Uvw = std::array<double, 3>; // of volumes
 
 // Of integer-grid maps. Below, the error of a coordinate computed on an edge stays under 1/4, and
 // sums of coordinates and translations stay exact integers.

@@ -1,0 +1,169 @@
+// seamless snap and seamless check for tetrahedral meshes: files in the HEXEX format.
+
+#include "Failure.h"
+#include "Options.h"
+#include "commands.h"
+#include "files.h"
+
+#include <CGAL/Seamless_snapping/IO/HEXEX.h>
+#include <CGAL/Seamless_snapping/is_volume_seamless.h>
+#include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Snapping = CGAL::Seamless_snapping;
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+
+bool is_volume(const Arguments& arguments)
+{
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return suffix_of(argument) == "hexex";
+  });
+}
+
+namespace {
+
+struct Volume
+{
+  std::string text; // of the file
+  Snapping::IO::HEXEX_mesh mesh;
+  std::vector<Point_3> uvw; // per corner
+
+  explicit Volume(const std::string& filename)
+    : text(read_file(filename))
+  {
+    std::istringstream is(text);
+    if(const auto status = Snapping::IO::read_HEXEX(is, mesh); !status)
+      throw Failure(UNREADABLE, filename + ": " + status.message);
+    for(const std::array<double, 3>& u : mesh.uvw)
+      uvw.emplace_back(u[0], u[1], u[2]);
+    if(mesh.number_of_rounded_coordinates > 0)
+      std::cerr << "note: " << mesh.number_of_rounded_coordinates << " coordinates of " << filename
+                << " are fractions that no double holds; they were rounded\n";
+    if(mesh.unknown_line > 0)
+      std::cerr << "note: what begins in line " << mesh.unknown_line << " of " << filename
+                << " is neither walls nor features, and was not looked at\n";
+  }
+};
+
+struct Volume_options
+{
+  bool free_boundary = false, ignore_features = false;
+  double tolerance = 1e-4;
+
+  void add_to(Options& options)
+  {
+    options.add("free-boundary", free_boundary,
+                "do not ask the boundary to lie in planes of constant coordinates");
+    options.add("ignore-features", ignore_features,
+                "do not ask the features of the file to do so");
+  }
+
+  auto parameters(const Snapping::IO::HEXEX_mesh& mesh) const
+  {
+    using Facets = std::vector<std::array<std::int32_t, 3> >;
+    using Edges = std::vector<std::array<std::int32_t, 2> >;
+    return Snapping::parameters::align_boundary(!free_boundary)
+      .feature_facets(ignore_features ? Facets() : mesh.feature_facets)
+      .feature_edges(ignore_features ? Edges() : mesh.feature_edges)
+      .tolerance(tolerance);
+  }
+};
+
+Snapping::Volume_seamlessness measure(Volume& volume, const Volume_options& options)
+{
+  return Snapping::measure_volume_seamlessness(volume.mesh.tetrahedra,
+                                               CGAL::make_property_map(volume.uvw),
+                                               options.parameters(volume.mesh));
+}
+
+std::ostream& operator<<(std::ostream& os, const Snapping::Volume_seamlessness& s)
+{
+  os << s.number_of_cells << " cells, " << s.number_of_mismatched_facets << " of "
+     << s.number_of_interior_facets << " interior facets are cuts or inexact\n"
+     << s.number_of_inexact_facets << " inexact facets, largest violation "
+     << (s.extent > 0 ? s.violation / s.extent : 0.) << " of the extent\n"
+     << s.number_of_misalignments << " of " << s.number_of_aligned_facets << " facets and "
+     << s.number_of_aligned_edges << " edges not aligned, by up to "
+     << (s.extent > 0 ? s.misalignment / s.extent : 0.) << " of the extent\n";
+  if(s.number_of_flipped_cells + s.number_of_degenerate_cells > 0)
+    os << s.number_of_flipped_cells << " flipped and " << s.number_of_degenerate_cells
+       << " degenerate cells\n";
+  return os;
+}
+
+} // namespace
+
+void check_volume(const Arguments& arguments)
+{
+  Options options("check IN.hexex",
+                  "Tells whether the coordinates of a tetrahedral mesh are exactly seamless: whether,\n"
+                  "across each facet, the coordinates on both sides differ by a rotation of the cube\n"
+                  "and a translation, and boundary and features lie in planes of constant coordinates.\n");
+  std::string input;
+  Volume_options volume_options;
+  options.add_file("input", input);
+  volume_options.add_to(options);
+  if(!options.parse(arguments))
+    return;
+  Volume volume(input);
+  const Snapping::Volume_seamlessness result = measure(volume, volume_options);
+  std::cout << result;
+  if(!result.is_exact())
+    throw Failure(NOT_SOLVED, input + ": not exactly seamless");
+  std::cout << "exactly seamless" << std::endl;
+}
+
+void snap_volume(const Arguments& arguments)
+{
+  Options options("snap IN.hexex OUT.hexex",
+                  "Moves the coordinates of a tetrahedral mesh, by about as much as they are\n"
+                  "inaccurate, so that they are exactly seamless: across each facet, the coordinates\n"
+                  "on both sides differ by a rotation of the cube and a translation, and boundary and\n"
+                  "features lie in planes of constant coordinates. All else in the file stays as it is.\n");
+  std::string input, output;
+  bool overwrite = false;
+  Volume_options volume_options;
+  options.add_file("input", input);
+  options.add_file("output", output);
+  volume_options.add_to(options);
+  options.add("tolerance", "T", volume_options.tolerance, {0, 1, true},
+              "the largest violation that is taken for noise, relative to the extent");
+  options.add("overwrite", overwrite, "let OUT replace IN");
+  if(!options.parse(arguments))
+    return;
+  if(suffix_of(output) != "hexex" && !is_special_file(output))
+    throw Failure(USAGE, output + ": a tetrahedral mesh is written as .hexex only");
+  check_outputs({input}, {output},
+                overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
+  Volume volume(input);
+  const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
+    volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
+    volume_options.parameters(volume.mesh));
+  if(!report)
+    throw Failure(NOT_SOLVED, input + ": " + report.message);
+  if(!measure(volume, volume_options).is_exact())
+    throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
+  for(std::size_t i = 0; i < volume.uvw.size(); ++i)
+    volume.mesh.uvw[i] = {{volume.uvw[i].x(), volume.uvw[i].y(), volume.uvw[i].z()}};
+  std::istringstream original(volume.text);
+  std::ostringstream os;
+  if(const auto status = Snapping::IO::rewrite_HEXEX(original, os, volume.mesh.uvw); !status)
+    throw Failure(UNWRITABLE, output + ": " + status.message);
+  write_file(output, os.str());
+  summary_stream({output})
+    << report << ": " << report.run.number_of_cut_edges << " cut facets in "
+    << report.run.number_of_cut_branches << " sheets, " << report.linear_solver.number_of_unknowns
+    << " unknowns\nlargest violation before " << report.violation_before << ", largest change "
+    << report.largest_change << ", " << report.lost_faces.size()
+    << " cells lost their orientation\n";
+}

@@ -1,0 +1,246 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_IO_HEXEX_H
+#define CGAL_SEAMLESS_SNAPPING_IO_HEXEX_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Tetrahedral meshes with coordinates per corner, from and to the HEXEX format.
+
+#include <CGAL/Seamless_snapping/IO/File_status.h>
+#include <CGAL/Seamless_snapping/internal/IO/HEXEX_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+namespace IO {
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+A tetrahedral mesh with coordinates per corner, as a file in the HEXEX format holds it: what
+hexahedral meshing exchanges.
+
+\code{.cpp}
+CGAL::Seamless_snapping::IO::HEXEX_mesh mesh;
+const auto status = CGAL::Seamless_snapping::IO::read_HEXEX("hand.hexex", mesh);
+\endcode
+*/
+struct HEXEX_mesh
+{
+  std::vector<std::array<double, 3> > points; ///< of the vertices
+  std::vector<std::array<std::int32_t, 4> > tetrahedra; ///< the vertices of each cell
+  /// the coordinates of corner \f$ k \f$ of cell \f$ i \f$, at \f$ 4 i + k \f$
+  std::vector<std::array<double, 3> > uvw;
+  std::vector<std::int32_t> feature_vertices;              ///< if the file has features
+  std::vector<std::array<std::int32_t, 2> > feature_edges;  ///< if the file has features
+  std::vector<std::array<std::int32_t, 3> > feature_facets; ///< if the file has features
+  /*!
+  The number of coordinates that are fractions in the file which no `double` holds. They were
+  rounded to the nearest `double`s, so that a map that is exactly seamless in the file need not be
+  so here.
+  */
+  std::size_t number_of_rounded_coordinates = 0;
+  /// the line where something begins that is neither walls nor features, and was not read; else 0
+  std::size_t unknown_line = 0;
+};
+
+} // namespace IO
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline void move_to(HEXEX_content&& content, IO::HEXEX_mesh& mesh)
+{
+  mesh.points.swap(content.points);
+  mesh.tetrahedra.swap(content.cells);
+  mesh.uvw.swap(content.coordinates);
+  mesh.feature_vertices.swap(content.feature_vertices);
+  mesh.feature_edges.swap(content.feature_edges);
+  mesh.feature_facets.swap(content.feature_facets);
+  mesh.unknown_line = content.unknown_line;
+  mesh.number_of_rounded_coordinates =
+    std::size_t(std::count(content.is_rounded.begin(), content.is_rounded.end(), 1));
+}
+
+template <typename Number, std::size_t N>
+void append_line(const std::array<Number, N>& numbers, std::string& text)
+{
+  for(std::size_t i = 0; i < N; ++i) {
+    if constexpr(std::is_integral<Number>::value)
+      text += std::to_string(numbers[i]);
+    else
+      append_number(numbers[i], text);
+    text += i + 1 < N ? ' ' : '\n';
+  }
+}
+
+inline std::string text_of_mesh(const IO::HEXEX_mesh& mesh)
+{
+  if(mesh.uvw.size() != 4 * mesh.tetrahedra.size())
+    throw File_refusal(0, "there are not four coordinates per cell; nothing is written");
+  std::string text = std::to_string(mesh.points.size()) + "\n";
+  for(const auto& p : mesh.points)
+    append_line(p, text);
+  text += std::to_string(mesh.tetrahedra.size()) + "\n";
+  for(std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    append_line(mesh.tetrahedra[i], text);
+    for(std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
+      text.back() = ' ';
+      append_line(mesh.uvw[k], text);
+    }
+  }
+  if(mesh.feature_vertices.empty() && mesh.feature_edges.empty() && mesh.feature_facets.empty())
+    return text;
+  append_line(std::array<std::size_t, 3>{{mesh.feature_vertices.size(), mesh.feature_edges.size(),
+                                          mesh.feature_facets.size()}}, text);
+  for(const std::int32_t v : mesh.feature_vertices)
+    append_line(std::array<std::int32_t, 1>{{v}}, text);
+  for(const auto& edge : mesh.feature_edges)
+    append_line(edge, text);
+  for(const auto& facet : mesh.feature_facets)
+    append_line(facet, text);
+  return text;
+}
+
+// The text with other coordinates. Those that stay keep their digits.
+inline std::string rewritten_HEXEX(const std::string& original,
+                                   const std::vector<std::array<double, 3> >& uvw)
+{
+  const HEXEX_content content = HEXEX_parser(original).parse();
+  if(uvw.size() != content.coordinates.size())
+    throw File_refusal(0, "the original has " + std::to_string(content.coordinates.size()) +
+                       " corners, and there are coordinates for " + std::to_string(uvw.size()));
+  std::string text;
+  text.reserve(original.size() + original.size() / 8);
+  std::size_t end = 0; // of what is copied
+  for(std::size_t i = 0; i < content.tokens.size(); ++i) {
+    if(content.coordinates[i / 3][i % 3] == uvw[i / 3][i % 3] && content.is_rounded[i] == 0)
+      continue;
+    const std::size_t begin = std::size_t(content.tokens[i].data() - original.data());
+    text.append(original, end, begin - end);
+    append_number(uvw[i / 3][i % 3], text);
+    end = begin + content.tokens[i].size();
+  }
+  return text.append(original, end, std::string::npos);
+}
+
+} // namespace internal
+/// \endcond
+
+namespace IO {
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief reads a tetrahedral mesh with coordinates per corner from a stream in the HEXEX format.
+
+The file holds words that blanks and line ends separate: the number of vertices and three
+coordinates for each; the number of cells and for each four vertices, which count from 0, and twelve
+numbers \f$ u, v, w \f$ corner by corner. Numbers may be fractions `p/q` of integers. Then there may
+be the number of walls alone in a line, followed by three vertices and a distance for each, which
+are not kept; and a line with the numbers of feature vertices, feature edges, and feature facets,
+followed by their vertices.
+
+\param is the input stream
+\param mesh receives the content; as it was if the function fails
+
+\returns an object that converts to `true` if the mesh was read, and that holds the reason and the
+         line otherwise
+*/
+inline File_status read_HEXEX(std::istream& is, HEXEX_mesh& mesh)
+{
+  return internal::status_of_writing([&] {
+    const std::string text = internal::text_of(is);
+    internal::move_to(internal::HEXEX_parser(text).parse(), mesh);
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief reads a tetrahedral mesh with coordinates per corner from a file in the HEXEX format.
+
+Parameters and result are those of the function that reads from a stream.
+*/
+inline File_status read_HEXEX(const std::string& filename, HEXEX_mesh& mesh)
+{
+  return internal::status_of_writing([&] {
+    const std::string text = internal::text_of(filename);
+    internal::move_to(internal::HEXEX_parser(text).parse(), mesh);
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief writes a tetrahedral mesh with coordinates per corner to a stream in the HEXEX format, with
+as many digits as it takes to read the numbers back bit for bit.
+*/
+inline File_status write_HEXEX(std::ostream& os, const HEXEX_mesh& mesh)
+{
+  return internal::status_of_writing([&] {
+    internal::write_text(os, internal::text_of_mesh(mesh));
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief writes a tetrahedral mesh with coordinates per corner to a file in the HEXEX format.
+
+Parameters and result are those of the function that writes to a stream.
+*/
+inline File_status write_HEXEX(const std::string& filename, const HEXEX_mesh& mesh)
+{
+  return internal::status_of_writing([&] {
+    internal::write_text(filename, internal::text_of_mesh(mesh));
+  });
+}
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+\brief copies a file in the HEXEX format with other coordinates, and all else as it is: walls,
+features, and whatever follows. Fractions that no `double` holds become the decimal numbers that
+were read.
+
+\param original a stream with the file that `uvw` was read from
+\param os receives the copy
+\param uvw the coordinates of each corner
+*/
+inline File_status rewrite_HEXEX(std::istream& original, std::ostream& os,
+                                 const std::vector<std::array<double, 3> >& uvw)
+{
+  return internal::status_of_writing([&] {
+    internal::write_text(os, internal::rewritten_HEXEX(internal::text_of(original), uvw));
+  });
+}
+
+} // namespace IO
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_IO_HEXEX_H

@@ -1,0 +1,241 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_HEXEX_PARSER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_HEXEX_PARSER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The tokens of a file in the HEXEX format: a tetrahedral mesh with coordinates per corner.
+
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/rational_numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Walks through the words of a text, and knows their lines.
+class Word_scanner
+{
+public:
+  explicit Word_scanner(const std::string_view text)
+    : m_text(text)
+  { }
+
+  // The next word, in whatever line; empty at the end of the text.
+  std::string_view next()
+  {
+    skip(" \t\r\n\f\v");
+    return word();
+  }
+
+  // The next word of the current line; empty at its end.
+  std::string_view next_in_line()
+  {
+    skip(" \t\r\f\v");
+    return word();
+  }
+
+  std::size_t line() const { return m_line; }
+
+  [[noreturn]] void refuse(const std::string& reason) const { throw File_refusal(m_line, reason); }
+
+  template <typename Number>
+  Number next_integer(const char* const what)
+  {
+    const std::string_view token = next();
+    if(token.empty())
+      refuse(std::string("the file ends where ") + what + " should be");
+    Number value = 0;
+    const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
+    if(result.ec != std::errc() || result.ptr != token.data() + token.size())
+      refuse(quoted(token) + " should be " + what);
+    return value;
+  }
+
+private:
+  void skip(const std::string_view blanks)
+  {
+    for(; m_position < m_text.size() && blanks.find(m_text[m_position]) != std::string_view::npos;
+        ++m_position)
+      if(m_text[m_position] == '\n')
+        ++m_line;
+  }
+
+  std::string_view word()
+  {
+    const std::size_t begin = m_position;
+    m_position = (std::min)(m_text.find_first_of(" \t\r\n\f\v", m_position), m_text.size());
+    return m_text.substr(begin, m_position - begin);
+  }
+
+  std::string_view m_text;
+  std::size_t m_position = 0, m_line = 1;
+};
+
+// Invariant: what is between the tokens of coordinates, and behind them, is the rest of the file.
+struct HEXEX_content
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<std::int32_t, 4> > cells;
+  std::vector<std::array<double, 3> > coordinates; // per corner
+  std::vector<std::string_view> tokens;            // of the coordinates, three per corner
+  std::vector<char> is_rounded;                    // per token: no double holds the number
+  std::vector<std::int32_t> feature_vertices;
+  std::vector<std::array<std::int32_t, 2> > feature_edges;
+  std::vector<std::array<std::int32_t, 3> > feature_facets;
+  std::size_t unknown_line = 0; // where something begins that is no features; 0 if nothing does
+};
+
+// A file holds: the number of vertices, and their points; the number of cells, and for each four
+// vertices and the coordinates of its corners. Then perhaps the number of walls alone in a line,
+// and three vertices and a distance for each; and perhaps the numbers of feature vertices, edges
+// and facets in a line, and their vertices.
+class HEXEX_parser
+{
+public:
+  // \param text must live as long as the tokens are used
+  explicit HEXEX_parser(const std::string_view text)
+    : m_scanner(text), m_size_of_text(text.size())
+  { }
+
+  HEXEX_content parse()
+  {
+    read_points();
+    read_cells();
+    read_tail();
+    return std::move(m_content);
+  }
+
+private:
+  // Each element takes some characters, so that a wrong number cannot ask for much memory.
+  std::size_t next_count(const char* const what)
+  {
+    const std::size_t count = m_scanner.next_integer<std::size_t>(what);
+    if(count > m_size_of_text)
+      m_scanner.refuse("the file is too short for so many");
+    return count;
+  }
+
+  double next_number()
+  {
+    const std::string_view token = m_scanner.next();
+    if(token.empty())
+      m_scanner.refuse("the file ends where a coordinate should be");
+    bool is_rounded;
+    const double value = parse_number_or_fraction(m_scanner, token, is_rounded);
+    m_token = token;
+    m_is_rounded = is_rounded;
+    return value;
+  }
+
+  void read_points()
+  {
+    const std::size_t size = next_count("the number of vertices");
+    m_content.points.resize(size);
+    for(std::array<double, 3>& p : m_content.points)
+      for(double& x : p)
+        x = next_number();
+  }
+
+  std::int32_t next_vertex()
+  {
+    const std::int32_t v = m_scanner.next_integer<std::int32_t>("the number of a vertex");
+    if(v < 0 || std::size_t(v) >= m_content.points.size())
+      m_scanner.refuse("there is no vertex " + std::to_string(v));
+    return v;
+  }
+
+  void read_cells()
+  {
+    const std::size_t size = next_count("the number of cells");
+    m_content.cells.resize(size);
+    m_content.coordinates.reserve(4 * size);
+    m_content.tokens.reserve(12 * size);
+    for(std::array<std::int32_t, 4>& cell : m_content.cells) {
+      for(std::int32_t& v : cell)
+        v = next_vertex();
+      for(int i = 0; i < 4; ++i) {
+        std::array<double, 3>& u = m_content.coordinates.emplace_back();
+        for(double& x : u) {
+          x = next_number();
+          m_content.tokens.push_back(m_token);
+          m_content.is_rounded.push_back(m_is_rounded);
+        }
+      }
+    }
+  }
+
+  // The numbers of the next line that is not empty, as long as they are integers.
+  std::vector<std::size_t> counts_of_line()
+  {
+    std::vector<std::size_t> result;
+    for(std::string_view token = m_scanner.next(); !token.empty();
+        token = m_scanner.next_in_line()) {
+      std::size_t value = 0;
+      const auto parsed = std::from_chars(token.data(), token.data() + token.size(), value);
+      if(parsed.ec != std::errc() || parsed.ptr != token.data() + token.size())
+        return {0, 0}; // neither walls nor features
+      result.push_back(value);
+    }
+    return result;
+  }
+
+  void read_tail()
+  {
+    std::vector<std::size_t> counts = counts_of_line();
+    if(counts.size() == 1) {
+      for(std::size_t i = 0; i < counts[0]; ++i) {
+        for(int k = 0; k < 3; ++k)
+          next_vertex();
+        next_number();
+      }
+      counts = counts_of_line();
+    }
+    if(counts.size() != 3) {
+      m_content.unknown_line = counts.empty() ? 0 : m_scanner.line();
+      return;
+    }
+    for(std::size_t i = 0; i < counts[0]; ++i)
+      m_content.feature_vertices.push_back(next_vertex());
+    for(std::size_t i = 0; i < counts[1]; ++i)
+      m_content.feature_edges.push_back({next_vertex(), next_vertex()});
+    for(std::size_t i = 0; i < counts[2]; ++i)
+      m_content.feature_facets.push_back({next_vertex(), next_vertex(), next_vertex()});
+    if(!m_scanner.next().empty())
+      m_content.unknown_line = m_scanner.line();
+  }
+
+  Word_scanner m_scanner;
+  std::size_t m_size_of_text;
+  std::string_view m_token;
+  bool m_is_rounded = false;
+  HEXEX_content m_content;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_HEXEX_PARSER_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_FLAT_VOLUME_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_FLAT_VOLUME_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What is known of a parametrized tetrahedral mesh where constraints concern it: cells with their
+// corners in plain arrays, and the lists of facets and edges that constraints are about.
+
+#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// 4 c + i: corner i of cell c, and the facet of cell c opposite to it.
+using Corner_index = std::int32_t;
+
+// In place of the facet on the other side.
+constexpr Corner_index no_facet = -1;        // there is no cell
+constexpr Corner_index facet_elsewhere = -2; // the cell is not here, and both sides are the same
+
+// The corners of a facet, in a fixed order.
+inline std::array<Corner_index, 3> corners_of_facet(const Corner_index facet)
+{
+  const Corner_index i = facet % 4, first = facet - i;
+  return {first + (i + 1) % 4, first + (i + 2) % 4, first + (i + 3) % 4};
+}
+
+// Where a problem is, for messages: "facet 3, 4, 7".
+inline std::string name_of(const char* const what, const std::vector<std::int64_t>& vertices)
+{
+  std::string result = what;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    result += (i == 0 ? " " : ", ") + std::to_string(vertices[i]);
+  return result;
+}
+
+// Invariants: the cells are all those of the caller's mesh that have a vertex which is not fixed.
+// The sides of facets that are not open are the same to the bit.
+struct Flat_volume
+{
+  struct Aligned_edge // as one of its cells sees it
+  {
+    Corner_index a, b;
+  };
+
+  std::vector<std::int32_t> vertices;       // per corner
+  std::vector<Uvw> coordinates;             // per corner
+  std::vector<Corner_index> opposite;       // per facet: the other side
+  std::vector<std::int32_t> cell_names;     // per cell: its place in the caller's range
+  std::vector<std::int64_t> vertex_names;   // per vertex: the caller's
+  std::vector<char> is_fixed;               // per vertex: no constraint concerns it
+  std::vector<Corner_index> open_facets;    // those whose sides differ, as one of the cells sees it
+  std::vector<Corner_index> aligned_facets; // likewise
+  std::vector<Aligned_edge> aligned_edges;
+  double extent = 0; // of the coordinates of all cells of the mesh
+
+  std::size_t number_of_cells() const { return cell_names.size(); }
+  std::size_t number_of_vertices() const { return vertex_names.size(); }
+
+  std::int32_t vertex(const Corner_index corner) const { return vertices[std::size_t(corner)]; }
+  const Uvw& uvw(const Corner_index corner) const { return coordinates[std::size_t(corner)]; }
+
+  // The corner at the same vertex, in the cell on the other side of a facet.
+  Corner_index across(const Corner_index facet, const Corner_index corner) const
+  {
+    const Corner_index other = opposite[std::size_t(facet)], first = other - other % 4;
+    Corner_index result = first;
+    while(vertex(result) != vertex(corner))
+      ++result;
+    return result;
+  }
+
+  Facet_sides sides(const Corner_index facet) const { return sides(facet, coordinates); }
+
+  // The same for other coordinates.
+  Facet_sides sides(const Corner_index facet, const std::vector<Uvw>& u) const
+  {
+    Facet_sides result;
+    const auto corners = corners_of_facet(facet);
+    for(std::size_t i = 0; i < 3; ++i) {
+      result.here[i] = u[std::size_t(corners[i])];
+      result.there[i] = u[std::size_t(across(facet, corners[i]))];
+    }
+    return result;
+  }
+
+  std::string name_of_facet(const Corner_index facet) const
+  {
+    std::vector<std::int64_t> names;
+    for(const Corner_index corner : corners_of_facet(facet))
+      names.push_back(vertex_names[std::size_t(vertex(corner))]);
+    return name_of("facet", names);
+  }
+
+  std::string name_of_edge(const Aligned_edge& edge) const
+  {
+    return name_of("edge", {vertex_names[std::size_t(vertex(edge.a))],
+                            vertex_names[std::size_t(vertex(edge.b))]});
+  }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_FLAT_VOLUME_H

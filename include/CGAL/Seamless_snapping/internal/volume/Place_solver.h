@@ -1,0 +1,241 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_PLACE_SOLVER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_PLACE_SOLVER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From the places to exact coordinates of all sectors near the input: solves the system of places,
+// and lets each member go to the grid point nearest to its optimum.
+
+#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_freedom.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: the system is eliminated. Coordinates whose class holds exactly in the input are kept.
+class Place_solver
+{
+  using Group = Cube_rotations;
+  using Place = Volume_places::Place;
+
+public:
+  // \param is_inexact per coordinate of a slot: whether a constraint on it does not hold
+  Place_solver(const Flat_volume& volume, const Volume_sectors& sectors,
+               const Volume_places& places, const std::vector<char>& is_inexact,
+               const Number_format& format)
+    : m_volume(volume), m_sectors(sectors), m_places(places), m_means(volume, sectors),
+      m_format(format), m_system(sectors, places), m_classes(sectors, places),
+      m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false),
+      m_moves(m_classes.size(), 0)
+  {
+    for(std::size_t j = 0; j < is_inexact.size(); ++j)
+      if(is_inexact[j] != 0)
+        m_moves[m_classes.root(j)] = 1;
+    std::vector<double> largest(m_classes.size(), 0);
+    for(const Place& place : places.places)
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        for(std::size_t c = 0; c < 3; ++c) {
+          double& x = largest[m_classes.root(
+            3 * (place.first_slot + i % place.number_of_slots) + c)];
+          x = (std::max)(x, m_means.largest(place.members[i], c));
+        }
+    for(const double x : largest)
+      m_grids.push_back(Grid::finest(format, x));
+  }
+
+  const Linear_solver& linear_solver() const { return m_solver; }
+
+  double coarsest_step() const
+  {
+    double result = 0;
+    for(std::size_t j = 0; j < m_grids.size(); ++j)
+      if(m_classes.root(j) == j && m_moves[j] != 0)
+        result = (std::max)(result, m_grids[j].step());
+    return result;
+  }
+
+  const Grid& grid(const std::size_t column) const { return m_grids[m_classes.root(column)]; }
+  bool moves(const std::size_t column) const { return m_moves[m_classes.root(column)] != 0; }
+
+  // Fills in the coordinates of all sectors. Returns false if no grid has a solution.
+  bool solve(std::vector<Uvw>& coordinates)
+  {
+    for(;;) {
+      m_misfit = -1;
+      if(!solve_system())
+        return false;
+      if(m_misfit < 0) {
+        expand(coordinates);
+        if(m_misfit < 0)
+          return true;
+      }
+      // Rare: coordinates that grow past a power of two need a coarser grid.
+      Grid& grid = m_grids[std::size_t(m_misfit)];
+      if(grid.exponent() >= m_format.maximum_exponent)
+        return false;
+      grid = Grid(m_format, (std::max)(grid.exponent() + 1, m_wanted_exponent));
+    }
+  }
+
+private:
+  // The values of the slots.
+  bool solve_system()
+  {
+    Linear_target target{std::vector<Grid>(m_solver.number_of_components(), Grid(m_format, 0)),
+                         targets()};
+    std::vector<std::size_t> root_of_component(m_solver.number_of_components());
+    for(std::size_t j = 0; j < m_classes.size(); ++j)
+      if(const Component_index k = m_solver.component(Column_index(j)); k >= 0) {
+        root_of_component[std::size_t(k)] = m_classes.root(j);
+        target.grids[std::size_t(k)] = grid(j);
+      }
+    Linear_solution solution{target.grids, std::vector<std::int64_t>(target.values.size(), 0),
+                             std::vector<Grid_value>(target.values.size())};
+    for(std::size_t k = 0; k < root_of_component.size(); ++k) {
+      if(m_moves[root_of_component[k]] == 0)
+        continue;
+      if(!m_solver.solve_component(Component_index(k), target, solution))
+        return false;
+      if(solution.grids[k].exponent() != target.grids[k].exponent())
+        note_misfit(root_of_component[k], solution.grids[k].exponent());
+    }
+    m_x.swap(solution.x);
+    for(std::size_t j = 0; j < m_classes.size(); ++j)
+      if(m_solver.component(Column_index(j)) < 0 && moves(j) &&
+         !grid(j).nearest(target.values[j], m_x[j]))
+        note_misfit(m_classes.root(j));
+    return true;
+  }
+
+  void note_misfit(const std::size_t root,
+                   const int wanted_exponent = (std::numeric_limits<int>::min)())
+  {
+    m_misfit = std::int64_t(root);
+    m_wanted_exponent = wanted_exponent;
+  }
+
+  // The mean of the members, per coordinate of a slot.
+  std::vector<Grid_value> targets() const
+  {
+    std::vector<Grid_value> result;
+    for(const Place& place : m_places.places)
+      for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
+        for(std::size_t c = 0; c < 3; ++c) {
+          Mean_of_grid_values mean;
+          for(std::size_t m = 0; m < place.number_of_members(); ++m)
+            mean.add(m_means(place.sector(m, slot), c, grid(result.size())));
+          result.push_back(mean.mean());
+        }
+    return result;
+  }
+
+  void expand(std::vector<Uvw>& coordinates)
+  {
+    coordinates.clear();
+    for(std::size_t s = 0; s < m_sectors.number_of_sectors(); ++s)
+      coordinates.push_back(m_volume.uvw(*m_sectors.corners_begin(Sector_number(s))));
+    for(const Place& place : m_places.places) {
+      if(place.number_of_members() == 1) {
+        set_member(place, 0, Place_freedom(), {}, coordinates);
+        continue;
+      }
+      const Place_freedom freedom = freedom_of(place, m_places, m_sectors.sheet_element);
+      for(std::size_t m = 0; m < place.number_of_members(); ++m)
+        set_member(place, m, freedom, displacement(place, m, freedom), coordinates);
+    }
+  }
+
+  // The integers e that take a member nearest to its corners: for each free coordinate the mean
+  // over all slots, in the chart of the first. Relative to the first summand, no digit is lost.
+  std::array<std::int64_t, 3> displacement(const Place& place, const std::size_t m,
+                                           const Place_freedom& freedom) const
+  {
+    std::array<std::int64_t, 3> e{};
+    for(int first = 0; first < 3; ++first) {
+      if(freedom.first[std::size_t(first)] != first ||
+         !moves(3 * place.first_slot + std::size_t(first)))
+        continue;
+      Mean_of_grid_values mean;
+      for(std::size_t c = 0; c < 3; ++c)
+        for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
+          if(freedom.first[c] == first)
+            mean.add(deviation(place, m, slot, freedom, c));
+      const Grid_value z = mean.mean();
+      for(std::size_t c = 0; c < 3; ++c)
+        if(freedom.first[c] == first)
+          e[c] = freedom.sign[c] * (z.base + nearest_integer(z.offset));
+    }
+    return e;
+  }
+
+  // Coordinate c of the displacement that a slot asks for.
+  Grid_value deviation(const Place& place, const std::size_t m, const std::size_t slot,
+                       const Place_freedom& freedom, const std::size_t c) const
+  {
+    const int back = Group::inverse(freedom.rotation[slot]);
+    const std::size_t from = Group::source(back, c);
+    const int sign = Group::sign(back, c) * freedom.sign[c];
+    const std::size_t column = 3 * (place.first_slot + slot) + from;
+    const Grid_value u = m_means(place.sector(m, slot), from, grid(column));
+    return {sign * (u.base - m_x[column]), sign * u.offset};
+  }
+
+  void set_member(const Place& place, const std::size_t m, const Place_freedom& freedom,
+                  const std::array<std::int64_t, 3>& e, std::vector<Uvw>& coordinates)
+  {
+    for(std::size_t slot = 0; slot < place.number_of_slots; ++slot) {
+      const std::array<std::int64_t, 3> turned =
+        freedom.rotation.empty() ? e : Group::apply(freedom.rotation[slot], e);
+      for(std::size_t c = 0; c < 3; ++c) {
+        const std::size_t column = 3 * (place.first_slot + slot) + c;
+        if(!moves(column))
+          continue;
+        const std::int64_t x = m_x[column] + turned[c];
+        if(!grid(column).is_representable(x))
+          return note_misfit(m_classes.root(column));
+        coordinates[std::size_t(place.sector(m, slot))][c] = grid(column).value(x);
+      }
+    }
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_sectors& m_sectors;
+  const Volume_places& m_places;
+  Sector_means m_means;
+  Number_format m_format;
+  Place_system m_system;
+  Coordinate_classes m_classes;
+  Linear_solver m_solver;
+  std::vector<char> m_moves;     // per class, at its root: whether something is inexact
+  std::vector<Grid> m_grids;     // likewise
+  std::vector<std::int64_t> m_x; // per coordinate of a slot, in steps
+  std::int64_t m_misfit = -1;    // the root of a class that needs a coarser grid
+  int m_wanted_exponent = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_PLACE_SOLVER_H

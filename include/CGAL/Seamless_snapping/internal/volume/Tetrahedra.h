@@ -1,0 +1,144 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_TETRAHEDRA_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_TETRAHEDRA_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The combinatorics of the caller's tetrahedra, checked: vertices and neighbors of all cells.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/match_facets.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// 32 bytes a cell.
+struct Tetrahedra
+{
+  std::vector<std::int32_t> vertices; // per corner
+  std::vector<Corner_index> opposite; // per facet
+  std::size_t number_of_vertices = 0; // 1 + the largest index
+
+  std::size_t number_of_cells() const { return vertices.size() / 4; }
+};
+
+// So that three numbers per corner can be counted in 31 bits.
+constexpr std::size_t largest_number_of_tetrahedra = std::size_t(1) << 27;
+constexpr std::size_t largest_vertex_index = (std::size_t(1) << 31) - 2;
+
+inline Refusal invalid_cells(const std::string& message)
+{
+  return {Snapping_status::INVALID_ARGUMENT, message, {}};
+}
+
+template <typename Number>
+bool is_index_below(const Number i, const std::size_t end)
+{
+  return !(i < Number(0)) && static_cast<std::size_t>(i) < end;
+}
+
+template <typename TetrahedronRange>
+std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahedra& result)
+{
+  const std::size_t size = static_cast<std::size_t>(tetrahedra.size());
+  if(size == 0)
+    return invalid_cells("the mesh has no cell; was it read?");
+  if(size > largest_number_of_tetrahedra)
+    return invalid_cells("the mesh has more than " + std::to_string(largest_number_of_tetrahedra) +
+                         " cells; divide it");
+  result.vertices.reserve(4 * size);
+  for(const auto& cell : tetrahedra) {
+    const auto name = [&] { return "cell " + std::to_string(result.number_of_cells()); };
+    if(cell.size() != 4)
+      return invalid_cells(name() + " has " + std::to_string(cell.size()) +
+                           " vertices in place of 4");
+    for(const auto v : cell) {
+      if(!is_index_below(v, largest_vertex_index + 1))
+        return invalid_cells(name() + " has a vertex whose index is negative or too large");
+      const auto cell_begin = result.vertices.end() - std::ptrdiff_t(result.vertices.size() % 4);
+      if(std::find(cell_begin, result.vertices.end(), std::int32_t(v)) != result.vertices.end())
+        return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice");
+      result.vertices.push_back(static_cast<std::int32_t>(v));
+      result.number_of_vertices = (std::max)(result.number_of_vertices, std::size_t(v) + 1);
+    }
+  }
+  return std::nullopt;
+}
+
+// The facet of cell `d` with the vertices of `facet`, or `no_facet`.
+inline Corner_index facet_of_cell(const Tetrahedra& tetrahedra, const Corner_index d,
+                                  const Corner_index facet)
+{
+  Corner_index result = no_facet;
+  for(Corner_index i = 4 * d; i < 4 * d + 4; ++i) {
+    bool is_on_facet = false;
+    for(const Corner_index corner : corners_of_facet(facet))
+      is_on_facet = is_on_facet || tetrahedra.vertices[std::size_t(corner)] ==
+                                     tetrahedra.vertices[std::size_t(i)];
+    if(!is_on_facet && result != no_facet)
+      return no_facet; // two other vertices
+    if(!is_on_facet)
+      result = i;
+  }
+  return result;
+}
+
+// The neighbors as the caller gives them: for each cell, those opposite to its vertices.
+template <typename NeighborRange>
+std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra& tetrahedra)
+{
+  const std::size_t size = tetrahedra.number_of_cells();
+  if(static_cast<std::size_t>(neighbors.size()) != size)
+    return invalid_cells("cell_neighbors is not of the size of the range of cells");
+  tetrahedra.opposite.assign(4 * size, no_facet);
+  Corner_index facet = 0;
+  for(const auto& cell : neighbors) {
+    const auto name = [&] { return "cell_neighbors, cell " + std::to_string(facet / 4) + ": "; };
+    if(cell.size() != 4)
+      return invalid_cells(name() + "there must be 4");
+    for(const auto d : cell) {
+      if(d < 0) {
+        ++facet;
+        continue;
+      }
+      const Corner_index other = is_index_below(d, size)
+        ? facet_of_cell(tetrahedra, static_cast<Corner_index>(d), facet) : no_facet;
+      if(other < 0 || other / 4 == facet / 4)
+        return invalid_cells(name() + std::to_string(d) + " is no cell with the facet opposite to "
+                             "vertex " + std::to_string(facet % 4));
+      tetrahedra.opposite[std::size_t(facet++)] = other;
+    }
+  }
+  for(std::size_t f = 0; f < 4 * size; ++f) {
+    const Corner_index other = tetrahedra.opposite[f];
+    if(other >= 0 && tetrahedra.opposite[std::size_t(other)] != Corner_index(f))
+      return invalid_cells("cell_neighbors: cell " + std::to_string(f / 4) + " has the neighbor " +
+                           std::to_string(other / 4) + ", but not the other way round");
+  }
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_TETRAHEDRA_H

@@ -1,0 +1,226 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ALIGNMENT_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ALIGNMENT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Which coordinate is to be constant on each aligned facet, and which two along each aligned edge.
+
+#include <CGAL/Seamless_snapping/internal/volume/Volume_transitions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Volume_alignment
+{
+  std::vector<int> coordinate; // per aligned facet: the constant one
+  std::vector<int> direction;  // per aligned edge: the one that is not constant
+  double violation = 0;        // the largest difference of a coordinate that is to be constant
+  std::string worst;           // where that is
+};
+
+// A facet that is thinner than the noise takes the coordinate of the facets around it, which lie in
+// the same plane unless there is a crease.
+class Facet_alignment_reader
+{
+  using Group = Cube_rotations;
+
+public:
+  Facet_alignment_reader(const Flat_volume& volume, const Volume_transitions& transitions)
+    : m_volume(volume), m_transitions(transitions), m_element(volume.opposite.size(), 0),
+      m_place(volume.opposite.size(), -1), m_noise(transitions.noise)
+  {
+    for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
+      const Corner_index facet = volume.open_facets[i];
+      m_element[std::size_t(facet)] = static_cast<signed char>(transitions.element[i]);
+      m_element[std::size_t(volume.opposite[std::size_t(facet)])] =
+        static_cast<signed char>(Group::inverse(transitions.element[i]));
+    }
+  }
+
+  Volume_alignment read()
+  {
+    fit_facets();
+    std::vector<std::size_t> undecided;
+    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
+      if(!is_clear(i))
+        undecided.push_back(i);
+    for(const std::size_t i : undecided)
+      m_is_decided[i] = 0;
+    decide_by_surroundings(undecided);
+    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
+      measure(spread(m_volume.aligned_facets[i])[std::size_t(m_result.coordinate[i])], [&] {
+        return m_volume.name_of_facet(m_volume.aligned_facets[i]);
+      });
+    read_edges();
+    return std::move(m_result);
+  }
+
+private:
+  Uvw spread(const Corner_index facet) const
+  {
+    Uvw result;
+    const auto corners = corners_of_facet(facet);
+    for(std::size_t c = 0; c < 3; ++c) {
+      const auto [least, largest] = std::minmax(
+        {m_volume.uvw(corners[0])[c], m_volume.uvw(corners[1])[c], m_volume.uvw(corners[2])[c]});
+      result[c] = largest - least;
+    }
+    return result;
+  }
+
+  void fit_facets()
+  {
+    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
+      const Corner_index facet = m_volume.aligned_facets[i];
+      m_place[std::size_t(facet)] = std::int32_t(i);
+      if(m_volume.opposite[std::size_t(facet)] >= 0)
+        m_place[std::size_t(m_volume.opposite[std::size_t(facet)])] = std::int32_t(i);
+      const Uvw s = spread(facet);
+      const auto least = std::min_element(s.begin(), s.end());
+      m_result.coordinate.push_back(int(least - s.begin()));
+      for(const Corner_index corner : corners_of_facet(facet)) {
+        double& noise = m_noise[std::size_t(m_volume.vertex(corner))];
+        noise = (std::max)(noise, *least);
+      }
+    }
+    m_is_decided.assign(m_volume.aligned_facets.size(), 1);
+  }
+
+  double largest_spread(const Corner_index facet) const
+  {
+    double noise = 0;
+    for(const Corner_index corner : corners_of_facet(facet))
+      noise = (std::max)(noise, m_noise[std::size_t(m_volume.vertex(corner))]);
+    return largest_noise_in_residuals * noise;
+  }
+
+  // Whether one coordinate alone may be the constant one.
+  bool is_clear(const std::size_t i) const
+  {
+    const Uvw s = spread(m_volume.aligned_facets[i]);
+    const double largest = largest_spread(m_volume.aligned_facets[i]);
+    return std::count_if(s.begin(), s.end(), [&](const double x) { return x <= largest; }) <= 1;
+  }
+
+  // Layer by layer, as for transitions.
+  void decide_by_surroundings(std::vector<std::size_t> undecided)
+  {
+    while(!undecided.empty()) {
+      std::vector<std::size_t> waiting, decided;
+      for(const std::size_t i : undecided)
+        if(const auto k = most_wanted(m_volume.aligned_facets[i])) {
+          m_result.coordinate[i] = *k;
+          decided.push_back(i);
+        } else {
+          waiting.push_back(i);
+        }
+      for(const std::size_t i : decided)
+        m_is_decided[i] = 1;
+      if(decided.empty()) // nothing tells: what fits best
+        return;
+      undecided.swap(waiting);
+    }
+  }
+
+  std::optional<int> most_wanted(const Corner_index facet) const
+  {
+    std::array<int, 3> votes{};
+    for(const Corner_index third : corners_of_facet(facet))
+      if(const auto k = wanted_at_edge(facet, third))
+        ++votes[std::size_t(*k)];
+    const Uvw s = spread(facet);
+    std::optional<int> best;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(votes[k] > 0 && s[k] <= largest_spread(facet) &&
+         (!best || votes[k] > votes[std::size_t(*best)] ||
+          (votes[k] == votes[std::size_t(*best)] && s[k] < s[std::size_t(*best)])))
+        best = int(k);
+    return best;
+  }
+
+  // The coordinate of the next aligned facet around the edge opposite to `third`, in the chart of
+  // this one, if that is decided.
+  std::optional<int> wanted_at_edge(const Corner_index facet, const Corner_index third) const
+  {
+    Facet_ring ring(m_volume, facet, third);
+    int g = Group::identity(); // from the chart of the facet's cell
+    for(ring.turn(); !ring.is_closed(); ring.turn()) {
+      const std::int32_t i = m_place[std::size_t(ring.facet())];
+      if(i >= 0)
+        return wanted_by(std::size_t(i), ring.facet(), g);
+      if(!ring.can_cross())
+        return std::nullopt;
+      g = Group::compose(m_element[std::size_t(ring.facet())], g);
+      ring.cross();
+    }
+    return std::nullopt;
+  }
+
+  // \param facet aligned facet i, from the side of a cell to whose chart `g` leads
+  std::optional<int> wanted_by(const std::size_t i, const Corner_index facet, int g) const
+  {
+    if(m_is_decided[i] == 0)
+      return std::nullopt;
+    if(m_volume.aligned_facets[i] != facet) // its coordinate is that of the other cell
+      g = Group::compose(m_element[std::size_t(facet)], g);
+    return int(Group::source(g, std::size_t(m_result.coordinate[i])));
+  }
+
+  void read_edges()
+  {
+    for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges) {
+      const Uvw &a = m_volume.uvw(edge.a), &b = m_volume.uvw(edge.b);
+      Uvw s;
+      for(std::size_t c = 0; c < 3; ++c)
+        s[c] = std::abs(b[c] - a[c]);
+      m_result.direction.push_back(int(std::max_element(s.begin(), s.end()) - s.begin()));
+      for(std::size_t c = 0; c < 3; ++c)
+        if(int(c) != m_result.direction.back())
+          measure(s[c], [&] { return m_volume.name_of_edge(edge); });
+    }
+  }
+
+  template <typename Name>
+  void measure(const double miss, const Name& name)
+  {
+    if(miss <= m_result.violation)
+      return;
+    m_result.violation = miss;
+    m_result.worst = name();
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_transitions& m_transitions;
+  std::vector<signed char> m_element; // per facet: to the other side
+  std::vector<std::int32_t> m_place;  // per facet: among the aligned ones, or -1
+  std::vector<double> m_noise;        // per vertex
+  std::vector<char> m_is_decided;     // per aligned facet
+  Volume_alignment m_result;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ALIGNMENT_H

@@ -1,0 +1,287 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_REPAIR_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_REPAIR_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Cells that the closest exact solution turns over, or makes degenerate, get their orientation back
+// where one of their vertices can move: alone, with all its sectors, on the grid.
+
+#include <CGAL/Seamless_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Seamless_snapping/internal/linear/nonnegative_program.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Orientations are decided exactly. Floating point only proposes moves: the shortest one after
+// which the cells at a vertex keep a part of their volumes.
+class Volume_repair
+{
+  using Group = Cube_rotations;
+  using Place = Volume_places::Place;
+  using Move = std::array<std::int64_t, 3>; // in steps, per coordinate of the first slot
+
+public:
+  // \param largest_change of a coordinate, against the input
+  Volume_repair(const Flat_volume& input, const Volume_sectors& sectors,
+                const Volume_places& places, const Place_solver& solver,
+                const double largest_change, std::vector<Uvw>& coordinates)
+    : m_volume(input), m_sectors(sectors), m_places(places), m_solver(solver),
+      m_largest_change(largest_change), m_coordinates(coordinates),
+      m_place(sectors.number_of_sectors())
+  {
+    int exponent = 0;
+    std::frexp(input.extent, &exponent);
+    m_scale = std::ldexp(1., -exponent); // keeps determinants in range
+    for(std::size_t p = 0; p < places.places.size(); ++p) {
+      const Place& place = places.places[p];
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        m_place[std::size_t(place.members[i])] = {p, i / place.number_of_slots};
+    }
+    double surplus = 0; // of positive cells; files may list corners in the other order
+    for(std::size_t c = 0; c < input.number_of_cells(); ++c)
+      surplus += volume(input.coordinates, c) < 0 ? -1 : 1;
+    m_orientation = surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
+  }
+
+  // The cells that had the orientation of most cells in the input, and have lost it.
+  std::vector<std::size_t> lost_cells() const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
+      if(is_lost(c))
+        result.push_back(c);
+    return result;
+  }
+
+  // Tries each vertex of each cell once, as long as the work for programs lasts.
+  void run(const std::vector<std::size_t>& lost)
+  {
+    for(const std::size_t c : lost)
+      for(std::size_t i = 4 * c; i < 4 * c + 4 && is_lost(c); ++i)
+        if(m_sectors.sector[i] >= 0)
+          improve(m_place[std::size_t(m_sectors.sector[i])]);
+  }
+
+private:
+  struct Member
+  {
+    std::size_t place, index;
+  };
+
+  static Uvw_tetrahedron cell(const std::vector<Uvw>& u, const std::size_t c)
+  {
+    return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
+  }
+
+  bool is_lost(const std::size_t c) const
+  {
+    const Uvw_tetrahedron before = cell(m_volume.coordinates, c), now = cell(m_coordinates, c);
+    if(before == now)
+      return false;
+    return orientation(before) == m_orientation && orientation(now) != m_orientation;
+  }
+
+  const Place& place_of(const Member& member) const { return m_places.places[member.place]; }
+
+  template <typename F>
+  void for_each_corner(const Member& member, const F& f) const
+  {
+    const Place& place = place_of(member);
+    for(std::size_t slot = 0; slot < place.number_of_slots; ++slot) {
+      const Sector_number s = place.sector(member.index, slot);
+      for(auto i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
+        f(slot, std::size_t(*i));
+    }
+  }
+
+  std::size_t number_of_lost_cells(const Member& member) const
+  {
+    std::size_t result = 0;
+    for_each_corner(member, [&](std::size_t, const std::size_t i) {
+      result += std::size_t(is_lost(i / 4));
+    });
+    return result;
+  }
+
+  // Tries moves that leave the cells more of their volumes or less; keeps the first one that helps
+  // and costs no other cell its orientation.
+  void improve(const Member& member)
+  {
+    const Place& place = place_of(member);
+    const Place_freedom freedom = freedom_of(place, m_places, m_sectors.sheet_element);
+    std::vector<std::size_t> directions;
+    const bool is_free = place.first_arc == place.end_of_arcs &&
+                         place.first_level == place.end_of_levels; // also off the grid
+    for(std::size_t c = 0; c < 3; ++c)
+      if(freedom.first[c] == int(c) && (is_free || m_solver.moves(3 * place.first_slot + c)))
+        directions.push_back(c);
+    if(directions.empty())
+      return;
+    for(const double part : {0.5, 0.1, 0.01}) {
+      const Move move = proposed_move(member, freedom, directions, part);
+      const std::size_t lost = number_of_lost_cells(member);
+      std::vector<Uvw> before;
+      for_each_corner(member, [&](std::size_t, const std::size_t i) {
+        before.push_back(m_coordinates[i]);
+      });
+      std::vector<char> was_lost;
+      for_each_corner(member, [&](std::size_t, const std::size_t i) {
+        was_lost.push_back(is_lost(i / 4));
+      });
+      bool is_better = apply(member, freedom, move) && number_of_lost_cells(member) < lost;
+      std::size_t k = 0;
+      for_each_corner(member, [&](std::size_t, const std::size_t i) {
+        is_better = is_better && (was_lost[k] != 0 || !is_lost(i / 4));
+        ++k;
+      });
+      if(is_better)
+        return;
+      k = 0;
+      for_each_corner(member, [&](std::size_t, const std::size_t i) {
+        m_coordinates[i] = before[k++];
+      });
+    }
+  }
+
+  // Moves the corners of a member. Returns false if the number type does not hold the result, or it
+  // is far from the input.
+  bool apply(const Member& member, const Place_freedom& freedom, const Move& move)
+  {
+    const Place& place = place_of(member);
+    bool is_good = true;
+    for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
+      const Move turned = Group::apply(freedom.rotation[slot], move);
+      for(std::size_t c = 0; c < 3; ++c) {
+        if(turned[c] == 0)
+          continue;
+        const Grid& grid = m_solver.grid(3 * (place.first_slot + slot) + c);
+        const std::int64_t x = grid.split(m_coordinates[i][c]).base + turned[c];
+        is_good = is_good && grid.is_representable(x);
+        if(is_good)
+          m_coordinates[i][c] = grid.value(x);
+        is_good = is_good && std::abs(m_coordinates[i][c] - m_volume.coordinates[i][c]) <=
+                               m_largest_change;
+      }
+    });
+    return is_good;
+  }
+
+  // How the volume of a cell grows as a corner moves.
+  Uvw gradient(const std::size_t corner) const
+  {
+    const Uvw_tetrahedron u = cell(m_coordinates, corner / 4);
+    std::array<Uvw, 3> e; // from the corner to the others, in an order that keeps the orientation
+    constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        e[i][c] = m_scale * (u[others[corner % 4][i]][c] - u[corner % 4][c]);
+    Uvw result{};
+    for(std::size_t i = 0; i < 3; ++i) { // less the cross products of two
+      const Uvw &a = e[i], &b = e[(i + 1) % 3];
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] -= a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+    }
+    return result;
+  }
+
+  double volume(const std::vector<Uvw>& u, const std::size_t c) const
+  {
+    std::array<Uvw, 3> e;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        e[i][k] = m_scale * (u[4 * c + i + 1][k] - u[4 * c][k]);
+    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+           e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  }
+
+  // The shortest move after which all cells have at least a part of their former volumes, by the
+  // dual of that quadratic program.
+  Move proposed_move(const Member& member, const Place_freedom& freedom,
+                     const std::vector<std::size_t>& directions, const double part)
+  {
+    const Eigen::Index dimension = Eigen::Index(directions.size());
+    std::vector<Eigen::VectorXd> rows;
+    std::vector<double> wanted;
+    for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
+      const double sign = m_orientation == CGAL::NEGATIVE ? -1 : 1;
+      const double before = sign * volume(m_volume.coordinates, i / 4);
+      if(before < 0) // has nothing to lose
+        return;
+      const Uvw slope = Group::apply(Group::inverse(freedom.rotation[slot]), gradient(i));
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(dimension);
+      for(Eigen::Index d = 0; d < dimension; ++d)
+        for(std::size_t c = 0; c < 3; ++c)
+          if(freedom.first[c] == int(directions[std::size_t(d)]))
+            row[d] += sign * freedom.sign[c] * slope[c];
+      const double length = row.norm();
+      if(length > 0) {
+        rows.push_back(row / length);
+        wanted.push_back((part * before - sign * volume(m_coordinates, i / 4)) / length);
+      }
+    });
+    Eigen::MatrixXd a(Eigen::Index(rows.size()), dimension);
+    Eigen::VectorXd b(a.rows());
+    for(Eigen::Index i = 0; i < a.rows(); ++i) {
+      a.row(i) = rows[std::size_t(i)].transpose();
+      b[i] = wanted[std::size_t(i)];
+    }
+    Move move{};
+    const double unit = rows.empty() ? 0 : b.maxCoeff(); // brings multipliers near 1
+    if(!(unit > 0))
+      return move;
+    const Eigen::VectorXd y =
+      unit * (a.transpose() * minimize_nonnegative(a * a.transpose(), b / unit,
+                                                       m_multiplications));
+    for(Eigen::Index d = 0; d < dimension; ++d) {
+      const std::size_t first = directions[std::size_t(d)];
+      const double steps = m_solver.grid(3 * place_of(member).first_slot + first)
+                             .in_steps(y[d] / m_scale);
+      if(!(std::abs(steps) < machine_integer_bound / 4))
+        return Move{};
+      for(std::size_t c = 0; c < 3; ++c)
+        if(freedom.first[c] == int(first))
+          move[c] = freedom.sign[c] * nearest_integer(steps);
+    }
+    return move;
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_sectors& m_sectors;
+  const Volume_places& m_places;
+  const Place_solver& m_solver;
+  double m_largest_change;
+  CGAL::Orientation m_orientation = CGAL::POSITIVE; // that of most cells
+  std::vector<Uvw>& m_coordinates; // per corner
+  std::vector<Member> m_place;     // per sector
+  double m_scale = 1;
+  double m_multiplications = 1e9; // that programs may still take
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_REPAIR_H

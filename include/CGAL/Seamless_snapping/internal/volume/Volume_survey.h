@@ -1,0 +1,316 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_SURVEY_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_SURVEY_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The one pass over all cells: finds the facets whose two sides are not the same to the bit, and
+// copies the cells at the vertices that constraints concern. What follows knows neither the
+// caller's mesh nor its map.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/Tetrahedra.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The number type of a map's points.
+template <typename CornerUVWMap>
+struct Uvw_number
+{
+  using Point = typename boost::property_traits<CornerUVWMap>::value_type;
+  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
+                "the coordinates must be of type float or double");
+};
+
+template <typename CornerUVWMap>
+Uvw get_uvw(const CornerUVWMap& uvw_map, const std::size_t corner)
+{
+  const auto& p = get(uvw_map, corner);
+  return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
+}
+
+// The features: vertices of facets and edges, each in ascending order; without duplicates.
+struct Volume_features
+{
+  std::vector<std::array<std::int64_t, 3> > facets;
+  std::vector<std::array<std::int64_t, 2> > edges;
+
+  void sort()
+  {
+    sort(facets);
+    sort(edges);
+  }
+
+private:
+  template <typename Elements>
+  static void sort(Elements& elements)
+  {
+    for(auto& element : elements)
+      std::sort(element.begin(), element.end());
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  }
+};
+
+// Differences of larger ones overflow, or their determinants do.
+constexpr double largest_uvw = 1e300;
+
+template <typename CornerUVWMap>
+class Volume_survey
+{
+public:
+  Volume_survey(const Tetrahedra& tetrahedra, const CornerUVWMap& uvw_map)
+    : m_tetrahedra(tetrahedra), m_uvw_map(uvw_map),
+      m_is_marked(tetrahedra.number_of_vertices, 0)
+  { }
+
+  // Fills in the cells at facets whose sides differ and at aligned facets and edges, and those at
+  // some further vertices. Returns what is wrong with the input, if so.
+  std::optional<Refusal> run(const bool align_boundary, const Volume_features& features,
+                             const std::vector<std::int64_t>& further_vertices,
+                             Flat_volume& volume)
+  {
+    for(const std::int64_t v : further_vertices)
+      m_is_marked[std::size_t(v)] = 1;
+    if(auto refusal = check_coordinates())
+      return refusal;
+    find_facets(align_boundary);
+    if(auto refusal = find_features(features))
+      return refusal;
+    copy_cells(volume);
+    volume.extent = 0;
+    for(std::size_t c = 0; c < 3; ++c)
+      volume.extent = (std::max)(volume.extent, m_largest[c] - m_least[c]);
+    return std::nullopt;
+  }
+
+private:
+  std::optional<Refusal> check_coordinates()
+  {
+    m_least.fill(std::numeric_limits<double>::infinity());
+    m_largest.fill(-std::numeric_limits<double>::infinity());
+    for(std::size_t i = 0; i < m_tetrahedra.vertices.size(); ++i) {
+      const Uvw u = get_uvw(m_uvw_map, i);
+      for(std::size_t c = 0; c < 3; ++c) {
+        if(!(std::abs(u[c]) <= largest_uvw))
+          return Refusal{Snapping_status::NOT_FINITE,
+                         "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
+                           std::to_string(m_tetrahedra.vertices[i]) +
+                           " is NaN, infinite, or beyond 1e300", {}};
+        m_least[c] = (std::min)(m_least[c], u[c]);
+        m_largest[c] = (std::max)(m_largest[c], u[c]);
+      }
+    }
+    return std::nullopt;
+  }
+
+  void find_facets(const bool align_boundary)
+  {
+    for(std::size_t f = 0; f < m_tetrahedra.opposite.size(); ++f) {
+      const Corner_index facet = Corner_index(f), other = m_tetrahedra.opposite[f];
+      if(other == no_facet ? align_boundary : facet < other && !are_identical(facet, other)) {
+        (other == no_facet ? m_aligned_facets : m_open_facets).push_back(facet);
+        mark(facet);
+      }
+    }
+  }
+
+  void mark(const Corner_index facet)
+  {
+    for(const Corner_index corner : corners_of_facet(facet))
+      m_is_marked[std::size_t(vertex(corner))] = 1;
+  }
+
+  bool are_identical(const Corner_index facet, const Corner_index other) const
+  {
+    const auto others = corners_of_facet(other);
+    for(const Corner_index corner : corners_of_facet(facet)) {
+      std::size_t i = 0;
+      while(vertex(others[i]) != vertex(corner))
+        ++i;
+      if(get_uvw(m_uvw_map, std::size_t(corner)) != get_uvw(m_uvw_map, std::size_t(others[i])))
+        return false;
+    }
+    return true;
+  }
+
+  // A cell has a feature only if all its vertices belong to features.
+  std::optional<Refusal> find_features(const Volume_features& features)
+  {
+    if(features.facets.empty() && features.edges.empty())
+      return std::nullopt;
+    std::vector<char> is_feature(m_tetrahedra.number_of_vertices, 0), is_found;
+    note_vertices(features.facets, is_feature);
+    note_vertices(features.edges, is_feature);
+    is_found.assign(features.facets.size() + features.edges.size(), 0);
+    for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
+      int count = 0;
+      for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
+        count += is_feature[std::size_t(m_tetrahedra.vertices[i])];
+      if(count >= 2)
+        find_features_of_cell(Corner_index(4 * c), features, is_found);
+    }
+    for(std::size_t i = 0; i < is_found.size(); ++i)
+      if(is_found[i] == 0)
+        return refusal(features, i);
+    return std::nullopt;
+  }
+
+  template <typename Elements>
+  void note_vertices(const Elements& elements, std::vector<char>& is_feature) const
+  {
+    for(const auto& element : elements)
+      for(const std::int64_t v : element)
+        if(is_index_below(v, is_feature.size()))
+          is_feature[std::size_t(v)] = 1;
+  }
+
+  void find_features_of_cell(const Corner_index first, const Volume_features& features,
+                             std::vector<char>& is_found)
+  {
+    for(Corner_index i = first; i < first + 4; ++i) {
+      std::array<std::int64_t, 3> facet;
+      for(std::size_t k = 0; k < 3; ++k)
+        facet[k] = vertex(corners_of_facet(i)[k]);
+      std::sort(facet.begin(), facet.end());
+      const std::size_t place = place_of(features.facets, facet);
+      if(place < features.facets.size() && is_found[place] == 0) {
+        is_found[place] = 1;
+        add_aligned_facet(i);
+      }
+      for(Corner_index j = first; j < i; ++j) {
+        std::array<std::int64_t, 2> edge{{vertex(i), vertex(j)}};
+        std::sort(edge.begin(), edge.end());
+        const std::size_t edge_place = place_of(features.edges, edge);
+        if(edge_place == features.edges.size() ||
+           is_found[features.facets.size() + edge_place] != 0)
+          continue;
+        is_found[features.facets.size() + edge_place] = 1;
+        m_aligned_edges.push_back({i, j});
+        for(const std::int64_t v : edge)
+          m_is_marked[std::size_t(v)] = 1;
+      }
+    }
+  }
+
+  // Those of the border are there already if it is aligned.
+  void add_aligned_facet(const Corner_index facet)
+  {
+    if(!std::binary_search(m_aligned_facets.begin(), m_aligned_facets.end(), facet))
+      m_added_facets.push_back(facet);
+    mark(facet);
+  }
+
+  template <typename Elements>
+  static std::size_t place_of(const Elements& elements,
+                              const typename Elements::value_type& element)
+  {
+    const auto found = std::lower_bound(elements.begin(), elements.end(), element);
+    return found != elements.end() && *found == element
+      ? std::size_t(found - elements.begin()) : elements.size();
+  }
+
+  static Refusal refusal(const Volume_features& features, const std::size_t i)
+  {
+    const bool is_facet = i < features.facets.size();
+    std::vector<std::int64_t> names;
+    if(is_facet)
+      names.assign(features.facets[i].begin(), features.facets[i].end());
+    else
+      names.assign(features.edges[i - features.facets.size()].begin(),
+                   features.edges[i - features.facets.size()].end());
+    return {Snapping_status::INVALID_ARGUMENT,
+            "feature " + name_of(is_facet ? "facet" : "edge", names) + " is in no cell", {}};
+  }
+
+  void copy_cells(Flat_volume& volume)
+  {
+    std::vector<Corner_index> place(m_tetrahedra.number_of_cells(), -1);
+    for(std::size_t c = 0; c < place.size(); ++c)
+      for(std::size_t i = 4 * c; i < 4 * c + 4 && place[c] < 0; ++i)
+        if(m_is_marked[std::size_t(m_tetrahedra.vertices[i])] != 0) {
+          place[c] = Corner_index(volume.cell_names.size());
+          volume.cell_names.push_back(std::int32_t(c));
+        }
+    const std::size_t size = 4 * volume.number_of_cells();
+    volume.vertices.reserve(size);
+    volume.coordinates.reserve(size);
+    volume.opposite.reserve(size);
+    std::vector<std::int32_t> new_vertex(m_tetrahedra.number_of_vertices, -1);
+    for(const std::int32_t c : volume.cell_names)
+      for(std::size_t i = 4 * std::size_t(c); i < 4 * std::size_t(c) + 4; ++i) {
+        const std::int32_t name = m_tetrahedra.vertices[i];
+        std::int32_t& v = new_vertex[std::size_t(name)];
+        if(v < 0) {
+          v = std::int32_t(volume.vertex_names.size());
+          volume.vertex_names.push_back(name);
+          volume.is_fixed.push_back(m_is_marked[std::size_t(name)] == 0);
+        }
+        volume.vertices.push_back(v);
+        volume.coordinates.push_back(get_uvw(m_uvw_map, i));
+        volume.opposite.push_back(moved(m_tetrahedra.opposite[i], place));
+      }
+    m_aligned_facets.insert(m_aligned_facets.end(), m_added_facets.begin(), m_added_facets.end());
+    for(const Corner_index f : m_open_facets)
+      volume.open_facets.push_back(moved(f, place));
+    for(const Corner_index f : m_aligned_facets)
+      volume.aligned_facets.push_back(moved(f, place));
+    for(const Flat_volume::Aligned_edge& e : m_aligned_edges)
+      volume.aligned_edges.push_back({moved(e.a, place), moved(e.b, place)});
+  }
+
+  // The number of a corner or facet in the copy.
+  static Corner_index moved(const Corner_index i, const std::vector<Corner_index>& place)
+  {
+    if(i < 0)
+      return i;
+    const Corner_index cell = place[std::size_t(i / 4)];
+    return cell < 0 ? facet_elsewhere : 4 * cell + i % 4;
+  }
+
+  std::int32_t vertex(const Corner_index corner) const
+  {
+    return m_tetrahedra.vertices[std::size_t(corner)];
+  }
+
+  const Tetrahedra& m_tetrahedra;
+  const CornerUVWMap& m_uvw_map;
+  Uvw m_least, m_largest;
+  std::vector<char> m_is_marked; // per vertex: some constraint concerns it
+  std::vector<Corner_index> m_open_facets, m_aligned_facets, m_added_facets;
+  std::vector<Flat_volume::Aligned_edge> m_aligned_edges;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_SURVEY_H

@@ -1,0 +1,243 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_TRANSITIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_TRANSITIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Which rotation each open facet has, and whether it is a cut: what is noise, and what is meant.
+
+#include <CGAL/Seamless_snapping/internal/volume/Facet_ring.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Differences of a facet that is no cut are at most so many times the residuals near by.
+constexpr double largest_gap_in_residuals = 5;
+// A rotation whose residual is at most so many times the residuals near by may be meant.
+constexpr double largest_noise_in_residuals = 2;
+
+// Facets that are not open have the identity, and are no cuts.
+struct Volume_transitions
+{
+  std::vector<Cube_rotations::Element> element; // per open facet
+  std::vector<char> is_cut;                     // per open facet
+  std::vector<double> noise;                    // per vertex: residuals near by
+  double violation = 0;                         // the largest
+  Corner_index worst = no_facet;                // where that is
+  std::size_t number_of_cuts = 0;
+  std::size_t number_decided_by_surroundings = 0;
+};
+
+// Reads rotations off the coordinates of each facet. Where a facet is so thin that several fit, the
+// facets around its edges decide: around a regular edge, rotations multiply to the identity.
+class Facet_transition_reader
+{
+  using Group = Cube_rotations;
+
+public:
+  explicit Facet_transition_reader(const Flat_volume& volume)
+    : m_volume(volume), m_place(volume.opposite.size(), -1)
+  {
+    for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
+      const Corner_index facet = volume.open_facets[i];
+      m_place[std::size_t(facet)] = std::int32_t(i);
+      m_place[std::size_t(volume.opposite[std::size_t(facet)])] = std::int32_t(i);
+    }
+  }
+
+  Volume_transitions read()
+  {
+    fit_facets();
+    std::vector<std::size_t> undecided;
+    for(std::size_t i = 0; i < m_volume.open_facets.size(); ++i)
+      if(!decide_alone(i))
+        undecided.push_back(i);
+    m_result.number_decided_by_surroundings = undecided.size();
+    decide_by_surroundings(undecided);
+    measure();
+    return std::move(m_result);
+  }
+
+private:
+  // The best fit of each facet, and from these what is noise at each vertex.
+  void fit_facets()
+  {
+    const std::size_t size = m_volume.open_facets.size();
+    m_result.element.assign(size, Group::identity());
+    m_result.is_cut.assign(size, 1);
+    m_result.noise.assign(m_volume.number_of_vertices(), 0);
+    m_is_decided.assign(size, 0);
+    for(std::size_t i = 0; i < size; ++i) {
+      const Facet_vectors vectors(m_volume.sides(m_volume.open_facets[i]));
+      double least = vectors.residual(Group::identity());
+      for(int g = 1; g < Group::order && least > 0; ++g) {
+        const double residual = vectors.residual(g);
+        if(residual < least) {
+          least = residual;
+          m_result.element[i] = g;
+        }
+      }
+      for(const Corner_index corner : corners_of_facet(m_volume.open_facets[i])) {
+        double& noise = m_result.noise[std::size_t(m_volume.vertex(corner))];
+        noise = (std::max)(noise, least);
+      }
+    }
+  }
+
+  double noise_at(const Corner_index facet) const
+  {
+    double result = 0;
+    for(const Corner_index corner : corners_of_facet(facet))
+      result = (std::max)(result, m_result.noise[std::size_t(m_volume.vertex(corner))]);
+    return result;
+  }
+
+  bool may_be_no_cut(const Facet_sides& sides, const double noise) const
+  {
+    return sides.difference() <= largest_gap_in_residuals * noise;
+  }
+
+  // Returns false if several rotations fit.
+  bool decide_alone(const std::size_t i)
+  {
+    const Facet_sides sides = m_volume.sides(m_volume.open_facets[i]);
+    const double noise = noise_at(m_volume.open_facets[i]);
+    const Facet_vectors vectors(sides);
+    for(int g = 0; g < Group::order; ++g)
+      if(g != m_result.element[i] && vectors.residual(g) <= largest_noise_in_residuals * noise)
+        return false;
+    decide(i, m_result.element[i], sides, noise);
+    return true;
+  }
+
+  void decide(const std::size_t i, const int g, const Facet_sides& sides, const double noise)
+  {
+    m_result.element[i] = g;
+    m_result.is_cut[i] = g != Group::identity() || !may_be_no_cut(sides, noise);
+    m_is_decided[i] = 1;
+  }
+
+  // Layer by layer, from facets that are decided; where none is near, each for itself. All facets
+  // of a layer are decided before the next, so that their order does not matter.
+  void decide_by_surroundings(std::vector<std::size_t> undecided)
+  {
+    while(!undecided.empty()) {
+      std::vector<std::size_t> waiting, decided;
+      std::vector<int> elements;
+      for(const std::size_t i : undecided)
+        if(const auto g = most_wanted(m_volume.open_facets[i])) {
+          decided.push_back(i);
+          elements.push_back(*g);
+        } else {
+          waiting.push_back(i);
+        }
+      if(decided.empty()) {
+        decided.swap(waiting);
+        for(const std::size_t i : decided)
+          elements.push_back(fit_without_surroundings(i));
+      }
+      for(std::size_t k = 0; k < decided.size(); ++k)
+        decide(decided[k], elements[k], m_volume.sides(m_volume.open_facets[decided[k]]),
+               noise_at(m_volume.open_facets[decided[k]]));
+      undecided.swap(waiting);
+    }
+  }
+
+  int fit_without_surroundings(const std::size_t i) const
+  {
+    const Corner_index facet = m_volume.open_facets[i];
+    return may_be_no_cut(m_volume.sides(facet), noise_at(facet)) ? Group::identity()
+                                                                 : m_result.element[i];
+  }
+
+  // Of the rotations that fit, the one that makes most edges regular; none if no edge tells.
+  std::optional<int> most_wanted(const Corner_index facet) const
+  {
+    std::array<int, Group::order> votes{};
+    for(const Corner_index third : corners_of_facet(facet))
+      if(const auto g = wanted_at_edge(facet, third))
+        ++votes[std::size_t(*g)];
+    const Facet_vectors vectors(m_volume.sides(facet));
+    const double largest = largest_noise_in_residuals * noise_at(facet);
+    std::optional<int> best;
+    for(int g = 0; g < Group::order; ++g)
+      if(votes[std::size_t(g)] > 0 && vectors.residual(g) <= largest &&
+         (!best || votes[std::size_t(g)] > votes[std::size_t(*best)] ||
+          (votes[std::size_t(g)] == votes[std::size_t(*best)] &&
+           vectors.residual(g) < vectors.residual(*best))))
+        best = g;
+    return best;
+  }
+
+  // The rotation that makes the edge opposite to `third` regular, if all its other facets are
+  // decided and it is no edge of the border.
+  std::optional<int> wanted_at_edge(const Corner_index facet, const Corner_index third) const
+  {
+    Facet_ring ring(m_volume, facet, third);
+    int g = Group::identity(); // from the chart of the facet's cell to that of the current one
+    for(ring.turn(); !ring.is_closed(); ring.turn()) {
+      if(!ring.can_cross())
+        return std::nullopt;
+      const std::int32_t i = m_place[std::size_t(ring.facet())];
+      if(i >= 0) {
+        if(m_is_decided[std::size_t(i)] == 0)
+          return std::nullopt;
+        g = Group::compose(element(ring.facet()), g);
+      }
+      ring.cross();
+    }
+    return g;
+  }
+
+  // Across a facet, from the side of the cell that it belongs to.
+  int element(const Corner_index facet) const
+  {
+    const std::size_t i = std::size_t(m_place[std::size_t(facet)]);
+    const int g = m_result.element[i];
+    return m_volume.open_facets[i] == facet ? g : Group::inverse(g);
+  }
+
+  void measure()
+  {
+    for(std::size_t i = 0; i < m_result.element.size(); ++i) {
+      const Facet_sides sides = m_volume.sides(m_volume.open_facets[i]);
+      const double miss = m_result.is_cut[i] != 0
+        ? Facet_vectors(sides).residual(m_result.element[i]) : sides.difference();
+      m_result.number_of_cuts += std::size_t(m_result.is_cut[i]);
+      if(miss > m_result.violation) {
+        m_result.violation = miss;
+        m_result.worst = m_volume.open_facets[i];
+      }
+    }
+  }
+
+  const Flat_volume& m_volume;
+  std::vector<std::int32_t> m_place; // per facet: among the open ones, or -1
+  std::vector<char> m_is_decided;    // per open facet
+  Volume_transitions m_result;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_TRANSITIONS_H

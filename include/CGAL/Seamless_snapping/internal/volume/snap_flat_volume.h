@@ -1,0 +1,253 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_FLAT_VOLUME_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_FLAT_VOLUME_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The function `snap_volume_to_seamless()` for a volume in plain arrays, a step a line.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_repair.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// A larger change than so many times the violation, or this part of the tolerance, is none of
+// noise: some rotation, cut, or alignment was misread.
+constexpr double largest_change_in_violations = 10;
+constexpr double least_noise_in_tolerances = 0.01;
+
+class Flat_volume_snapper
+{
+public:
+  // \param tolerance relative to the extent
+  Flat_volume_snapper(const Flat_volume& volume, const double tolerance,
+                      const Number_format& format, Snapping_report& report, Step_timer& timer)
+    : m_volume(volume), m_tolerance(tolerance * volume.extent), m_format(format),
+      m_report(report), m_timer(timer)
+  { }
+
+  // Fills in the coordinates of all corners, and the report but for its status, which is
+  // `ALREADY_EXACT` before. Returns why there are none, if so.
+  std::optional<Refusal> run(std::vector<Uvw>& snapped)
+  {
+    const Volume_transitions transitions = Facet_transition_reader(m_volume).read();
+    fill_in(transitions);
+    m_timer.finish("transitions");
+    if(transitions.violation > m_tolerance)
+      return not_seamless(transitions);
+    const Volume_alignment alignment = Facet_alignment_reader(m_volume, transitions).read();
+    m_report.violation_before = (std::max)(transitions.violation, alignment.violation);
+    m_timer.finish("alignment");
+    if(alignment.violation > m_tolerance)
+      return not_aligned(alignment);
+    if(is_exact(m_volume, transitions, alignment, m_volume.coordinates))
+      return std::nullopt;
+    m_timer.finish("verification of the input");
+
+    const Volume_sectors sectors = Sector_builder(m_volume, transitions, alignment).build();
+    m_timer.finish("sectors");
+    const Volume_places places = Place_finder(sectors).find();
+    fill_in(sectors, places);
+    m_timer.finish("places");
+    Place_solver solver(m_volume, sectors, places,
+                        inexact_coordinates(transitions, alignment, sectors, places), m_format);
+    m_report.linear_solver = solver.linear_solver().figures();
+    m_report.run.grid_step = solver.coarsest_step();
+    m_timer.finish("elimination");
+    std::vector<Uvw> coordinates;
+    if(!solver.solve(coordinates))
+      return Refusal{Snapping_status::NOT_REPRESENTABLE,
+                     "the coordinates are so large that the number type holds no solution near by; "
+                     "scale the map down", {}};
+    m_timer.finish("solution");
+
+    snapped = m_volume.coordinates;
+    for(std::size_t i = 0; i < snapped.size(); ++i)
+      if(sectors.sector[i] >= 0)
+        set(snapped[i], coordinates[std::size_t(sectors.sector[i])]);
+    repair(sectors, places, solver, snapped);
+    m_timer.finish("orientation");
+    if(const auto refusal = guard_against_collapse(snapped))
+      return refusal;
+    if(!is_exact(m_volume, transitions, alignment, snapped))
+      return Refusal{Snapping_status::INTERNAL_ERROR,
+                     "the result failed its exact verification and was discarded; please report "
+                     "this", {}};
+    fill_in_changes(sectors, snapped);
+    m_timer.finish("verification");
+    m_report.status = Snapping_status::SNAPPED;
+    return std::nullopt;
+  }
+
+private:
+  // A zero that stays one keeps its sign.
+  static void set(Uvw& u, const Uvw& to)
+  {
+    for(std::size_t c = 0; c < 3; ++c)
+      if(u[c] != to[c])
+        u[c] = to[c];
+  }
+
+  void fill_in(const Volume_transitions& transitions)
+  {
+    m_report.violation_before = transitions.violation;
+    m_report.run.number_of_cut_edges = transitions.number_of_cuts;
+    m_report.run.number_of_merged_edges = m_volume.open_facets.size() - transitions.number_of_cuts;
+    m_report.run.number_of_edges_decided_by_surroundings =
+      transitions.number_decided_by_surroundings;
+  }
+
+  void fill_in(const Volume_sectors& sectors, const Volume_places& places)
+  {
+    m_report.run.number_of_sectors = sectors.number_of_sectors();
+    m_report.run.number_of_nodes = places.places.size();
+    m_report.run.number_of_cut_branches = sectors.sheet_element.size();
+    m_report.run.number_of_align_branches = sectors.number_of_levels;
+  }
+
+  // Each sector counts once.
+  void fill_in_changes(const Volume_sectors& sectors, const std::vector<Uvw>& snapped)
+  {
+    const double unit = m_report.run.grid_step;
+    double sum = 0, squares = 0;
+    for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
+      const auto begin = sectors.corners_begin(Sector_number(s));
+      const auto end = sectors.corners_end(Sector_number(s));
+      for(auto i = begin; i != end; ++i)
+        for(std::size_t c = 0; c < 3; ++c) {
+          const double change = std::abs(snapped[std::size_t(*i)][c] - m_volume.uvw(*i)[c]) / unit;
+          sum += change / static_cast<double>(end - begin);
+          squares += change * change / static_cast<double>(end - begin);
+        }
+    }
+    const double size = 3 * static_cast<double>(sectors.number_of_sectors());
+    m_report.largest_change = largest_change(snapped).first;
+    m_report.mean_change = sum / size * unit;
+    m_report.rms_change = std::sqrt(squares / size) * unit;
+  }
+
+  Refusal not_seamless(const Volume_transitions& transitions) const
+  {
+    return {Snapping_status::NOT_SEAMLESS,
+            "at " + m_volume.name_of_facet(transitions.worst) + " the two sides differ by " +
+              short_number(transitions.violation) + ", more than the tolerance allows (" +
+              short_number(m_tolerance) + "), from any of the 24 rotations; correct the map there, "
+              "or raise the tolerance", {}};
+  }
+
+  Refusal not_aligned(const Volume_alignment& alignment) const
+  {
+    return {Snapping_status::NOT_ALIGNED,
+            alignment.worst + " is " + short_number(alignment.violation) +
+              " off a plane or line of constant coordinates, more than the tolerance allows (" +
+              short_number(m_tolerance) + "); correct the map there, raise the tolerance or, for "
+              "facets of the boundary, pass align_boundary(false)", {}};
+  }
+
+  void repair(const Volume_sectors& sectors, const Volume_places& places,
+              const Place_solver& solver, std::vector<Uvw>& snapped)
+  {
+    Volume_repair repair(m_volume, sectors, places, solver, largest_plausible_change(), snapped);
+    std::vector<std::size_t> lost = repair.lost_cells();
+    m_report.run.number_of_lost_faces = lost.size();
+    m_report.run.largest_change_before_repair = largest_change(snapped).first;
+    if(!lost.empty()) {
+      repair.run(lost);
+      lost = repair.lost_cells();
+    }
+    m_report.run.number_of_faces_repaired_by_moves =
+      m_report.run.number_of_lost_faces - lost.size();
+    for(const std::size_t c : lost)
+      m_report.lost_faces.push_back(std::size_t(m_volume.cell_names[c]));
+  }
+
+  // The largest change of a coordinate, and at which corner it is.
+  std::pair<double, std::size_t> largest_change(const std::vector<Uvw>& snapped) const
+  {
+    std::pair<double, std::size_t> result(0, 0);
+    for(std::size_t i = 0; i < snapped.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c) {
+        const double change = std::abs(snapped[i][c] - m_volume.coordinates[i][c]);
+        if(change > result.first)
+          result = {change, i};
+      }
+    return result;
+  }
+
+  double largest_plausible_change() const
+  {
+    return largest_change_in_violations *
+           (std::max)(m_report.violation_before, least_noise_in_tolerances * m_tolerance);
+  }
+
+  // A wrong rotation can make an exact map in which a part of the volume has collapsed.
+  std::optional<Refusal> guard_against_collapse(const std::vector<Uvw>& snapped) const
+  {
+    const auto [largest, place] = largest_change(snapped);
+    if(largest <= largest_plausible_change())
+      return std::nullopt;
+    return Refusal{Snapping_status::NOT_SEAMLESS,
+                   "an exact map would have to move vertex " +
+                     std::to_string(m_volume.vertex_names[std::size_t(m_volume.vertices[place])]) +
+                     " by " + short_number(largest) + ", which is more than the inaccuracy of " +
+                     short_number(m_report.violation_before) + " explains: the transitions around "
+                     "it do not fit together, or the cells there are thinner than the inaccuracy; "
+                     "correct the map there, or raise the tolerance", {}};
+  }
+
+  std::vector<char> inexact_coordinates(const Volume_transitions& transitions,
+                                        const Volume_alignment& alignment,
+                                        const Volume_sectors& sectors,
+                                        const Volume_places& places) const
+  {
+    std::vector<std::size_t> slot(sectors.number_of_sectors());
+    for(const Volume_places::Place& place : places.places)
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        slot[std::size_t(place.members[i])] = place.first_slot + i % place.number_of_slots;
+    std::vector<char> result(3 * places.number_of_slots, 0);
+    for_each_inexact_coordinate(
+      m_volume, transitions, alignment, m_volume.coordinates,
+      [&](const Corner_index corner, const std::size_t c) {
+        result[3 * slot[std::size_t(sectors.sector[std::size_t(corner)])] + c] = 1;
+      });
+    return result;
+  }
+
+  const Flat_volume& m_volume;
+  double m_tolerance; // absolute
+  Number_format m_format;
+  Snapping_report& m_report;
+  Step_timer& m_timer;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_FLAT_VOLUME_H

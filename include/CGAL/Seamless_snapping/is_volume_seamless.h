@@ -1,0 +1,92 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_IS_VOLUME_SEAMLESS_H
+#define CGAL_SEAMLESS_SNAPPING_IS_VOLUME_SEAMLESS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Whether a parametrization of a tetrahedral mesh is exactly seamless, and how far it is from that.
+
+#include <CGAL/Seamless_snapping/Volume_seamlessness.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/measure_volume.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingVerifying
+
+decides whether a parametrization of a tetrahedral mesh is exactly seamless: whether for each
+interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
+\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$ for any two of its
+vertices \f$ a, b \f$, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in the
+charts of its two cells; and whether a coordinate is constant on each boundary facet and feature
+facet, and two are along each feature edge. The answer is that of exact arithmetic.
+
+Template and function parameters, and all named parameters but `tolerance` and `verbose`, are those
+of `snap_volume_to_seamless()`; the map need be a model of `ReadablePropertyMap` only.
+
+\return `false` also if a coordinate is NaN, infinite, or beyond 1e300
+
+\throws std::invalid_argument if the cells, their neighbors, or the features are not what
+        `snap_volume_to_seamless()` asks for; the message names the place
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+\par Complexity
+Linear in the number of cells; about as fast as comparing the coordinates on both sides of each
+facet.
+
+\sa `measure_volume_seamlessness()`
+*/
+template <typename TetrahedronRange, typename CornerUVWMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
+  return internal::is_volume_seamless(tetrahedra, uvw_map, internal::strip(np));
+}
+
+/*!
+\ingroup PkgSeamlessSnappingVerifying
+
+measures how far a parametrization of a tetrahedral mesh is from being exactly seamless and aligned,
+and counts the cells that are flipped or degenerate in the domain. Parameters are those of
+`is_volume_seamless()`.
+
+\throws std::invalid_argument also if a coordinate is NaN, infinite, or beyond 1e300
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+\par Complexity
+Linear in the number of cells.
+*/
+template <typename TetrahedronRange, typename CornerUVWMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Volume_seamlessness
+measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
+                            const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
+  return internal::measure_volume_seamlessness(tetrahedra, uvw_map, internal::strip(np));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_IS_VOLUME_SEAMLESS_H

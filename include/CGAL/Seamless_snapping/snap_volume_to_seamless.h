@@ -1,0 +1,167 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SNAP_VOLUME_TO_SEAMLESS_H
+#define CGAL_SEAMLESS_SNAPPING_SNAP_VOLUME_TO_SEAMLESS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The volume function: makes an approximately seamless parametrization of a tetrahedral mesh
+// exactly seamless.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/snap_volume.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+moves an approximately seamless parametrization of a tetrahedral mesh to a nearby one that is
+exactly seamless, as hexahedral meshing needs it.
+
+Each cell has coordinates \f$ u, v, w \f$ at each of its corners. After success, in exact
+arithmetic, for each interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
+\f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
+for any two of its vertices \f$ a, b \f$, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the
+coordinates in the charts of the two cells; across facets with the identity as transition, both
+sides have the same coordinates to the bit. On each facet of the boundary, and on each feature
+facet, one coordinate is constant; along each feature edge, two are. All coordinates remain ordinary
+floating point numbers.
+
+The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
+of squared changes of the sectors, which are the classes of corners at a vertex between whose cells
+no cut runs. Corners at vertices that no constraint concerns keep their bits. A parametrization that
+is exactly seamless already is not touched at all. The result is verified exactly, facet by facet,
+before the function reports success; on failure nothing has changed.
+
+Cells keep their orientation where a move of one of their vertices allows it, alone and with all its
+sectors. Cells that have negative or no orientation in the input are accepted.
+`Snapping_report::lost_faces` lists the cells that had the orientation of most cells, and lost it.
+
+Cuts, rotations, singular curves, and the coordinate that is constant on a facet are read off the
+coordinates. Where a facet is so thin that several rotations fit as well as the inaccuracy near by
+allows, those around its edges decide. Charts may be arranged in any way; the mesh may have any
+number of components of any topology, with or without boundary, and components may touch along edges
+and at vertices.
+
+\tparam TetrahedronRange a range with a member function `size()`, whose elements are ranges of 4
+        vertex indices, also with `size()`: `std::vector<std::array<int, 4> >`, for instance
+\tparam CornerUVWMap a model of `ReadWritePropertyMap` with `std::size_t` as key type and as value
+        type a three-dimensional point with coordinates `x()`, `y()` and `z()` of type `double` or
+        `float`, which can be constructed from three of them
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. Memory is
+       proportional to the largest of them.
+\param uvw_map the coordinates of each corner: that of key `4 * i + k` belongs to vertex `k` of cell
+       `i`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{align_boundary}
+    \cgalParamDescription{whether each facet of the boundary is to lie in a plane of a constant
+                          coordinate}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_facets}
+    \cgalParamDescription{further facets that are to lie in planes of a constant coordinate: in
+                          each, the coordinate that changes least in the input is made constant}
+    \cgalParamType{a range of ranges of 3 vertex indices}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_edges}
+    \cgalParamDescription{edges along which two coordinates are to be constant: those that change
+                          less in the input}
+    \cgalParamType{a range of ranges of 2 vertex indices}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cell_neighbors}
+    \cgalParamDescription{for each cell, the 4 cells on the other sides of the facets opposite to
+                          its vertices, or negative numbers where there is none; saves searching
+                          them}
+    \cgalParamType{a range of ranges of 4 integers, each with a member function `size()`}
+    \cgalParamDefault{found by common vertices}
+  \cgalParamNEnd
+  \cgalParamNBegin{tolerance}
+    \cgalParamDescription{the largest violation of a transition or alignment that is taken for
+                          inaccuracy, relative to the extent of the coordinates. A larger one is an
+                          error.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1e-4}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether each step is reported on the standard error stream with its time}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the status and figures; converts to `true` if and only if the parametrization is exactly
+        seamless and aligned. Where `Snapping_report` speaks of faces and edges, these are cells and
+        facets here, nodes are the vertices that enter the constraint system, and branches are the
+        sheets of cut facets and the levels of aligned ones. On failure, `Snapping_report::status`
+        is
+        - `NOT_MANIFOLD`: a facet belongs to more than two cells;
+        - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
+        - `NOT_SEAMLESS`: no rotation fits the two sides of a facet up to the tolerance; or an exact
+          map would differ from the input by more than ten times its inaccuracy (or a tenth of the
+          tolerance, if that is more), so that some part of it must be a mistake;
+        - `NOT_ALIGNED`: no coordinate is constant on a facet of the boundary, or on a feature, up
+          to the tolerance;
+        - `INVALID_ARGUMENT`: there is no cell or more than \f$ 2^{27} \f$, a cell has a vertex
+          twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
+          the cells, or the tolerance is negative;
+        - `NOT_REPRESENTABLE`: coordinates would exceed the largest number, as can happen with
+          `float`s close to it;
+        - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
+        - `INTERNAL_ERROR`: the result failed its verification; or `uvw_map` does not keep what is
+          written to it, and the old coordinates have been written back.
+        .
+        The message names the place and the remedy.
+
+\par Complexity
+Linear in the number of cells, with a constant of a few passes over the facets; in addition sparse
+elimination of a system whose size is that of the cuts' topology: three unknowns for each sector of
+a place, where a place stands for all vertices at which the same sheets and levels meet in the same
+way.
+
+\sa `is_volume_seamless()`
+\sa `snap_to_seamless()`
+*/
+template <typename TetrahedronRange, typename CornerUVWMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Snapping_report
+snap_volume_to_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  if(!internal::is_arithmetic_exact()) {
+    Snapping_report report;
+    report.status = Snapping_status::INEXACT_ARITHMETIC;
+    report.message = internal::inexact_arithmetic_message();
+    return report;
+  }
+  return internal::snap_volume(tetrahedra, uvw_map, internal::strip(np));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_SNAP_VOLUME_TO_SEAMLESS_H
