@@ -5,6 +5,7 @@
 #include "Parametrized_model.h"
 #include "checking.h"
 #include "exact_seamless_check.h"
+#include "floating_point_traps.h"
 #include "random_constraints.h"
 #include "reduced_seamless_system.h"
 #include "test_data.h"
@@ -421,6 +422,7 @@ void test_interception(const bool is_inside)
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_interception(true);
   test_interception(false);
   for(std::uint64_t seed = 1; seed <= 3; ++seed)

@@ -1,5 +1,6 @@
 // Reading and writing of OBJ files: what the format allows, and what is refused with which line.
 
+#include "floating_point_traps.h"
 #include "obj_models.h"
 
 #include <filesystem>
@@ -438,6 +439,7 @@ void test_failing_files()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_valid_variants();
   test_features();
   test_corners_and_order();

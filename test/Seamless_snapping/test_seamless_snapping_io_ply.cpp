@@ -1,6 +1,7 @@
 // PLY files with coordinates per corner: read, written, and copied with other coordinates, in all
 // forms of the format; and what is refused.
 
+#include "floating_point_traps.h"
 #include "obj_models.h"
 
 #include <CGAL/Seamless_snapping/IO/PLY.h>
@@ -282,6 +283,7 @@ void test_mutations(Random& random, const std::string& valid, const int number)
 
 int main(int argc, char** argv)
 {
+  const Floating_point_traps traps; // for all functions that are called
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : std::random_device()();
   std::cout << "seed " << seed << std::endl;
   Random random(seed);

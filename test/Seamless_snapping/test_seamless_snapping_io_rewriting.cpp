@@ -1,6 +1,7 @@
 // Files that are copied with other coordinates: all else stays to the byte, and the coordinates are
 // those of the mesh, to readers of doubles and of floats.
 
+#include "floating_point_traps.h"
 #include "obj_models.h"
 
 #include <algorithm>
@@ -216,6 +217,7 @@ void test_random(Random& random)
 
 int main(int argc, char** argv)
 {
+  const Floating_point_traps traps; // for all functions that are called
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : std::random_device()();
   std::cout << "seed " << seed << std::endl;
   Random random(seed);

@@ -10,6 +10,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include "checking.h"
+#include "floating_point_traps.h"
 
 #include <functional>
 #include <type_traits>
@@ -179,6 +180,7 @@ void test_is_named_parameters()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_any_order();
   test_plain_chains_of_cgal();
   test_last_one_counts();

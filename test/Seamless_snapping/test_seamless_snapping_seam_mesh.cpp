@@ -2,6 +2,7 @@
 // CGAL::Seam_mesh: orbifold embeddings, seamless up to rounding, for all cone layouts that rotate
 // by multiples of 90 degrees. Their corners are read by the lines that the user manual shows.
 
+#include "floating_point_traps.h"
 #include "surface_checks.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -125,6 +126,7 @@ void test_orbifold(SMP::Orbifold_type type, std::size_t number_of_cones, unsigne
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   std::cout.precision(3);
   for(unsigned int seed = 1; seed <= 10; ++seed) {
     test_orbifold(SMP::Square, 3, seed);

@@ -2,6 +2,7 @@
 // noise: also where triangles are smaller than the noise, where corners have noise of their own,
 // and where one part of a map is exact and another is not.
 
+#include "floating_point_traps.h"
 #include "surface_checks.h"
 #include "test_data.h"
 #include "test_meshes.h"
@@ -298,6 +299,7 @@ void test_noise_on_files()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_noise();
   test_small_triangles();
   test_exact_part();

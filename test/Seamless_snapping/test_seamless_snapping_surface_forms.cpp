@@ -1,6 +1,7 @@
 // Tests of the surface function: the same surface must come out the same to the bit in all mesh
 // data structures and modes of the processor, and exact in all ranges of numbers.
 
+#include "floating_point_traps.h"
 #include "surface_checks.h"
 
 #include "Polyhedron_copy.h"
@@ -398,6 +399,7 @@ void test_exact_input(const Named_mesh<Kernel>& original, unsigned int seed)
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   std::cout.precision(3);
   unsigned int seed = 0;
   for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {

@@ -6,6 +6,7 @@
 
 #include "checking.h"
 #include "exact_reference.h"
+#include "floating_point_traps.h"
 #include "lattice_reference.h"
 #include "random_systems.h"
 #include "snap_in_any_form.h"
@@ -698,6 +699,7 @@ void test_files()
 
 int main(int argc, char** argv)
 {
+  const Floating_point_traps traps; // for all functions that are called
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
   test_right_hand_sides_of_other_sizes();
   test_outliers();

@@ -2,6 +2,7 @@
 // backwards, to the last bit, in all data structures, with one thread and with several.
 
 #include "Polyhedron_copy.h"
+#include "floating_point_traps.h"
 #include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_checks.h"
@@ -422,6 +423,7 @@ void test_files(const std::vector<std::filesystem::path>& files)
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
 #ifdef CGAL_LINKED_WITH_TBB
   std::cout << "with TBB" << std::endl;
 #else

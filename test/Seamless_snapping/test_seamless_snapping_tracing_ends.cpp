@@ -3,6 +3,7 @@
 
 #define CGAL_DEBUG // before any header
 
+#include "floating_point_traps.h"
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
@@ -458,6 +459,7 @@ void test_inexact_maps()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_maximum_number();
   test_maximum_length();
   test_closed_length();

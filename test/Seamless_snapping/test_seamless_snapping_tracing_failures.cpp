@@ -8,6 +8,7 @@
 // pass near a singular vertex, or near their start. A first snapping moves the map to where they
 // meet it. Those that do must do so again after noise and another snapping.
 
+#include "floating_point_traps.h"
 #include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_candidates.h"
@@ -297,6 +298,7 @@ Totals test_files(const std::vector<std::filesystem::path>& files)
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_failures();
   test_failures_of_computed_maps();
   std::cout << "random seed 1" << std::endl;
