@@ -11,6 +11,7 @@
 
 #include "checking.h"
 #include "exact_reference.h"
+#include "floating_point_traps.h"
 #include "grid_reference.h"
 #include "random_systems.h"
 
@@ -219,6 +220,8 @@ void test_mixed_scales()
   test_found("at two powers of two", 3,
              {{{{0, 1}, {1, -1}}, -0x1p-49}, {{{1, 1}, {2, 1}}, 0x1p-49}}, {-16, -16, 16}, 0x1p-46);
   test_found("small pin", 1, {{{{0, 1}}, 1e-96}}, {1e235}, 1e235);
+  test_found("beside a power of two", 2, {{{{0, 1}, {1, 1}}, -0x1p-51}},
+             {4, -4.0000000000000018}, 0x1p-48);
   test_found("small sum", 3, {{{{0, 1}, {1, 1}, {2, 1}}, 0x1p-60}}, {1, -1, 0}, 0x1p-50);
   test_found("large and small", 3, {{{{0, 1}, {1, -1}}, 0}, {{{1, 1}, {2, -1}}, 1e20}},
              {1e-20, 1e-20, -1e20}, 1e5);
@@ -289,7 +292,6 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
   if(!reference)
     return;
   ++tally.compared;
-  const double ratio = largest_difference(p.x, x) / reference->largest_change;
   if(!report) {
     const double extent = std::abs(*std::max_element(p.x.begin(), p.x.end(),
       [](const double a, const double b) { return std::abs(a) < std::abs(b); }));
@@ -300,9 +302,11 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
     }
     return;
   }
-  if(reference->largest_change > 0)
-    tally.worst_ratio = (std::max)(tally.worst_ratio, ratio);
-  if(reference->largest_change > 0 && ratio > 10) {
+  if(reference->largest_change == 0)
+    return;
+  const double ratio = largest_difference(p.x, x) / reference->largest_change;
+  tally.worst_ratio = (std::max)(tally.worst_ratio, ratio);
+  if(ratio > 10) {
     ++tally.too_far;
     if(tally.too_far < 5)
       std::cout << "  seed " << seed << ": moved by " << largest_difference(p.x, x)
@@ -326,12 +330,209 @@ void test_random_problems(const std::uint64_t count, const std::uint64_t seed)
   CHECK_EQUAL(tally.too_far, 0u);
 }
 
+// --- solutions that are known --------------------------------------------------------------------
+
+struct Planted_problem
+{
+  CS::Linear_constraints<Rational> constraints;
+  Values solution, x;
+
+  void add_row(const std::vector<std::pair<std::size_t, Rational> >& row)
+  {
+    Rational b(0);
+    for(const auto& term : row)
+      b += term.second * Rational(solution[term.first]);
+    constraints.add_constraint(row, b);
+  }
+
+  void add_noise(Random& random)
+  {
+    const double size = std::ldexp(1., -random_integer(random, 10, 56));
+    for(const double value : solution)
+      x.push_back(value * (1 + size * random_real(random)));
+  }
+};
+
+Planted_problem planted_problem(const Values& solution)
+{
+  return {CS::Linear_constraints<Rational>(solution.size()), solution, {}};
+}
+
+// Values of very different size, and rows of very different scale; with coefficients of up to some
+// bits more or less than others.
+Planted_problem mixed_scales(Random& random, const int bits)
+{
+  const int n = random_integer(random, 2, 5), m = random_integer(random, 1, n - 1);
+  const int spread = random_integer(random, 1, 60), row_spread = random_integer(random, 0, 60);
+  Values solution;
+  for(int j = 0; j < n; ++j)
+    solution.push_back(std::ldexp(random_real(random), random_integer(random, -spread, spread)));
+  Planted_problem p = planted_problem(solution);
+  for(int i = 0; i < m; ++i) {
+    const int scale = random_integer(random, -row_spread, row_spread);
+    const int largest = random_integer(random, 1, 9);
+    std::vector<std::pair<std::size_t, Rational> > row;
+    for(int j = 0; j < n; ++j)
+      if(random() % 4 != 0) {
+        const double c = random_integer(random, -largest, largest);
+        row.emplace_back(j, std::ldexp(c, scale + random_integer(random, 0, bits)));
+      }
+    p.add_row(row);
+  }
+  p.add_noise(random);
+  return p;
+}
+
+// x_j = c 2^k x_i, with some i < j for each j.
+Planted_problem multiples(Random& random)
+{
+  const int n = random_integer(random, 2, 5), spread = random_integer(random, 1, 60);
+  Values solution(1, std::ldexp(double(1 + random() % 0xffffff),
+                                random_integer(random, -spread, spread)));
+  std::vector<std::vector<std::pair<std::size_t, Rational> > > rows;
+  for(int j = 1; j < n; ++j) {
+    const std::size_t i = std::size_t(random_integer(random, 0, j - 1));
+    const double c = std::ldexp(2 * random_integer(random, -7, 7) + 1.,
+                                random_integer(random, -60, 60));
+    rows.push_back({{std::size_t(j), Rational(1)}, {i, Rational(-c)}});
+    solution.push_back(c * solution[i]);
+  }
+  Planted_problem p = planted_problem(solution);
+  for(const auto& row : rows)
+    p.add_row(row);
+  p.add_noise(random);
+  return p;
+}
+
+// Sums of values on both sides of powers of two, where the spacing of numbers changes.
+Planted_problem beside_powers_of_two(Random& random)
+{
+  const int n = random_integer(random, 2, 5);
+  Values solution, x;
+  std::vector<std::pair<std::size_t, Rational> > row;
+  for(int j = 0; j < n; ++j) {
+    const double power = std::ldexp(random() % 2 == 0 ? 1 : -1, random_integer(random, -2, 2));
+    for(Values* const values : {&solution, &x}) {
+      values->push_back(power);
+      const int steps = random_integer(random, -3, 3);
+      for(int k = std::abs(steps); k > 0; --k)
+        values->back() = std::nextafter(values->back(), steps < 0 ? 0 : 2 * power);
+    }
+    row.emplace_back(j, random() % 2 == 0 ? 1 : -1);
+  }
+  Planted_problem p = planted_problem(solution);
+  p.add_row(row);
+  p.x = x;
+  return p;
+}
+
+double distance(const Values& a, const Values& b)
+{
+  double result = 0;
+  for(std::size_t j = 0; j < a.size(); ++j)
+    result = std::hypot(result, a[j] - b[j]);
+  return result;
+}
+
+template <typename Make>
+void test_planted_problems(const std::string& name, const Make& make, const std::uint64_t count,
+                           const std::uint64_t seed)
+{
+  std::size_t changed = 0, refused = 0, distant = 0;
+  for(std::uint64_t i = 0; i < count; ++i) {
+    Random random(seed + i);
+    const Planted_problem p = make(random);
+    Values x(p.x);
+    const CS::Snapping_report report = CS::snap_to_linear_constraints(p.constraints, x);
+    if(report.status == CS::Snapping_status::ALREADY_EXACT)
+      continue;
+    ++changed;
+    if(!report) {
+      CHECK_EQUAL(report.status, CS::Snapping_status::NOT_REPRESENTABLE);
+      ++refused;
+      continue;
+    }
+    if(!CHECK(is_solution(p.constraints, x)))
+      std::cout << "  seed " << seed + i << std::endl;
+    distant += distance(x, p.x) > 10 * distance(p.solution, p.x);
+  }
+  std::cout << name << ", " << count << " systems from seed " << seed << ": of " << changed
+            << " that did not hold, refused though solvable " << refused
+            << ", more than 10 times as far as a known solution " << distant << std::endl;
+  CHECK(2 * changed > count);
+  CHECK(100 * (refused + distant) < changed);
+}
+
+void test_planted_problems(const std::uint64_t count, const std::uint64_t seed)
+{
+  test_planted_problems("rows of very different scale",
+                        [](Random& random) { return mixed_scales(random, 0); }, count, seed);
+  test_planted_problems("coefficients of very different size",
+                        [](Random& random) { return mixed_scales(random, 40); }, count, seed);
+  test_planted_problems("multiples", multiples, count, seed);
+  test_planted_problems("beside powers of two", beside_powers_of_two, count, seed);
+}
+
+// --- figures -------------------------------------------------------------------------------------
+
+CS::Snapping_report snap_row(const std::vector<std::pair<std::size_t, Rational> >& row,
+                             const Rational& b, Values x)
+{
+  CS::Linear_constraints<Rational> c(x.size());
+  c.add_constraint(row, b);
+  const CS::Snapping_report report = snap("row", c, x);
+  for(const double figure : {report.rms_change, report.optimal_rms_change, report.largest_change,
+                             report.mean_change, report.distance_ratio})
+    CHECK(std::isfinite(figure));
+  return report;
+}
+
+// Whose squares exceed all numbers.
+void test_large_figures()
+{
+  CS::Snapping_report report = snap_row({{0, 1}, {1, -1}}, Rational(0x1p115), {1e-126, 0});
+  CHECK_EQUAL(report.rms_change, 0x1p114);
+  CHECK_EQUAL(report.optimal_rms_change, 0x1p114);
+  report = snap_row({{0, 1}, {1, -1}}, Rational(0), {1e300, 0});
+  CHECK(std::abs(report.rms_change - 5e299) < 1e285);
+  report = snap_row({{0, 1}, {1, 1}}, Rational(0), {1.7e308, 1.7e308});
+  CHECK(std::abs(report.mean_change - 1.7e308) < 1e293);
+  report = snap_row({{0, 1}, {1, 1}}, Rational(0), {5e-324, 0});
+  CHECK_EQUAL(report.largest_change, 5e-324);
+}
+
+// What is far is told, and what need not be far is not.
+void test_told_distances()
+{
+  for(const int k : {20, 50, 60}) {
+    const double factor = std::ldexp(1., k), x = 1.1 * (1 + 0x1p-45);
+    const CS::Snapping_report report =
+      snap_row({{0, 1}, {1, Rational(-factor)}}, Rational(0), {1.1 * factor, x});
+    CHECK(report.message.empty() && report.distance_ratio < 10);
+    CHECK(report.largest_change <= 0x1p-44 * factor);
+  }
+  // more bits than 62
+  const Rational b = Rational(-6047602843450.) * Rational(1000000) - Rational(96881);
+  CHECK_EQUAL(snap_row({{0, 2}, {1, 2}}, b, {-3.0235976744977705e18, -203747227277944.47})
+                .largest_change, 0.03125);
+  // below 2^53, only 0 is a multiple
+  const Rational multiple(Rational(0x1p60) + Rational(1));
+  const CS::Snapping_report report = snap_row({{0, multiple}, {1, -1}}, Rational(0), {1, 0x1p60});
+  CHECK(report.distance_ratio > 1e15);
+  CHECK(report.message.find("constraints 0 moved more than 10^1") != std::string::npos);
+}
+
 int main(int argc, char** argv)
 {
+  const Floating_point_traps traps; // for all functions that are called
   const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
-  test_random_problems(argc > 1 ? std::stoull(argv[1]) : 2000, seed);
+  const std::uint64_t count = argc > 1 ? std::stoull(argv[1]) : 2000;
+  test_random_problems(count, seed);
+  test_planted_problems(count, seed);
   if(argc > 1)
     return report_checks();
+  test_large_figures();
+  test_told_distances();
   test_mixed_scales();
   for(const int bits : {10, 20, 25, 30, 35, 40})
     for(unsigned int i = 1; i <= 5; ++i)

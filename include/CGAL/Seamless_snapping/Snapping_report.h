@@ -217,6 +217,13 @@ struct Snapping_report
   double rms_change = 0;        ///< the root-mean-square change, over the same values
   /// the same for the real-valued least-squares optimum that was approximated
   double optimal_rms_change = 0;
+  /*!
+  of the generic function: the distance of the result from the input, in terms of that of the
+  optimum or of the spacing of numbers of the values' size, whichever is larger; the largest of any
+  part of the system. Some units are usual. If it exceeds 10, then so few numbers solve the part, or
+  they are so hard to find, that the result is far; `message` says so.
+  */
+  double distance_ratio = 0;
   /// @}
 
   /// \name Orientation (Surface Function Only)

@@ -151,7 +151,7 @@ private:
       cuts.complex, Number_format::of<typename Uv_number<HalfedgeUVMap>::type>());
     m_report.linear_solver = solver.linear_solver().figures();
     m_timer.finish("elimination");
-    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, 0, solver.coarsest_step(), -1};
+    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, {}, solver.coarsest_step(), -1};
     if(!was_exact)
       if(const auto refusal = solver.solve(snapped))
         return explained(*refusal, cuts, constraints, roundings, solver.system(), m_tmesh,
@@ -329,13 +329,13 @@ private:
   std::optional<Refusal> write(const Cuts& cuts, const Stars& stars,
                                const Snapped_coordinates<Group>& snapped)
   {
-    Corner_changes figures(snapped.unit);
+    Corner_changes figures;
     Coordinate_writer<Group, TriangleMesh, HalfedgeUVMap, Stars> writer(cuts, stars, m_uv_map);
     if(!writer.write(snapped.coordinates, figures))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the uv map does not keep what is written to "
                      "it, so that what it had was written back; each corner needs a place of its "
                      "own, and the full precision of the points' number type", {}};
-    figures.fill_in(m_report, snapped.optimal_squares);
+    figures.fill_in(m_report, snapped.optimal_changes);
     m_report.run.grid_step = snapped.unit;
     m_report.status = Snapping_status::SNAPPED;
     m_timer.finish("writing");

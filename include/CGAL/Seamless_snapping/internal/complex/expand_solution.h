@@ -19,6 +19,7 @@
 // nodes take the grid points nearest to their optimum, given the translations and levels.
 
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
 
 #include <algorithm>
@@ -38,9 +39,9 @@ template <typename Group>
 struct Snapped_coordinates
 {
   std::vector<typename Cut_complex<Group>::Vector> coordinates; // per sector
-  // The sum of the squared changes of all Cartesian coordinates, had they not been rounded to
-  // grids: that of the least-squares optimum, in `unit`s squared.
-  double optimal_squares = 0;
+  // Of all Cartesian coordinates, had they not been rounded to grids: those of the least-squares
+  // optimum.
+  Magnitudes optimal_changes;
   double unit = 1; // the step of the coarsest grid
   // a component that needs a coarser grid; if there is one, all is void
   Component_index misfit = -1;
@@ -92,7 +93,7 @@ private:
       Vector& u = m_result.coordinates[std::size_t(mixed.sector)];
       for(std::size_t c = 0; c < dimension; ++c)
         u[c] = rounded_to(m_format, u[c] + mixed.deviation[c]);
-      add_optimal_change(mixed.distance / m_result.unit);
+      m_result.optimal_changes.add(mixed.distance);
     }
   }
 
@@ -202,10 +203,8 @@ private:
     const Vector cartesian = Group::to_cartesian(change);
     for(std::size_t c = 0; c < dimension; ++c)
       if(k[c] >= 0 && !is_kept(k[c]))
-        add_optimal_change(cartesian[c] * (grid(k[c]).step() / m_result.unit));
+        m_result.optimal_changes.add(cartesian[c] * grid(k[c]).step());
   }
-
-  void add_optimal_change(const double change) { m_result.optimal_squares += change * change; }
 
   void set(const Sector_index s, const std::size_t c, const Component_index k, const std::int64_t x)
   {

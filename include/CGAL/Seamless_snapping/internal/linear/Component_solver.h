@@ -84,6 +84,10 @@ public:
     return m_form.contradictory_rows.empty() && (m_core == nullptr || m_core->is_consistent());
   }
 
+  // Whether there may be solutions among numbers with a finite binary expansion.
+  bool is_dyadic() const
+  { return m_is_homogeneous || m_core == nullptr || m_core->right_hand_shift(); }
+
   // Multiples of rows that add up to 0 = c with c != 0.
   // \pre !is_consistent()
   std::vector<std::pair<std::size_t, Exact_rational> > contradiction() const
@@ -142,12 +146,11 @@ public:
     return found;
   }
 
-  // Moves the values to the least-squares optimum, on a grid for that. Returns false if no grid of
-  // the number type holds it.
+  // Moves the values to the least-squares optimum, on a grid that holds it, whether or not there
+  // are solutions on that. Returns false if no grid of the number type does.
   bool find_optimum(Component_solution& solution) const
   {
-    const int coarsest = coarsest_exponent();
-    return coarsest >= m_format.minimum_exponent && find_optimum(coarsest, solution);
+    return find_optimum(m_format.maximum_exponent - 1, solution);
   }
 
   // How the optimum answers to shifts of the values.
@@ -170,7 +173,7 @@ private:
     const int coarsest = m_format.maximum_exponent - 1;
     if(m_is_homogeneous)
       return coarsest;
-    if(m_core != nullptr && !m_core->right_hand_shift())
+    if(!is_dyadic())
       return m_format.minimum_exponent - 1;
     const int shift = m_core == nullptr ? 0 : static_cast<int>(*m_core->right_hand_shift());
     return (std::min)(coarsest, -m_system.right_hand_scale() - shift);

@@ -150,10 +150,7 @@ Linear_solver::solve_component_on_many_grids(const Component_index c,
   Component_solution part{target.grids[std::size_t(c)], {}, {}};
   for(const Column_index j : columns(c))
     part.optimum.push_back(target.values[std::size_t(j)]);
-  const Component_solver& solver = m_solvers[std::size_t(c)];
-  if(!solver.find_optimum(part))
-    return std::nullopt;
-  return solve_on_many_grids(solver.system(), solver.weights(), part);
+  return solve_on_many_grids(m_solvers[std::size_t(c)], part);
 }
 
 CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION

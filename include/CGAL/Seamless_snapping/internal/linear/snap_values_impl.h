@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
@@ -29,7 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -95,33 +96,39 @@ inline double largest_violation(const Linear_solver& solver, const Component_ind
   return largest;
 }
 
-// Figures of the change, in units of the largest value, so that squares neither overflow nor
-// vanish.
+// How far values move, how far the optimum is, and the spacing of numbers of their size.
 class Change_figures
 {
 public:
-  explicit Change_figures(const double unit) : m_unit(unit > 0 ? unit : 1) { }
+  explicit Change_figures(const Number_format& format) : m_format(format) { }
 
-  void add(const double before, const Grid& grid, const std::int64_t after,
-           const Grid_value& target)
+  void add(const double before, const Column_solution& after, const double weight = 1)
   {
-    const double change = std::abs(grid.value(after) - before);
-    const double optimum = difference(target, before, grid) / m_unit;
-    m_largest = (std::max)(m_largest, change);
-    m_sum += change / m_unit;
-    m_squares += (change / m_unit) * (change / m_unit);
-    m_optimal_squares += optimum * optimum;
-    m_count += 1;
+    m_changes.add(after.grid.value(after.x) - before, weight);
+    m_optimal_changes.add(difference(after.optimum, before, after.grid), weight);
+    int exponent = 0;
+    if(std::frexp(before, &exponent) != 0)
+      m_spacing.add(std::ldexp(1., (std::max)(exponent - m_format.digits,
+                                              m_format.minimum_exponent)), weight);
   }
 
   void fill_in(Snapping_report& report) const
   {
-    if(m_count == 0)
-      return;
-    report.largest_change = m_largest;
-    report.mean_change = m_sum / m_count * m_unit;
-    report.rms_change = std::sqrt(m_squares / m_count) * m_unit;
-    report.optimal_rms_change = std::sqrt(m_optimal_squares / m_count) * m_unit;
+    report.largest_change = m_changes.largest();
+    report.mean_change = m_changes.mean();
+    report.rms_change = distance();
+    report.optimal_rms_change = optimal_distance();
+  }
+
+  double distance() const { return m_changes.root_mean_square(); }
+  double optimal_distance() const { return m_optimal_changes.root_mean_square(); }
+
+  // The distance in terms of the least that can be expected.
+  double ratio() const
+  {
+    const double spacing = m_spacing.root(m_changes.sum_of_weights());
+    const double least = (std::max)(optimal_distance(), spacing);
+    return least > 0 ? (std::min)(distance() / least, (std::numeric_limits<double>::max)()) : 1;
   }
 
 private:
@@ -133,9 +140,11 @@ private:
     return internal::difference(target, start) * grid.step();
   }
 
-  double m_unit;
-  double m_largest = 0, m_sum = 0, m_squares = 0, m_optimal_squares = 0, m_count = 0;
+  Number_format m_format;
+  Magnitudes m_changes, m_optimal_changes, m_spacing;
 };
+
+constexpr double far_ratio = 10; // of distances; what is farther is looked for again, and told
 
 // The first of them.
 inline std::string list_of_rows(const std::vector<std::size_t>& rows)
@@ -184,6 +193,126 @@ inline std::vector<Component_index> violated_components(const Linear_solver& sol
   return result;
 }
 
+inline std::string note_on_distance(const Linear_solver& solver, const Component_index c,
+                                    const double ratio)
+{
+  const int power = static_cast<int>(std::floor(std::log10(ratio)));
+  return "the values of the constraints " + list_of_rows(solver.rows(c)) + " moved more than 10^" +
+         std::to_string(power) + " times as far as the nearest real solution is: among numbers of "
+         "their type none was found nearer; coefficients and right-hand sides of fewer digits "
+         "leave more of these";
+}
+
+// Snaps component by component. Invariant: those that are done have values on their grids.
+class Value_snapper
+{
+public:
+  Value_snapper(const Linear_solver& solver, const std::vector<double>& weights,
+                const Number_format& format, const std::vector<double>& x)
+    : m_solver(solver), m_weights(weights), m_format(format), m_x(x), m_snapped(x),
+      m_figures(format)
+  {
+    m_target.values.resize(x.size());
+    m_solution.x.resize(x.size());
+    m_solution.optimum.resize(x.size());
+    for(Component_index c = 0; c < Component_index(solver.number_of_components()); ++c) {
+      m_target.grids.push_back(grid_of_component(solver, c, x, format));
+      for(const Column_index j : solver.columns(c))
+        m_target.values[std::size_t(j)] = m_target.grids.back().split(x[std::size_t(j)]);
+    }
+    m_solution.grids = m_target.grids;
+  }
+
+  const Linear_target& target() const { return m_target; }
+  const std::vector<double>& snapped() const { return m_snapped; }
+
+  // Returns false if no solution is found.
+  bool snap(const Component_index c, Step_timer& timer)
+  {
+    const std::vector<Column_index>& columns = m_solver.columns(c);
+    const auto on_one_grid = [&](const std::size_t k) {
+      const std::size_t j = std::size_t(columns[k]);
+      return Column_solution{m_solution.grids[std::size_t(c)], m_solution.x[j],
+                             m_solution.optimum[j]};
+    };
+    std::optional<Change_figures> change;
+    if(m_solver.solve_component(c, m_target, m_solution, &timer))
+      change = figures(columns, on_one_grid);
+    if(change && !is_worth_another_try(*change, columns.size())) {
+      take(c, *change, on_one_grid);
+      return true;
+    }
+    const auto parts = m_solver.solve_component_on_many_grids(c, m_target);
+    if(!change && !parts)
+      return false;
+    const auto on_many_grids = [&](const std::size_t k) { return (*parts)[k]; };
+    const auto other = parts ? figures(columns, on_many_grids) : *change;
+    if(change && !(other.distance() < change->distance()))
+      take(c, *change, on_one_grid);
+    else
+      take(c, other, on_many_grids);
+    timer.finish("evaluation");
+    return true;
+  }
+
+  void fill_in(Snapping_report& report) const
+  {
+    m_figures.fill_in(report);
+    report.run.grid_step = m_coarsest_step;
+    report.distance_ratio = m_ratio;
+    if(m_ratio > far_ratio)
+      report.message = note_on_distance(m_solver, m_farthest, m_ratio);
+  }
+
+private:
+  // Where distances are but some steps of the grid, it has to cost little.
+  static bool is_worth_another_try(const Change_figures& change, const std::size_t size)
+  {
+    constexpr std::size_t few = 16;
+    return change.ratio() > far_ratio ||
+           (size <= few && change.distance() > far_ratio * change.optimal_distance());
+  }
+
+  template <typename Parts>
+  Change_figures figures(const std::vector<Column_index>& columns, const Parts& part) const
+  {
+    Change_figures result(m_format);
+    for(std::size_t k = 0; k < columns.size(); ++k) {
+      const std::size_t j = std::size_t(columns[k]);
+      result.add(m_x[j], part(k), m_weights[j]);
+    }
+    return result;
+  }
+
+  template <typename Parts>
+  void take(const Component_index c, const Change_figures& change, const Parts& parts)
+  {
+    const std::vector<Column_index>& columns = m_solver.columns(c);
+    for(std::size_t k = 0; k < columns.size(); ++k) {
+      const std::size_t j = std::size_t(columns[k]);
+      const Column_solution part = parts(k);
+      m_coarsest_step = (std::max)(m_coarsest_step, part.grid.step());
+      m_snapped[j] = part.grid.value(part.x);
+      m_figures.add(m_x[j], part);
+    }
+    if(change.ratio() > m_ratio) {
+      m_ratio = change.ratio();
+      m_farthest = c;
+    }
+  }
+
+  const Linear_solver& m_solver;
+  const std::vector<double>& m_weights;
+  const Number_format& m_format;
+  const std::vector<double>& m_x;
+  Linear_target m_target;
+  Linear_solution m_solution;
+  std::vector<double> m_snapped;
+  Change_figures m_figures;
+  double m_coarsest_step = 0, m_ratio = 0;
+  Component_index m_farthest = -1;
+};
+
 CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
 std::optional<Refusal> snap_values(const Scaled_system& scaled,
                                    const std::vector<double>& weights,
@@ -203,53 +332,27 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
   if(!solver.is_consistent())
     return contradiction(solver);
 
-  Linear_target target;
-  Linear_solution solution;
-  target.values.resize(x.size());
-  solution.x.resize(x.size());
-  solution.optimum.resize(x.size());
-  for(Component_index c = 0; c < Component_index(solver.number_of_components()); ++c) {
-    target.grids.push_back(grid_of_component(solver, c, x, format));
-    for(const Column_index j : solver.columns(c)) {
-      target.values[std::size_t(j)] = target.grids.back().split(x[std::size_t(j)]);
-      report.extent = (std::max)(report.extent, std::abs(x[std::size_t(j)]));
-    }
-  }
-  solution.grids = target.grids;
-
-  std::vector<double> snapped(x);
-  Change_figures figures(report.extent);
+  for(std::size_t j = 0; j < x.size(); ++j)
+    if(solver.component(Column_index(j)) >= 0)
+      report.extent = (std::max)(report.extent, std::abs(x[j]));
+  Value_snapper snapper(solver, weights, format, x);
   for(const Component_index c : violated_components(solver, row_holds)) {
+    const Linear_target& target = snapper.target();
     report.violation_before =
       (std::max)(report.violation_before, largest_violation(solver, c, target.grids[std::size_t(c)],
                                                             target.values, scaled.scales));
     timer.finish("input");
-    const auto take = [&](const std::size_t j, const Column_solution& part) {
-      report.run.grid_step = (std::max)(report.run.grid_step, part.grid.step());
-      snapped[j] = part.grid.value(part.x);
-      figures.add(x[j], part.grid, part.x, part.optimum);
-    };
-    const std::vector<Column_index>& columns = solver.columns(c);
-    if(solver.solve_component(c, target, solution, &timer)) {
-      for(const Column_index column : columns) {
-        const std::size_t j = std::size_t(column);
-        take(j, {solution.grids[std::size_t(c)], solution.x[j], solution.optimum[j]});
-      }
-    } else if(const auto parts = solver.solve_component_on_many_grids(c, target)) {
-      for(std::size_t k = 0; k < columns.size(); ++k)
-        take(std::size_t(columns[k]), (*parts)[k]);
-    } else {
+    if(!snapper.snap(c, timer))
       return not_representable(solver, c);
-    }
   }
   for(std::size_t i = 0; i < row_holds.size(); ++i)
-    if(!holds(system, i, snapped))
+    if(!holds(system, i, snapper.snapped()))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the result failed its exact verification "
                      "and was discarded; please report this", {}};
   timer.finish("verification");
-  figures.fill_in(report);
+  snapper.fill_in(report);
   report.status = Snapping_status::SNAPPED;
-  x.swap(snapped);
+  x = snapper.snapped();
   return std::nullopt;
 }
 

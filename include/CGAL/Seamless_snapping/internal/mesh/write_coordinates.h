@@ -18,6 +18,7 @@
 // Writes exact coordinates to the uv map, all or nothing: what a map had is written back if it
 // throws, or does not keep what is written, which would void the verification.
 
+#include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/prefetch.h>
@@ -33,39 +34,28 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Figures of the changes of all Cartesian coordinates, in units that keep squares in range.
+// Figures of the changes of all Cartesian coordinates.
 class Corner_changes
 {
 public:
-  explicit Corner_changes(const double unit) : m_unit(unit) { }
-
   // Each sector counts once; its corners, where they differed, share its weight.
   void add(const Uv& difference, const double weight = 1)
   {
-    for(std::size_t c = 0; c < 2; ++c) {
-      const double change = std::abs(difference[c]) / m_unit;
-      m_largest = (std::max)(m_largest, change);
-      m_sum += weight * change;
-      m_squares += weight * change * change;
-      m_count += weight;
-    }
+    for(std::size_t c = 0; c < 2; ++c)
+      m_changes.add(difference[c], weight);
   }
 
-  // \param optimal_squares the sum of the squared changes that no exact solution can undercut, in
-  // units
-  void fill_in(Snapping_report& report, const double optimal_squares) const
+  // \param optimal_changes of which no exact solution can undercut the sum of squares
+  void fill_in(Snapping_report& report, const Magnitudes& optimal_changes) const
   {
-    if(m_count == 0)
-      return;
-    report.largest_change = m_largest * m_unit;
-    report.mean_change = m_sum / m_count * m_unit;
-    report.rms_change = std::sqrt(m_squares / m_count) * m_unit;
-    report.optimal_rms_change = std::sqrt(optimal_squares / m_count) * m_unit;
+    report.largest_change = m_changes.largest();
+    report.mean_change = m_changes.mean();
+    report.rms_change = m_changes.root_mean_square();
+    report.optimal_rms_change = optimal_changes.root(m_changes.sum_of_weights());
   }
 
 private:
-  double m_unit;
-  double m_largest = 0, m_sum = 0, m_squares = 0, m_count = 0;
+  Magnitudes m_changes;
 };
 
 // Writes, reads back, and takes back. `Stars` know the points that repairs of orientations have
