@@ -78,9 +78,8 @@ Measurement measure(Complex<N> complex, const int repeats, const unsigned int se
     result.milliseconds = i == 0 ? time : (std::min)(result.milliseconds, time);
     result.largest_pivot = long(solver.linear_solver().figures().largest_pivot);
   }
-  const double optimum = snapped.optimal_squares * snapped.unit * snapped.unit;
-  result.closeness =
-    std::sqrt(sum_of_squares<N>(snapped.coordinates, complex.coordinates) / optimum);
+  result.closeness = std::sqrt(sum_of_squares<N>(snapped.coordinates, complex.coordinates)) /
+                     snapped.optimal_changes.root(1);
   result.is_exact = internal::is_exact(complex, snapped.coordinates);
   return result;
 }

@@ -130,8 +130,9 @@ void test_complexes(const std::string& name, const double noise, const unsigned 
         totals.largest_growth = (std::max)(totals.largest_growth,
                                            std::abs(x - complex.coordinates[s][c]) / noise);
       }
+    const double optimum = snapped.optimal_changes.root(1) / snapped.unit;
     if(Group::is_signed_permutation) // else the optimum is not that of the coordinates' squares
-      CHECK_IN(context, squares <= 1.01 * snapped.optimal_squares +
+      CHECK_IN(context, squares <= 1.01 * optimum * optimum +
                                      4 * static_cast<double>(complex.coordinates.size()));
     test_single_changes<N>(complex, snapped.coordinates, random, context, totals);
   }
