@@ -236,14 +236,6 @@ struct Snapping_report
   std::vector<std::size_t> remaining_flips;
   /// @}
 
-  /*!
-  After success, of the surface function: the connection constraints, by their places in the range,
-  that hold, but whose isocurve does not arrive at its end, since a singular vertex or the border is
-  in its way. `message` names the first. Where faces are flipped in the domain, an isocurve can turn
-  back, and the list be wrong.
-  */
-  std::vector<std::size_t> intercepted_connections;
-
   Snapping_figures run;                ///< figures of the run
   Linear_solver_figures linear_solver; ///< figures of the linear system
 

@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/snap_surface.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -126,6 +125,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
     \cgalParamType{a range of `Connection_constraint<TriangleMesh>`}
     \cgalParamDefault{none}
+    \cgalParamExtra{`intercepted_connections()` tells which of these isocurves have something in
+                    their way.}
   \cgalParamNEnd
   \cgalParamNBegin{cycle_constraints}
     \cgalParamDescription{isocurves that are to close}
@@ -279,11 +280,6 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
         CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.));
   internal::tell_of_faces(internal::chosen_flip_repair(plain_np),
                           internal::chosen_number_of_untangling_iterations(plain_np), report);
-  if(report)
-    internal::find_intercepted_connections(
-      CGAL::parameters::get_parameter_reference(plain_np,
-                                                CGAL::internal_np::connection_constraints),
-      tmesh, uv_map, plain_np, report);
   return report;
 }
 
