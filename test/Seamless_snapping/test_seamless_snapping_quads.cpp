@@ -14,6 +14,7 @@
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Exact_rational.h>
@@ -510,23 +511,23 @@ void test_repair()
       std::size_t flips = 0;
       for(const auto f : map.mesh.faces())
         flips += map.is_positive(map.mesh.halfedge(f)) ? 0 : 1;
-      const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
       Mesh quads;
       const auto options = parameters::edge_is_constrained_map(map.is_feature);
-      const auto refusal =
-        SS::extract_quad_mesh(map.mesh, map.uv, quads, options.repair_flips(false));
+      const auto refusal = SS::extract_quad_mesh(map.mesh, map.uv, quads, options);
       CHECK_EQUAL(refusal.nonpositive_faces.size(), flips);
       CHECK_EQUAL(quads.is_empty(), flips > 0);
       quads.clear();
       auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+      const auto repair = SS::repair_integer_grid(map.mesh, map.uv, options);
+      CHECK_IN(repair.message, bool(repair));
+      CHECK_EQUAL(repair.run.number_of_repaired_flips, flips);
+      CHECK(repair.remaining_flips.empty() && repair.lost_faces.empty());
       const auto report =
-        SS::extract_quad_mesh(map.mesh, map.uv, quads, options.repair_flips(true),
+        SS::extract_quad_mesh(map.mesh, map.uv, quads, options,
                               parameters::edge_is_constrained_map(is_feature));
       check_quads(quads, report, expected_quads(complex, side));
-      CHECK_EQUAL(report.number_of_repaired_faces, flips);
       CHECK(report.nonpositive_faces.empty());
       CHECK_EQUAL(report.number_of_unaligned_features, std::size_t(0));
-      CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
       repaired += flips;
     }
   CHECK(repaired > 50);
@@ -540,7 +541,11 @@ void test_repair()
   map.move_vertex(seams, map.mesh.halfedge(v), Kernel::Vector_2(2, 1.5));
   check_refusal(map, Status::NOT_POSITIVE, "repair", CGAL::parameters::default_values());
   map.shift(0.25, 0.125);
-  check_refusal(map, Status::NOT_INTEGER, "integer", parameters::repair_flips(true));
+  const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
+  const auto repair = SS::repair_integer_grid(map.mesh, map.uv);
+  CHECK_EQUAL(SS::to_string(repair.status), std::string("not integer"));
+  CHECK_IN(repair.message, repair.message.find("integer") != std::string::npos);
+  CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
 }
 
 // Maps of a mixed-integer solver. Untangling turns some of the folds into cones, which are to be
@@ -562,12 +567,14 @@ void test_untangling()
       CHECK_EQUAL(refusal.nonpositive_faces.size(), map.flips);
       std::vector<Point_3> points;
       std::vector<std::vector<std::size_t> > soup;
-      const auto report = SS::extract_quad_soup(
-        mesh, uv, points, soup, parameters::repair_flips(SS::Flip_repair::UNTANGLE));
+      const auto repair =
+        SS::repair_integer_grid(mesh, uv, parameters::repair_flips(SS::Flip_repair::UNTANGLE));
+      CHECK_IN(repair.message, bool(repair));
+      CHECK_EQUAL(repair.run.number_of_repaired_flips, map.flips);
+      const auto report = SS::extract_quad_soup(mesh, uv, points, soup);
       CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
       CHECK_EQUAL(report.number_of_faces, map.quads);
       CHECK_EQUAL(report.number_of_other_polygons, std::size_t(0));
-      CHECK_EQUAL(report.number_of_repaired_faces, map.flips);
     }
 }
 

@@ -105,9 +105,8 @@ struct Extraction_report
   /// it
   std::size_t number_of_unaligned_border_edges = 0;
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no line of the grid
-  std::size_t number_of_repaired_faces = 0; ///< with `repair_flips`: faces that became positive
-  /// faces that are flipped or degenerate in the domain, after repairs, in the order of iteration
-  /// over all faces, from 0
+  /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
+  /// from 0
   std::vector<std::size_t> nonpositive_faces;
   /// @}
 

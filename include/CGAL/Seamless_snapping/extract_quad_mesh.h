@@ -41,8 +41,8 @@ result is a mesh of quads only, homeomorphic to the surface, whose number of qua
 the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
 elsewhere inside. All these conditions are checked before, and all these results are checked after
 the extraction, exactly; on success they hold. All decisions in between are comparisons and
-orientation tests that are exact. There is no tolerance, and nothing is repaired unless
-`repair_flips` asks for it.
+orientation tests that are exact. There is no tolerance, and nothing is repaired:
+`repair_integer_grid()` does so.
 
 Beyond that:
 - Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
@@ -105,23 +105,10 @@ Nothing is written unless the extraction succeeds.
                    value type}
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
-  \cgalParamNBegin{repair_flips}
-    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are repaired
-                          first where that is possible near by, as by `snap_to_seamless()`: on a
-                          copy of the map. Integers, and features and borders on lines of the grid,
-                          stay where they are.}
-    \cgalParamType{Boolean, or `Flip_repair`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_untangling_iterations}
-    \cgalParamDescription{the bound of this search, as of `snap_to_seamless()`}
-    \cgalParamType{`unsigned int`}
-    \cgalParamDefault{400}
-  \cgalParamNEnd
   \cgalParamNBegin{allow_holes}
-    \cgalParamDescription{whether faces that are flipped or degenerate in the domain, or that are
-                          left so by repairs, are taken for holes, so that the cells that touch or
-                          contain them are left out. Otherwise, they are refused.}
+    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are taken for
+                          holes, so that the cells that touch or contain them are left out.
+                          Otherwise, they are refused; see `repair_integer_grid()`.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -23,12 +23,9 @@
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/quads/quad_outputs.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
-#include <CGAL/Seamless_snapping/internal/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
@@ -104,31 +101,6 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
   return extractor.report();
 }
 
-// The same, once faces are repaired in a copy of the map.
-template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters, typename Output>
-Extraction_report extract_repaired_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                         const NamedParameters& np, Extraction_options options,
-                                         Output& output)
-{
-  using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
-  const auto repaired = get(CGAL::dynamic_halfedge_property_t<Point_2>(), tmesh);
-  const Snapping_report repair = repair_integer_grid<Group>(tmesh, uv_map, repaired, np);
-  if(!repair) {
-    Extraction_report report;
-    report.status = repair.status == Snapping_status::NOT_INTEGER
-                      ? Extraction_status::NOT_INTEGER
-                      : input_status<Extraction_status>(repair.status);
-    report.message = repair.message;
-    return report;
-  }
-  options.scale = 1;
-  Extraction_report report =
-    extract_cells<ConcurrencyTag, Group>(tmesh, repaired, np, options, output);
-  report.number_of_repaired_faces = repair.run.number_of_repaired_flips;
-  return report;
-}
-
 // \tparam Group that of the directions of the grid's lines
 template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters, typename Output>
@@ -136,19 +108,7 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
                                 const NamedParameters& np, Output&& output)
 {
   if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
-    Extraction_options options = extraction_options(np);
-    const auto flip_repair = CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips);
-    if constexpr(is_given_parameter(flip_repair)) // snapping is compiled then only
-      if(chosen_flip_repair(np) != Flip_repair::NONE) {
-        const bool allow_holes = std::exchange(options.allow_holes, false);
-        const Extraction_report report =
-          extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
-        if(report.status != Extraction_status::NOT_POSITIVE)
-          return report;
-        options.allow_holes = allow_holes;
-        return extract_repaired_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
-      }
-    return extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, options, output);
+    return extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, extraction_options(np), output);
   }
 }
 
