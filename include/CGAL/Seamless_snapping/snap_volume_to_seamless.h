@@ -45,9 +45,10 @@ floating point numbers.
 
 The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
 of squared changes of the sectors, which are the classes of corners at a vertex between whose cells
-no cut runs. Corners at vertices that no constraint concerns keep their bits. A parametrization that
-is exactly seamless already is not touched at all. The result is verified exactly, facet by facet,
-before the function reports success; on failure nothing has changed.
+no cut runs. Corners at vertices that no constraint concerns keep their bits, unless the orientation
+of a cell requires otherwise. A parametrization that is exactly seamless already is not touched at
+all. The result is verified exactly, facet by facet, before the function reports success; on failure
+nothing has changed.
 
 Cells keep their orientation where a move of one of their vertices allows it, alone and with all its
 sectors. Cells that have negative or no orientation in the input are accepted.
