@@ -141,7 +141,8 @@ and at vertices.
 Linear in the number of cells, with a constant of a few passes over the facets; in addition sparse
 elimination of a system whose size is that of the cuts' topology: three unknowns for each sector of
 a place, where a place stands for all vertices at which the same sheets and levels meet in the same
-way.
+way. Where each hexahedron or each cell has a chart of its own, that is proportional to the number
+of cells, and the least-squares problem takes more than linear time and memory.
 
 \sa `is_volume_seamless()`
 \sa `snap_to_seamless()`
