@@ -95,6 +95,15 @@ public:
   // Glues sides that lie at the same place in space, of squares that are oriented alike.
   void glue_in_space();
 
+  // Both sides become borders.
+  void unglue(int i, int s)
+  {
+    const Side other = across(i, s);
+    side(i, s) = Side();
+    if(!other.is_border())
+      side(other.square, other.side) = Side();
+  }
+
   // Marks the side as feature, seen from both squares.
   void set_feature(int i, int s)
   {

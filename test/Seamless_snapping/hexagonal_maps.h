@@ -125,6 +125,35 @@ inline Mesh genus_2()
   return mesh;
 }
 
+// The same faces, not joined along some edges.
+// \pre edges on the border are among these
+inline Mesh cut_open(const Mesh& closed, const std::vector<char>& is_cut)
+{
+  const auto next_in_fan = [&](const Halfedge h) { return closed.prev(closed.opposite(h)); };
+  Mesh mesh;
+  std::vector<Vertex> corners(2 * closed.number_of_edges());
+  for(const Halfedge h : closed.halfedges()) {
+    if(closed.is_border(h) || corners[std::size_t(h)] != Vertex())
+      continue;
+    const Vertex v = mesh.add_vertex(closed.point(closed.target(h)));
+    Halfedge first = h; // counterclockwise, to the first cut or all around
+    while(!is_cut[std::size_t(closed.edge(first))] && next_in_fan(first) != h)
+      first = next_in_fan(first);
+    for(Halfedge g = first; corners[std::size_t(g)] == Vertex();
+        g = closed.opposite(closed.next(g))) {
+      corners[std::size_t(g)] = v;
+      if(is_cut[std::size_t(closed.edge(closed.next(g)))])
+        break;
+    }
+  }
+  for(const auto f : closed.faces()) {
+    const Halfedge h = closed.halfedge(f);
+    mesh.add_face(corners[std::size_t(h)], corners[std::size_t(closed.next(h))],
+                  corners[std::size_t(closed.prev(h))]);
+  }
+  return mesh;
+}
+
 // A part of the lattice, with border.
 inline Mesh triangle(const int n)
 {

@@ -1,5 +1,6 @@
 // Flat surfaces with a slit: a chain of edges along which faces are not joined, so that both sides
-// of the border coincide. Their whole cells, and the vertices of these, are known by counting.
+// of the border coincide. Their whole cells, and the vertices of these, are known by counting. And
+// surfaces cut open at random that are made integer-grid maps: their area is the number of cells.
 
 #ifndef SEAMLESS_SNAPPING_TEST_SLIT_CHECKS_H
 #define SEAMLESS_SNAPPING_TEST_SLIT_CHECKS_H
@@ -8,6 +9,10 @@
 #include "test_surfaces.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +20,7 @@
 #include <cstddef>
 #include <iostream>
 #include <map>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -175,6 +181,99 @@ inline void check_all()
             check({across, level, begin, end, edges_in_unit}, units, number_cut);
   std::cout << number << " slits cut " << number_cut << " cells" << std::endl;
   CHECK(number_cut > number);
+}
+
+// --- surfaces cut open at random -----------------------------------------------------------------
+
+// Squares around a vertex.
+inline Square_complex fan(const int number)
+{
+  Square_complex result;
+  for(int i = 0; i < number; ++i)
+    result.add_square();
+  for(int i = 0; i < number; ++i)
+    result.glue(i, 3, (i + 1) % number, 0);
+  return result;
+}
+
+inline Square_complex random_surface(std::mt19937_64& random)
+{
+  const auto number = [&](const unsigned most) { return 1 + int(random() % most); };
+  switch(const int a = number(3), b = number(3); random() % 8) {
+  case 0: return test_meshes::disc(a + 1, b + 1);
+  case 1: return test_meshes::torus(a, b);
+  case 2: return test_meshes::cylinder(a, b);
+  case 3: return test_meshes::box(a, b, 1);
+  case 4: return fan(number(10));
+  case 5: return test_meshes::notched_cube();
+  case 6: return test_meshes::cone_ring(number(8));
+  default: return test_meshes::genus_2();
+  }
+}
+
+// Slits, loops of the border, vertices of up to 900 degrees on it; squares of 1.5 to 5.5 units,
+// with charts anywhere.
+inline void make_map_with_cuts(std::mt19937_64& random, Mesh& mesh)
+{
+  Square_complex complex = random_surface(random);
+  for(int cuts = 1 + int(random() % 4); cuts > 0; --cuts)
+    complex.unglue(int(random() % std::size_t(complex.number_of_squares())), int(random() % 4));
+  complex.unfold(unsigned(random()));
+  const auto shift = [&] { return double(random() % 1000) / 777; };
+  if(random() % 2 == 0)
+    for(int i = 0; i < complex.number_of_squares(); ++i)
+      complex.move_chart(i, int(random() % 4), {{shift(), shift()}});
+  const int n = 2 + int(random() % 3);
+  square_complex::build_mesh(complex, n, (1.5 + double(random() % 1000) / 250) / n, mesh);
+  const UV_map uv = square_complex::uv_map(mesh);
+  const Kernel::Vector_2 by(shift(), shift());
+  for(const auto h : mesh.halfedges())
+    uv[h] = uv[h] + by;
+}
+
+inline CGAL::Exact_rational exact_area(const Mesh& mesh, const UV_map& uv)
+{
+  using Number = CGAL::Exact_rational;
+  Number result(0);
+  for(const auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    const Point_2 p = uv[h], q = uv[mesh.next(h)], r = uv[mesh.prev(h)];
+    result += (Number(q.x()) - p.x()) * (Number(r.y()) - p.y()) -
+              (Number(q.y()) - p.y()) * (Number(r.x()) - p.x());
+  }
+  return Number(result / 2);
+}
+
+// As long as no face is flipped, the cells are as many as the area says; an integer-grid map is
+// what has them all. Repairs of flipped faces can make new cones.
+inline void check_cut_surfaces()
+{
+  std::size_t number_complete = 0, number_off_grid = 0;
+  for(unsigned seed = 1; seed <= 600; ++seed) {
+    std::mt19937_64 random(seed);
+    Mesh mesh;
+    make_map_with_cuts(random, mesh);
+    const UV_map uv = square_complex::uv_map(mesh);
+    const bool align = seed % 4 != 0;
+    const auto snapped = SS::snap_to_seamless(
+      mesh, uv, SS::parameters::integer_grid(true).align_border(align).rounding_tolerance(100.));
+    bool is_right = CHECK(bool(snapped));
+    if(!is_right || !snapped.lost_faces.empty())
+      continue;
+    std::vector<Point_3> points;
+    std::vector<std::array<std::size_t, 4> > quads;
+    const auto report = SS::extract_quad_soup(mesh, uv, points, quads);
+    const bool is_complete = CGAL::Exact_rational(int(quads.size())) == exact_area(mesh, uv);
+    is_right = CHECK_EQUAL(bool(SS::is_integer_grid_map(mesh, uv)), is_complete);
+    is_right = CHECK(is_complete || !align || snapped.run.number_of_repaired_flips > 0) && is_right;
+    is_right = CHECK_EQUAL(report.message.empty(), is_complete) && is_right;
+    if(!is_right)
+      std::cerr << "  seed " << seed << ": " << report.message << std::endl;
+    ++(is_complete ? number_complete : number_off_grid);
+  }
+  std::cout << number_complete << " surfaces cut open are complete, " << number_off_grid
+            << " are not" << std::endl;
+  CHECK(number_complete > 350 && number_off_grid > 50);
 }
 
 } // namespace slits

@@ -432,6 +432,7 @@ void test_borders()
   }
   CHECK(kept > 500 && cut > 500 && inside > 1000);
   slits::check_all();
+  slits::check_cut_surfaces();
 }
 
 // A corner is moved across the opposite edge; what remains positive is as if the others were holes.

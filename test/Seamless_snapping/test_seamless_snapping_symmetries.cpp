@@ -686,7 +686,8 @@ void test_integer_grid(Mesh mesh, const std::string& name)
       CHECK_IN(context,
                (measure.number_of_nonpositive_faces == 0) == report.lost_faces.empty());
       if(report.lost_faces.empty()) // around folds, the angle of a regular vertex is another one
-        CHECK_IN(context, bool(measure) && measure.cone_distance == 0);
+        CHECK_IN(context, measure.cone_distance == 0 &&
+                            bool(measure) == (measure.number_of_border_edges_off_grid == 0));
       if(report.lost_faces.empty() && (aligns || CGAL::is_closed(mesh)))
         triangle_checks::check_snapped(mesh, uv, triangle_checks::valences_of_cones(mesh),
                                        symmetric, context);
@@ -696,6 +697,35 @@ void test_integer_grid(Mesh mesh, const std::string& name)
       std::cout << context << ": rounded by " << report.largest_rounding << ", area "
                 << measure.area / area << std::endl;
     }
+}
+
+// Cut open along edges at random, all of them to be borders on lines of the lattice. Faces are
+// larger than units, so that few are flipped.
+template <int N>
+void test_borders_on_lattice(const Mesh& closed, const std::string& name)
+{
+  std::size_t number_flipped = 0;
+  for(unsigned int seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<char> is_cut;
+    for(const auto e : closed.edges())
+      is_cut.push_back(random() % 8 == 0 || closed.is_border(e));
+    Mesh mesh = cut_open(closed, is_cut);
+    const UV_map uv = uv_map(mesh);
+    unfold(mesh, uv);
+    const std::string context = "borders, " + name + ", seed " + std::to_string(seed);
+    const auto report = SS::snap_to_seamless(
+      mesh, uv, symmetry<N>().integer_grid(true).align_border(true).rounding_tolerance(100)
+                  .grid_scale(4 + double(random() % 1000) / 999));
+    CHECK_IN(context + ": " + report.message, bool(report));
+    if(!report.lost_faces.empty()) {
+      ++number_flipped;
+      continue;
+    }
+    CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetry<N>()));
+    triangle_checks::check_number(mesh, uv, symmetry<N>(), context);
+  }
+  CHECK_IN(name, number_flipped < 4);
 }
 
 // What is beside the lattice is counted, by however little.
@@ -1099,6 +1129,9 @@ int main()
     test_isocurves<6>(c.mesh, c.name);
   }
   test_integer_grid<3>(subdivided(octahedron(), 2), "octahedron");
+  for(const Case& c : meshes_of_six_directions())
+    test_borders_on_lattice<6>(c.mesh, c.name);
+  test_borders_on_lattice<3>(subdivided(octahedron(), 2), "octahedron");
   test_integer_grid_measure();
   test_isocurves<3>(subdivided(octahedron(), 1), "octahedron");
   test_isocurves_of_both_kinds();

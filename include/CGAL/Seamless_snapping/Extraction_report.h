@@ -78,7 +78,8 @@ What `extract_quad_mesh()`, `extract_quad_soup()`, `extract_triangle_mesh()`, an
 struct Extraction_report
 {
   Extraction_status status = Extraction_status::EXTRACTED; ///< the outcome
-  std::string message; ///< on failure: the place, the reason, and the remedy
+  /// on failure, or where pieces of cells were left out: the place, the reason, and the remedy
+  std::string message;
 
   /// \name Size of the Result
   /// @{

@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
 #include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -55,6 +56,9 @@ struct Integer_grid_measure
   std::size_t number_of_noninteger_cones = 0;   ///< all those that are no point of the grid
   std::size_t number_of_aligned_edges = 0; ///< edges that were asked to be aligned
   std::size_t number_of_unaligned_edges = 0; ///< those of them that lie on no line of the grid
+  /// border edges that cut cells of the grid: those that lie on no line of it, or lead to the end
+  /// of a slit that is no point of it
+  std::size_t number_of_border_edges_off_grid = 0;
   /// faces that are flipped or degenerate in the domain
   std::size_t number_of_nonpositive_faces = 0;
   double translation_distance = 0; ///< the largest distance of a translation from an integer
@@ -64,12 +68,13 @@ struct Integer_grid_measure
   /// in units of one quad; in lattice coordinates, of two triangles of the lattice
   double area = 0;
 
-  /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
-  /// looked at.
+  /// returns `true` if and only if the map is an integer-grid map, exactly, so that whole cells of
+  /// the grid cover the surface. Orientations are not looked at.
   explicit operator bool() const
   {
     return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
-           number_of_noninteger_cones == 0 && number_of_unaligned_edges == 0;
+           number_of_noninteger_cones == 0 && number_of_unaligned_edges == 0 &&
+           number_of_border_edges_off_grid == 0;
   }
 };
 
@@ -98,6 +103,17 @@ void measure_cuts_and_cones(const Basic_chart_mesh<Group>& mesh, Integer_grid_me
     measure.number_of_noninteger_cones += distance_to_integer(u) != 0 ? 1 : 0;
     measure.cone_distance = (std::max)(measure.cone_distance, distance_to_integer(u));
   }
+}
+
+template <typename Group>
+std::size_t number_of_border_edges_off_grid(Basic_chart_mesh<Group> mesh)
+{
+  Fan_splitter<Group>(mesh).run();
+  std::size_t result = 0;
+  for(std::size_t i = 0; i < mesh.corners.size(); ++i)
+    result += mesh.opposite(Corner_index(i)) == no_index &&
+              !is_border_on_grid(mesh, Corner_index(i)) ? 1 : 0;
+  return result;
 }
 
 // Of the component that changes less.
@@ -132,6 +148,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = grid_size(mesh, 0, mesh.corners.size() / 3).area;
+  if(std::find(mesh.is_border.begin(), mesh.is_border.end(), true) != mesh.is_border.end())
+    measure.number_of_border_edges_off_grid = number_of_border_edges_off_grid(mesh);
   for_each_edge_to_align(tmesh, np, [&](const auto h) {
     const double distance = distance_to_grid_line<Group>(tmesh, uv_map, h);
     ++measure.number_of_aligned_edges;
@@ -148,9 +166,11 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
 \ingroup PkgSeamlessSnappingQuads
 
 measures how far a parametrization is from an integer-grid map: an exactly seamless one whose
-translations and cones have integer coordinates, and in which the edges that are asked for lie on
-isocurves of integer coordinates. With `rotational_symmetry` of order 3 and 6, coordinates are those
-of the triangular lattice, and \f$ u + v \f$ is one for the latter.
+translations and cones have integer coordinates, and in which the border and the edges that are
+asked for lie on isocurves of integer coordinates. Border vertices at which such an isocurve ends,
+where the angle is 360 degrees or more, have integer coordinates, too. With `rotational_symmetry` of
+order 3 and 6, coordinates are those of the triangular lattice, and \f$ u + v \f$ is one for the
+latter.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -198,7 +218,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 \ingroup PkgSeamlessSnappingQuads
 
 returns `true` if and only if a parametrization is an integer-grid map, exactly; see
-`measure_integer_grid()`, whose parameters it has. Orientations are not looked at.
+`measure_integer_grid()`, whose parameters it has. Then whole cells of the grid cover the surface:
+the extraction leaves out none of them. Orientations are not looked at.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

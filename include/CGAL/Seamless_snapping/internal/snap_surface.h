@@ -120,9 +120,9 @@ private:
     if constexpr(may_round)
       if(m_options.rounds) {
         if(!m_has_spread) // else the displacement may hide them by folds
-          m_large_cones = corners_of_large_cones<Group>(m_tmesh, m_uv_map,
+          m_grid_points = corners_at_grid_points<Group>(m_tmesh, m_uv_map, aligned_edges,
                                                         unit_scale(transitions.extent));
-        constraints.add_large_cones(m_large_cones);
+        constraints.add_grid_points(m_grid_points);
       }
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
@@ -218,7 +218,7 @@ private:
   void round_new_cones()
   {
     using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-    for(int i = 0; i < largest_number_of_roundings && has_cone_off_grid(); ++i) {
+    for(int i = 0; i < largest_number_of_roundings && has_point_off_grid(); ++i) {
       std::vector<std::pair<Halfedge, Point> > before;
       for(const auto h : halfedges(m_tmesh))
         if(!is_border(h, m_tmesh))
@@ -238,11 +238,14 @@ private:
     }
   }
 
-  bool has_cone_off_grid() const
+  bool has_point_off_grid() const
   {
-    const auto cones = corners_of_large_cones<Group>(m_tmesh, m_uv_map,
-                                                     unit_scale(m_report.extent));
-    return std::any_of(cones.begin(), cones.end(), [&](const Halfedge h) {
+    const auto aligned_edges =
+      read_aligned_edges<Group>(m_tmesh, m_uv_map, m_vertex_indices, m_options.edges_to_align,
+                                m_options.tolerance * m_report.extent);
+    const auto corners = corners_at_grid_points<Group>(m_tmesh, m_uv_map, aligned_edges,
+                                                       unit_scale(m_report.extent));
+    return std::any_of(corners.begin(), corners.end(), [&](const Halfedge h) {
       const Uv u = get_uv(m_uv_map, h);
       return u[0] != std::round(u[0]) || u[1] != std::round(u[1]);
     });
@@ -266,7 +269,7 @@ private:
   {
     const auto format = Number_format::of<typename Uv_number<HalfedgeUVMap>::type>();
     if(auto refusal =
-         Integer_rounding<Group>(cuts.complex, cuts.is_singular).run(format, roundings)) {
+         Integer_rounding<Group>(cuts.complex, cuts.grid_points).run(format, roundings)) {
       refusal->message = constraints.empty()
         ? "the integers near by would be too large for the number type; scale the map down"
         : "the further constraints don't hold for any integers near by; correct or remove them";
@@ -353,7 +356,7 @@ private:
   std::size_t m_iterations; // that the search for repairs may still take
   bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
   bool m_has_spread = false; // the last roundings
-  std::vector<Halfedge> m_large_cones;
+  std::vector<Halfedge> m_grid_points;
 };
 
 // Outside of the class, so that programs that share a library can share this, too.

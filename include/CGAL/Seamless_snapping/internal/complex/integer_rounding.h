@@ -20,10 +20,10 @@
 // Rounding each on its own would contradict itself wherever branches meet. Instead, the complex is
 // solved on the grid of the integers: all that it asks for holds there, whatever is rounded.
 //
-// The nodes that need not be integers, that is all but cones, would disturb this by their own
-// rounding. They are moved to the origin first, by what makes no difference to translations: where
-// branches meet without a cone, the coordinates of all sectors are shifted by those of the first,
-// turned as the branches turn them.
+// The nodes that need not be integers, that is all but cones and ends of slits, would disturb this
+// by their own rounding. They are moved to the origin first, by what makes no difference to
+// translations: where branches meet without such a point, all sectors are shifted by the
+// coordinates of the first, turned as the branches turn them.
 
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
@@ -47,9 +47,9 @@ namespace internal {
 template <typename Group>
 struct Rounding
 {
-  enum Kind { BRANCH, CHAIN, CONE };
+  enum Kind { BRANCH, CHAIN, POINT };
   Kind kind;
-  std::size_t index; // of the branch, the chain, or the vertex of the complex
+  std::size_t index; // of the branch, the chain, or the sector
   double rounded;  // the integer
   double distance; // from the input
   typename Cut_complex<Group>::Equation equation;
@@ -64,12 +64,12 @@ class Integer_rounding
   static constexpr std::size_t dimension = Group::dimension;
 
 public:
-  // \param is_cone per vertex of the complex
-  Integer_rounding(const Complex& complex, const std::vector<char>& is_cone)
-    : m_complex(complex), m_is_cone(is_cone), m_links(complex), m_shifted(complex)
+  // \param points sectors that are to have integer coordinates; ascending
+  Integer_rounding(const Complex& complex, const std::vector<Sector_index>& points)
+    : m_complex(complex), m_points(points), m_links(complex), m_shifted(complex)
   {
     for(std::size_t v = 0; v < complex.number_of_vertices(); ++v)
-      if(complex.is_node[v] && !is_cone[v])
+      if(complex.is_node[v])
         move_to_origin(v);
   }
 
@@ -86,7 +86,8 @@ private:
         move_to_origin(s, first, end, is_reached);
   }
 
-  // All sectors around the vertex that branches link to `root`: the border may divide them.
+  // All sectors around the vertex that branches link to `root`: the border may divide them. But not
+  // if one of them is a point.
   void move_to_origin(const Sector_index root, const Sector_index first, const Sector_index end,
                       std::vector<char>& is_reached)
   {
@@ -106,6 +107,10 @@ private:
           sectors.emplace_back(link->sector, Group::compose(link->element, g));
         }
     }
+    if(std::any_of(sectors.begin(), sectors.end(), [&](const auto& reached) {
+         return std::binary_search(m_points.begin(), m_points.end(), reached.first);
+       }))
+      return;
     const Vector origin = add_origin(root, is_fixed);
     for(const auto& [s, g] : sectors) {
       const Vector shift = Group::apply(g, origin);
@@ -145,16 +150,14 @@ private:
       const double x = static_cast<double>(solution.x[std::size_t(column)]);
       return k < 0 ? 0 : x * solution.grids[std::size_t(k)].step();
     };
-    for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v)
-      if(m_is_cone[v]) {
-        const Sector_index s = m_complex.first_sector[v];
-        for(std::size_t c = 0; c < dimension; ++c) {
-          const Column_index column = system.unknown(s) + Column_index(c);
-          const double u = m_complex.coordinates[std::size_t(s)][c];
-          const double rounded = solver.component(column) < 0 ? std::round(u) : value(column);
-          roundings.push_back({Rounding<Group>::CONE, v, rounded, std::abs(rounded - u),
-                               {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
-        }
+    for(const Sector_index s : m_points)
+      for(std::size_t c = 0; c < dimension; ++c) {
+        const Column_index column = system.unknown(s) + Column_index(c);
+        const double u = m_complex.coordinates[std::size_t(s)][c];
+        const double rounded = solver.component(column) < 0 ? std::round(u) : value(column);
+        roundings.push_back({Rounding<Group>::POINT, std::size_t(s), rounded,
+                             std::abs(rounded - u),
+                             {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
       }
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
       for(std::size_t c = 0; c < dimension; ++c) {
@@ -204,7 +207,7 @@ private:
   }
 
   const Complex& m_complex;
-  const std::vector<char>& m_is_cone;
+  const std::vector<Sector_index>& m_points;
   Sector_links<Group> m_links;
   Complex m_shifted;
 };

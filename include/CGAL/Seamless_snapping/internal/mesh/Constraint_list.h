@@ -81,11 +81,11 @@ public:
   static std::string corner_constraint_name(const std::size_t i)
   { return "corner constraint " + std::to_string(i); }
 
-  // Corners of cones that cuts don't tell of.
-  void add_large_cones(const std::vector<Halfedge>& corners) { m_large_cones = corners; }
-  const std::vector<Halfedge>& large_cones() const { return m_large_cones; }
+  // Corners that have to be points of the integer grid, though cuts don't tell of them.
+  void add_grid_points(const std::vector<Halfedge>& corners) { m_grid_points = corners; }
 
-  // The corners whose coordinates occur, in the order: both ends of each path, all terms, cones.
+  // The corners whose coordinates occur, in the order: both ends of each path, all terms, points of
+  // the grid.
   std::vector<Halfedge> corners() const
   {
     std::vector<Halfedge> result;
@@ -96,7 +96,7 @@ public:
     for(const Corner& c : m_corner_constraints)
       for(const typename Corner::Term& term : c.terms)
         result.push_back(term.corner);
-    result.insert(result.end(), m_large_cones.begin(), m_large_cones.end());
+    result.insert(result.end(), m_grid_points.begin(), m_grid_points.end());
     return result;
   }
 
@@ -171,7 +171,7 @@ private:
   int m_number_of_components;
   std::vector<Path_constraint<TriangleMesh> > m_paths;
   std::vector<Corner> m_corner_constraints;
-  std::vector<Halfedge> m_large_cones;
+  std::vector<Halfedge> m_grid_points;
   std::optional<Refusal> m_refusal;
 };
 

@@ -41,7 +41,8 @@ struct Surface_cuts
   std::vector<Halfedge> corners;
   Offsets first_corner;            // per sector, and the number of corners
   std::vector<std::array<Halfedge, 2> > branch_ends, chain_ends; // the first and the last edge
-  std::vector<char> is_singular;   // per vertex of the complex
+  // One sector of each vertex that is to be a point of an integer grid; ascending.
+  std::vector<Sector_index> grid_points;
   std::size_t number_of_singular_vertices = 0;
 
   const Halfedge* corners_begin(const Sector_index s) const

@@ -18,6 +18,7 @@
 // What an integer-grid map asks for beyond a seamless one, added to the complex of a mesh.
 
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
@@ -36,28 +37,45 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Corners at the inner vertices of 720 degrees or more: around some of these the rotations cancel,
-// so that cuts don't tell of them. Vertices at folds are not looked at: angles don't add up there.
+// The angle of the corners from `first` on, clockwise, to the border or all around, in turns of the
+// group; 0 at folds, where angles don't add up.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+double unfolded_angle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge first,
+                      const double scale)
+{
+  double angle = 0;
+  Halfedge h = first;
+  do {
+    const Uv_triangle t{get_uv(uv_map, h), get_uv(uv_map, next(h, tmesh)),
+                        get_uv(uv_map, prev(h, tmesh))};
+    if(orientation(t) != CGAL::POSITIVE)
+      return 0;
+    angle += corner_angle<Group>(tmesh, uv_map, h, scale);
+    h = opposite(next(h, tmesh), tmesh);
+  } while(h != first && !is_border(h, tmesh));
+  return angle;
+}
+
+// Corners at vertices that have to be points of the grid though neither cuts nor levels tell of
+// them: inner vertices of 720 degrees or more, around some of which the rotations cancel; and, on
+// borders along isocurves, vertices of 360 degrees or more, where the border turns back, or goes
+// straight on after more than a half turn.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
-corners_of_large_cones(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale)
+corners_at_grid_points(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                       const Aligned_edges<Group, TriangleMesh>& aligned_edges, const double scale)
 {
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
   for(const auto v : vertices(tmesh)) {
     const auto first = halfedge(v, tmesh);
-    if(first == boost::graph_traits<TriangleMesh>::null_halfedge() || CGAL::is_border(v, tmesh))
-      continue;
-    double angle = 0;
-    bool is_unfolded = true;
-    for(const auto h : CGAL::halfedges_around_target(first, tmesh)) {
-      angle += corner_angle<Group>(tmesh, uv_map, h, scale);
-      const Uv_triangle t{get_uv(uv_map, h), get_uv(uv_map, next(h, tmesh)),
-                          get_uv(uv_map, prev(h, tmesh))};
-      is_unfolded = is_unfolded && orientation(t) == CGAL::POSITIVE;
-    }
-    if(is_unfolded && angle > 2 * Group::order - 0.5)
+    if(first != boost::graph_traits<TriangleMesh>::null_halfedge() && !CGAL::is_border(v, tmesh) &&
+       unfolded_angle<Group>(tmesh, uv_map, first, scale) > 2 * Group::order - 0.5)
       result.push_back(first);
   }
+  for(const auto& edge : aligned_edges.edges())
+    if(is_border(opposite(edge.halfedge, tmesh), tmesh) &&
+       unfolded_angle<Group>(tmesh, uv_map, edge.halfedge, scale) > Group::order - 0.5)
+      result.push_back(edge.halfedge);
   return result;
 }
 
@@ -73,11 +91,12 @@ std::string name_of_rounding(const Rounding<Group>& rounding,
            edge_name(tmesh, vertex_indices, cuts.branch_ends[rounding.index][0]);
   case Rounding<Group>::CHAIN:
     return "the level of " + edge_name(tmesh, vertex_indices, cuts.chain_ends[rounding.index][0]);
-  case Rounding<Group>::CONE:
+  case Rounding<Group>::POINT:
     break;
   }
-  const auto corner = *cuts.corners_begin(cuts.complex.first_sector[rounding.index]);
-  return "the cone at vertex " + std::to_string(get(vertex_indices, target(corner, tmesh)));
+  const auto corner = *cuts.corners_begin(Sector_index(rounding.index));
+  return std::string(CGAL::is_border(target(corner, tmesh), tmesh) ? "the border" : "the cone") +
+         " at vertex " + std::to_string(get(vertex_indices, target(corner, tmesh)));
 }
 
 } // namespace internal

@@ -202,7 +202,8 @@ private:
         gaps == 0 && holonomy<Group>(m_vertices.cuts, m_transitions.edges, Vertex_index(v)) !=
                        Group::identity();
       m_result.number_of_singular_vertices += is_singular ? 1 : 0;
-      m_result.is_singular.push_back(is_singular);
+      if(is_singular)
+        m_result.grid_points.push_back(complex.first_sector.back());
       complex.is_node.push_back(needs_node(Vertex_index(v), gaps, is_singular));
     }
     complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
@@ -458,9 +459,24 @@ private:
         ++sector;
       }
     }
-    for(std::size_t i = m_node_corners.size() - m_constraints.large_cones().size();
-        i < m_node_corners.size(); ++i)
-      m_result.is_singular[std::size_t(m_vertices.node_corner_ends[i].target)] = true;
+    add_grid_points(sector);
+  }
+
+  // Inner vertices by their first sectors: cuts may tell of them, too. On the border, there may be
+  // several fans at a vertex.
+  template <typename Iterator>
+  void add_grid_points(Iterator sector)
+  {
+    std::vector<Sector_index>& points = m_result.grid_points;
+    for(std::size_t i = std::size_t(sector - m_node_corner_sectors.begin());
+        i < m_node_corners.size(); ++i, ++sector) {
+      const Halfedge h = m_node_corners[i].halfedge;
+      const auto v = std::size_t(m_vertices.node_corner_ends[i].target);
+      points.push_back(CGAL::is_border(target(h, m_tmesh), m_tmesh)
+                         ? *sector : m_result.complex.first_sector[v]);
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
   }
 
   const TriangleMesh& m_tmesh;

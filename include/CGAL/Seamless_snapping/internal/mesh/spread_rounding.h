@@ -178,12 +178,12 @@ private:
       q.offset[i] = c[i] + u[i] + link.translation[i] - now[i];
   }
 
-  // Cones, and the levels along whole chains.
+  // Points, and the levels along whole chains.
   void fix_coordinates(const std::vector<Rounding<Group> >& roundings)
   {
     for(const Rounding<Group>& r : roundings) {
       const auto& term = r.equation.terms.front();
-      if(r.kind == Rounding<Group>::CONE)
+      if(r.kind == Rounding<Group>::POINT)
         fix(term.sector, term.coordinate, r.rounded);
       else if(r.kind == Rounding<Group>::CHAIN)
         for(auto s = m_complex.links_begin(r.index); s != m_complex.links_end(r.index); ++s)

@@ -387,8 +387,22 @@ private:
         return false;
       m_report.number_of_cut_cells += std::size_t(std::count(is_cut->begin(), is_cut->end(), true));
       m_complex->cells.remove(*is_cut);
+      tell_of_cut_cells();
     }
     return true;
+  }
+
+  // Nothing is left out in silence.
+  void tell_of_cut_cells()
+  {
+    Corner_index h = 0;
+    while(m_mesh.opposite(h) != no_index || is_border_on_grid(m_mesh, h))
+      ++h;
+    m_report.message = std::to_string(m_report.number_of_cut_cells) +
+                       " pieces of cells were left out: the border cuts them" +
+                       (m_kept_faces.empty() ? ", first at " : " or holes do, first at ") +
+                       edge_name(h) + "; snap_to_seamless() with integer_grid(true) and "
+                       "align_border(true) moves it to the grid";
   }
 
   Mesh m_mesh;

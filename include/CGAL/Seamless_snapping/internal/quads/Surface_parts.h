@@ -55,6 +55,25 @@ bool is_on_grid_line(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
   return false;
 }
 
+// Whether the border turns back at the end of the edge, on a line of the grid but between its
+// points: the angle is 180 degrees, with a ray along each side, or a larger multiple of it.
+template <typename Group>
+bool ends_slit(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
+{
+  if(is_lattice_point(mesh.uv(h)))
+    return false;
+  const std::size_t v = mesh.vertex(h);
+  const Corner_index next_edge = mesh.next(mesh.corner_at_vertex[v]);
+  return mesh.opposite(next_edge) == no_index && is_on_grid_line(mesh, next_edge) &&
+         rays_from_vertex(mesh, v).size() != std::size_t(Group::order / 2 + 1);
+}
+
+// Whether no cell is cut at a border edge.
+// \pre all corners at a vertex on the border are in one fan
+template <typename Group>
+bool is_border_on_grid(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
+{ return is_on_grid_line(mesh, h) && !ends_slit(mesh, h); }
+
 // a x b
 inline Exact_rational cross_product(const std::array<Exact_rational, 2>& a,
                                     const std::array<Exact_rational, 2>& b)
@@ -147,24 +166,11 @@ private:
                                  (mesh.corner_at_vertex[mesh.vertex(h)] == h ? 1 : 0);
     const Corner_index p = mesh.prev(h), g = mesh.opposite(h);
     if(g == no_index) {
-      part.number_of_unaligned_edges += is_on_grid_line(mesh, h) && !ends_slit(mesh, h) ? 0 : 1;
+      part.number_of_unaligned_edges += is_border_on_grid(mesh, h) ? 0 : 1;
       part.twice_area += cross_product(exact(mesh.uv(p)), exact(mesh.uv(h)));
     } else if(mesh.corner(h).transition != no_index && h < g) {
       add_cut(mesh, h, part);
     }
-  }
-
-  // Whether the border turns back at the end of the edge, on a line of the grid but between its
-  // points: the angle is 180 degrees, with a ray along each side, or a larger multiple of it.
-  template <typename Group>
-  static bool ends_slit(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
-  {
-    if(is_lattice_point(mesh.uv(h)))
-      return false;
-    const std::size_t v = mesh.vertex(h);
-    const Corner_index next_edge = mesh.next(mesh.corner_at_vertex[v]);
-    return mesh.opposite(next_edge) == no_index && is_on_grid_line(mesh, next_edge) &&
-           rays_from_vertex(mesh, v).size() != std::size_t(Group::order / 2 + 1);
   }
 
   // The area is the sum of the cross products of the ends of all halfedges. The two of an edge add
