@@ -85,7 +85,7 @@ private:
             Quad p;
             for(std::size_t k = 0; k < 4; ++k)
               p[k] = m_smoother.nearest(
-                between(middle, q[k], k == i ? towards_end : towards_others));
+                between(middle, q[k], k == i ? towards_end : towards_others), q[k]);
             const std::array<Quad, 5> five = five_quads(q, p);
             const double least = least_scaled_jacobian(five);
             if(least > best && face_upwards(five)) {

@@ -166,7 +166,7 @@ private:
       for(std::size_t c = 0; c < 3; ++c)
         p[c] += step * m_longest_edge *
                 (std::cos(angle) * m_tangents[0][c] + std::sin(angle) * m_tangents[1][c]);
-      result.push_back(m_smoother.nearest(p));
+      result.push_back(m_smoother.nearest(p, from));
     }
     return result;
   }

@@ -126,19 +126,19 @@ public:
   double measure_distance() const
   {
     double largest = 0;
-    const auto measure = [&](const Space_vector& p)
-      { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
+    const auto measure = [&](const Space_vector& p, const Space_vector& near_by)
+      { largest = (std::max)(largest, norm(vector_to(p, nearest(p, near_by)))); };
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
       Space_vector middle{};
       for(std::size_t i = 0; i < 4; ++i)
         for(std::size_t c = 0; c < 3; ++c)
           middle[c] += q[i][c] / 4;
-      measure(middle);
+      measure(middle, q[0]);
     }
     for(const auto e : edges(m_quads)) {
       const Space_vector a = point(source(e, m_quads)), b = point(target(e, m_quads));
-      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, a);
     }
     return largest;
   }
@@ -165,9 +165,11 @@ public:
     return result;
   }
 
-  Space_vector nearest(const Space_vector& p) const
+  // The nearest point of the surface. The search begins at another one of its points.
+  Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   {
-    const Surface_point q = m_tree.closest_point(Surface_point(p[0], p[1], p[2]));
+    const Surface_point q = m_tree.closest_point(Surface_point(p[0], p[1], p[2]),
+                                                 Surface_point(near_by[0], near_by[1], near_by[2]));
     return {q.x(), q.y(), q.z()};
   }
 
@@ -212,7 +214,7 @@ private:
     const Space_vector old = point(v);
     for(std::size_t c = 0; c < 3; ++c)
       middle[c] = (old[c] + middle[c] / static_cast<double>(n)) / 2;
-    set_point(v, nearest(middle));
+    set_point(v, nearest(middle, old));
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = quad(m_faces[i]);
       const Space_vector normal = quad_normal(q);
