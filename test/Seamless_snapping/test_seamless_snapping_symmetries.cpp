@@ -699,6 +699,60 @@ void test_integer_grid(Mesh mesh, const std::string& name)
     }
 }
 
+// Integer-grid maps whose charts lie anywhere, one for each face: nothing is rounded, and edges
+// stay what they are.
+template <int N>
+void test_chart_positions(Mesh mesh, UV_map uv, const std::string& name)
+{
+  const std::vector<Kernel::Point_2> clean = all_points(mesh, uv);
+  for(unsigned int seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&] { return double(random() % 1000000) / 999983; };
+    std::vector<Vector> edges(mesh.number_of_halfedges());
+    for(const auto f : mesh.faces()) {
+      const int turns = int(random() % unsigned(N));
+      const Vector shift{{3 * number(), 3 * number()}};
+      for(const Halfedge h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+        const Kernel::Point_2 p = clean[std::size_t(h)];
+        uv[h] = moved(Kernel::Point_2(0, 0), turned<N>(turns, Vector{{p.x(), p.y()}}));
+        uv[h] = moved(uv[h], shift);
+      }
+      for(const Halfedge h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+        edges[std::size_t(h)] = vector(uv[mesh.prev(h)], uv[h]);
+    }
+    const std::string context = "charts, " + name + ", N = " + std::to_string(N) + ", seed " +
+                                std::to_string(seed);
+    const auto report = SS::snap_to_seamless(
+      mesh, uv, symmetry<N>().integer_grid(true).align_border(true));
+    CHECK_IN(context + ": " + report.message, bool(report) && report.lost_faces.empty());
+    CHECK_IN(context, report.largest_rounding < 1e-12);
+    CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetry<N>()));
+    double largest = 0;
+    for(const Halfedge h : mesh.halfedges())
+      if(!mesh.is_border(h))
+        for(std::size_t c = 0; c < 2; ++c)
+          largest = (std::max)(largest, std::abs(vector(uv[mesh.prev(h)], uv[h])[c] -
+                                                 edges[std::size_t(h)][c]));
+    CHECK_IN(context + ": " + std::to_string(largest), largest < 1e-12);
+  }
+}
+
+template <int N>
+void test_chart_positions(Mesh mesh, const std::string& name)
+{
+  const UV_map uv = uv_map(mesh);
+  unfold(mesh, uv);
+  test_chart_positions<N>(mesh, uv, name);
+}
+
+template <int N>
+void test_chart_positions(const square_complex::Square_complex& complex, const std::string& name)
+{
+  Mesh mesh;
+  square_complex::build_mesh(complex, 4, 1, mesh);
+  test_chart_positions<N>(mesh, square_complex::uv_map(mesh), name);
+}
+
 // Cut open along edges at random, all of them to be borders on lines of the lattice. Faces are
 // larger than units, so that few are flipped.
 template <int N>
@@ -753,8 +807,12 @@ void test_integer_grid_measure()
   CHECK(turned_edges > 0);
   CHECK_EQUAL(measure.number_of_noninteger_cuts, turned_edges);
   CHECK(!SS::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
-  const auto refused = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
+  const auto refused = SS::snap_to_seamless(
+    mesh, uv, symmetry<6>().integer_grid(true).rounding_tolerance(0));
   CHECK_IN(refused.message, refused.status == SS::Snapping_status::NOT_INTEGER);
+  const auto moved_back = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
+  CHECK_IN(moved_back.message, bool(moved_back) && moved_back.largest_rounding == 0);
+  CHECK(SS::is_integer_grid_map(mesh, uv, np));
 }
 
 // --- isocurves -----------------------------------------------------------------------------------
@@ -1129,6 +1187,13 @@ int main()
     test_isocurves<6>(c.mesh, c.name);
   }
   test_integer_grid<3>(subdivided(octahedron(), 2), "octahedron");
+  for(const Case& c : meshes_of_six_directions())
+    test_chart_positions<6>(c.mesh, c.name);
+  test_chart_positions<3>(subdivided(octahedron(), 2), "octahedron");
+  test_chart_positions<1>(test_meshes::torus(3, 3), "torus");
+  test_chart_positions<2>(test_meshes::tetrahedron(), "tetrahedron");
+  test_chart_positions<4>(test_meshes::box(1, 1, 1), "cube");
+  test_chart_positions<4>(test_meshes::pair_of_pants(), "pair of pants");
   for(const Case& c : meshes_of_six_directions())
     test_borders_on_lattice<6>(c.mesh, c.name);
   test_borders_on_lattice<3>(subdivided(octahedron(), 2), "octahedron");

@@ -178,8 +178,10 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{integer_grid}
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
                           levels of aligned edges become integers, the nearest ones up to what they
-                          have to agree on. Where they are farther away than noise would be, the
-                          change is spread over the surface. See `extract_quad_mesh()`. With
+                          have to agree on. Charts are moved first to where these are near, as
+                          where they lie means nothing, unless there are corner constraints, or the
+                          rounding tolerance is 0. Where integers are farther away than noise would
+                          be, the change is spread over the surface. See `extract_quad_mesh()`. With
                           \f$ N = 3, 6 \f$, these are points and lines of the triangular lattice.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
@@ -195,7 +197,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                           be an integer-grid map then; raise it, to 10 for instance, where it is.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
-    \cgalParamExtra{Large roundings may turn faces: `Snapping_report::lost_faces` tells.}
+    \cgalParamExtra{Large roundings may turn faces: `Snapping_report::lost_faces` tells. The end of
+                    a slit moves along its line as far as it has to.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index

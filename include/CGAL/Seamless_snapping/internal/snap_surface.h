@@ -29,6 +29,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/integer_grid_rows.h>
+#include <CGAL/Seamless_snapping/internal/mesh/move_charts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
@@ -127,6 +128,14 @@ private:
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
+    if constexpr(may_round)
+      if(m_options.rounds && !m_has_moved && m_options.rounding_tolerance > 0 &&
+         constraints.corner_constraints().empty()) {
+        m_has_moved = true;
+        if(Chart_mover<Group, TriangleMesh, HalfedgeUVMap>(m_tmesh, m_uv_map, transitions, cuts)
+             .run(negligible_rounding))
+          return snap();
+      }
     if(!m_is_rounded)
       if(const auto refusal = check_paths(cuts.complex, constraints,
                                            m_options.connection_tolerance, m_report))
@@ -278,7 +287,7 @@ private:
     const Rounding<Group>* worst = nullptr;
     for(const Rounding<Group>& rounding : roundings) {
       cuts.complex.equations.push_back(rounding.equation);
-      if(worst == nullptr || rounding.distance > worst->distance)
+      if(!is_free(rounding, cuts) && (worst == nullptr || rounding.distance > worst->distance))
         worst = &rounding;
     }
     if(worst == nullptr)
@@ -294,6 +303,14 @@ private:
                      short_number(worst->distance) + " off the integer that it is rounded to, more "
                      "than the rounding_tolerance of " + short_number(tolerance) +
                      "; raise it, or scale the map up by grid_scale", {}};
+  }
+
+  // Whether it moves a point of the border along it, as that at the end of a slit.
+  bool is_free(const Rounding<Group>& rounding, const Cuts& cuts) const
+  {
+    return rounding.kind == Rounding<Group>::POINT &&
+           CGAL::is_border(target(*cuts.corners_begin(Sector_index(rounding.index)), m_tmesh),
+                           m_tmesh).has_value();
   }
 
   // A mesh without cuts may have been cut open: then the user's seams are borders here.
@@ -354,6 +371,7 @@ private:
   Step_timer m_timer;
   Flip_repair m_flip_repair;
   std::size_t m_iterations; // that the search for repairs may still take
+  bool m_has_moved = false;  // the charts
   bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
   bool m_has_spread = false; // the last roundings
   std::vector<Halfedge> m_grid_points;
@@ -489,6 +507,12 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if(!report)
     return report;
   compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);
+  if(report.lost_faces.size() == report.run.number_of_faces) {
+    report.status = Snapping_status::NOT_INTEGER;
+    report.message = "at the nearest integers, no face keeps its orientation; scale the map up by "
+                     "grid_scale";
+    return report;
+  }
   report.status = Snapping_status::SNAPPED;
   for(const auto h : halfedges(tmesh))
     if(!is_border(h, tmesh))
