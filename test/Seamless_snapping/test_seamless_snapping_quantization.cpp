@@ -450,6 +450,56 @@ void test_strips_in_both_directions()
   CHECK(100 * number_of_differences <= number);
 }
 
+// --- numbers that a mesh can have ----------------------------------------------------------------
+
+// The mesh of least size at or above the number wanted: sizes grow with it, and are near where that
+// is possible.
+void check_numbers(const Square_complex& complex, const std::string& name)
+{
+  Grid_map map(complex, 16, 4);
+  map.perturb(5, 0.5, 20);
+  std::size_t before = 0, near_by = 0, least = 0;
+  for(double wanted = 1; wanted < 3000; wanted *= 1.3) {
+    const std::string context = name + ", " + std::to_string(wanted) + " quads";
+    const auto np = parameters::needs_face_graph(true);
+    const SS::Quantization quantization =
+      SS::quantize(map.mesh, map.uv, np.target_number_of_quads(std::size_t(wanted)));
+    CHECK_IN(context + ": " + quantization.message, bool(quantization));
+    Mesh quads;
+    const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads);
+    CHECK_IN(context + ": " + report.message, bool(report));
+    quads.collect_garbage();
+    CHECK_IN(context, CGAL::is_valid_polygon_mesh(quads) &&
+                        euler_characteristic(quads) == euler_characteristic(map.mesh));
+    std::vector<Point_3> points;
+    std::vector<std::array<std::size_t, 4> > polygons;
+    CHECK_IN(context, bool(SS::extract_quad_soup(quantization, map.mesh, points, polygons)));
+    const std::size_t number = quantization.number_of_quads;
+    CHECK_EQUAL(polygons.size(), number);
+    CHECK_IN(context + ": " + std::to_string(number) + " after " + std::to_string(before),
+             1.05 * double(number) >= double(before));
+    CHECK_IN(context,
+             quantization.message.empty() == (double(number) <= 1.1 * std::floor(wanted)));
+    if(least == 0) {
+      least = number;
+      CHECK_EQUAL(SS::quantize(map.mesh, map.uv, np.coarsest(true)).number_of_quads, least);
+    }
+    near_by += double(number) <= 1.05 * wanted ? 1 : 0;
+    before = (std::max)(before, number);
+  }
+  std::cout << name << ": at least " << least << " quads, " << near_by << " times near those wanted"
+            << std::endl;
+  CHECK(near_by > 5);
+}
+
+void test_numbers()
+{
+  check_numbers(test_meshes::genus_2(), "genus 2");
+  check_numbers(test_meshes::double_torus(), "double torus");
+  check_numbers(test_meshes::torus(1, 2), "torus");
+  check_numbers(test_meshes::pair_of_pants(), "pair of pants");
+}
+
 // --- real maps -----------------------------------------------------------------------------------
 
 struct Sizes
@@ -481,16 +531,19 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
   internal::Quantization_options options;
   options.number_of_quads = double(number);
   options.is_coarsest = number == 0;
-  options.refinement = 4;
   const auto features = parameters::edge_is_constrained_map(model.is_aligned);
-  const SS::Quantization quantization =
+  SS::Quantization quantization =
     internal::quantize_map(model.mesh, model.uv, internal::strip(features), options);
   CHECK_IN(name + ": " + quantization.message, bool(quantization));
-  CHECK_IN(name, quantization.number_of_quads % 16 == 0);
+  internal::Quantized_surface surface = quantization.surface();
+  internal::refine(4, surface.complex);
+  quantization.set_surface(std::move(surface));
+  quantization.number_of_quads *= 16;
   Mesh quads;
   const auto defaults = parameters::default_values();
-  const auto report = internal::extract_quads_of<CGAL::Sequential_tag>(
-    quantization, model.mesh, quads, defaults, defaults, true);
+  const auto report = internal::extract_cells_of<CGAL::Sequential_tag>(
+    quantization, model.mesh, defaults, true,
+    internal::quad_mesh_output(model.mesh, quads, defaults));
   CHECK_IN(name + ": " + report.message, bool(report));
   const std::size_t number_of_folds = internal::close_folds(quads);
   quads.collect_garbage();
@@ -611,8 +664,9 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
   CHECK_EQUAL(quantization.number_of_quads, std::size_t(folded.number_of_squares()));
   Mesh quads;
   const auto defaults = parameters::default_values();
-  const auto report = internal::extract_quads_of<CGAL::Sequential_tag>(
-    quantization, map.mesh, quads, defaults, defaults, true);
+  const auto report = internal::extract_cells_of<CGAL::Sequential_tag>(
+    quantization, map.mesh, defaults, true,
+    internal::quad_mesh_output(map.mesh, quads, defaults));
   CHECK_IN(report.message, bool(report));
   CHECK_EQUAL(internal::close_folds(quads), sides.size());
   quads.collect_garbage();
@@ -1020,6 +1074,7 @@ int main()
   test_maps();
   test_folds();
   test_empty_mesh();
+  test_numbers();
   test_remeshing();
   test_sizes_in_space();
   test_improvement();

@@ -35,6 +35,7 @@ struct Quantized_surface
 {
   Integer_mesh input;
   Intrinsic_complex complex;
+  bool is_for_face_graph = false; // without the quads around vertices of one edge
 };
 
 } // namespace internal
@@ -90,7 +91,9 @@ class Quantization
 {
 public:
   Quantization_status status = Quantization_status::QUANTIZED; ///< the outcome
-  std::string message; ///< on failure: the place, the reason, and the remedy
+  /// on failure: the place, the reason, and the remedy; else, if there are more than 1.1 times as
+  /// many quads as wanted, that no fewer were found
+  std::string message;
 
   /// \name Size
   /// @{

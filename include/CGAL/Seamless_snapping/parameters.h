@@ -55,6 +55,7 @@
   F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
+  F(needs_face_graph_t, needs_face_graph, needs_face_graph)                                        \
   F(release_alignment_t, release_alignment, release_alignment)                                     \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
   F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
@@ -222,6 +223,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
+ * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
  *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
  * - `release_alignment`: whether features need not be aligned where triangles would be flipped

@@ -30,7 +30,6 @@
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -91,7 +90,9 @@ What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quad
 struct Remeshing_report
 {
   Remeshing_status status = Remeshing_status::REMESHED; ///< the outcome
-  std::string message; ///< on failure: the reason and, as far as known, the place and the remedy
+  /// on failure: the reason and, as far as known, the place and the remedy; else, if there are more
+  /// than 1.1 times as many quads as wanted, that no fewer were found
+  std::string message;
 
   /// \name Result
   /// @{
@@ -140,24 +141,6 @@ inline std::ostream& operator<<(std::ostream& os, const Remeshing_report& report
 
 namespace internal {
 
-// Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
-// Returns the number of holes.
-template <typename QuadMesh>
-std::size_t close_folds(QuadMesh& quads)
-{
-  using Halfedge = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
-  std::vector<Halfedge> holes;
-  for(const Halfedge h : halfedges(quads))
-    if(CGAL::is_border(h, quads) && next(next(h, quads), quads) == h &&
-       target(h, quads) < source(h, quads))
-      holes.push_back(h);
-  for(const Halfedge h : holes) {
-    CGAL::Euler::fill_hole(h, quads);
-    CGAL::Euler::join_face(opposite(h, quads), quads);
-  }
-  return holes.size();
-}
-
 struct Remeshing_options
 {
   Quantization_options quantization;
@@ -171,7 +154,9 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  return {quantization_options(tmesh, np),
+  Quantization_options quantization = quantization_options(tmesh, np);
+  quantization.needs_face_graph = true;
+  return {quantization,
           static_cast<double>(
             choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.)),
           static_cast<std::size_t>(
@@ -244,34 +229,22 @@ private:
   template <typename Surface>
   bool parametrize(Surface& surface);
 
-  // Where quads meet themselves, or each other twice, fewer are made, and divided once or twice.
-  // That ends it: once each quad is divided, no edge has the same vertex twice; once more, no two
-  // edges have the same two vertices, but around vertices of one edge, whose quads are left out.
   template <typename QuadMesh, typename FeatureMap>
   bool extract(QuadMesh& quads, const FeatureMap& is_feature)
   {
-    Quantization_options options = m_options.quantization;
-    for(options.refinement = 1; options.refinement <= 4; options.refinement *= 2) {
-      const Quantization quantization =
-        quantize_map(mesh(), m_surface.uv_map(), strip(features()), options);
-      m_timer.finish("quantization");
-      if(!quantization)
-        return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
-      const Extraction_report extracted = extract_quads_of<CGAL::Sequential_tag>(
-        quantization, mesh(), quads, CGAL::parameters::default_values(),
-        strip(parameters::edge_is_constrained_map(is_feature)), true);
-      m_timer.finish("extraction");
-      if(extracted) {
-        close_folds(quads);
-        m_report.status = Remeshing_status::REMESHED;
-        m_report.message.clear();
-        return true;
-      }
-      fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
-      if(extracted.status != Extraction_status::NO_FACE_GRAPH)
-        return false;
-    }
-    return false;
+    const Quantization quantization =
+      quantize_map(mesh(), m_surface.uv_map(), strip(features()), m_options.quantization);
+    m_timer.finish("quantization");
+    if(!quantization)
+      return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
+    const Extraction_report extracted = extract_quad_mesh(
+      quantization, mesh(), quads, CGAL::parameters::default_values(),
+      parameters::edge_is_constrained_map(is_feature));
+    m_timer.finish("extraction");
+    if(!extracted)
+      return fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
+    m_report.message = quantization.message;
+    return true;
   }
 
   // Vertices on features and borders are held.
@@ -418,10 +391,13 @@ result is a mesh of quads, homeomorphic to the surface. Whether there is such a 
 input: feature edges that can't be followed without flips are not kept, and where flips remain, the
 function says so.
 
-If the quads meet themselves, or each other twice, which no mesh can hold, a quarter as many are
-made, and each is divided into four; or a sixteenth, divided into sixteen, which always helps. The
-quad around a vertex of one edge is left out. There are more quads than wanted where cones and
-features lie too close together for fewer.
+Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
+other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
+searched for, in steps of 2.5 % from the number wanted, or from the least one without this
+condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
+sixteen, which always helps. There are at most 122 quantizations. The result has about as many quads
+as wanted, or as few as were found, and not more, but for 5 %, than if more were wanted. The quad
+around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

@@ -27,6 +27,9 @@
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
 #include <CGAL/Seamless_snapping/internal/read_exact_map.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -76,6 +79,8 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   using CGAL::parameters::is_default_parameter;
   Quantization_options options;
   options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
+  options.needs_face_graph =
+    choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value) {
     const double length =
       static_cast<double>(get_parameter(np, internal_np::target_edge_length));
@@ -112,11 +117,10 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
 
 // \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
 //        out; the two sides of each hole are to become one edge
-template <typename ConcurrencyTag, typename TriangleMesh, typename QuadMesh,
-          typename NamedParameters1, typename NamedParameters2>
-Extraction_report extract_quads_of(const Quantization& quantization, const TriangleMesh& tmesh,
-                                   QuadMesh& quads, const NamedParameters1& input,
-                                   const NamedParameters2& np2, const bool leave_out_folded_cells)
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Output>
+Extraction_report extract_cells_of(const Quantization& quantization, const TriangleMesh& tmesh,
+                                   const NamedParameters& np, const bool leave_out_folded_cells,
+                                   Output&& output)
 {
   Extraction_report refusal;
   if(!quantization) {
@@ -134,18 +138,18 @@ Extraction_report extract_quads_of(const Quantization& quantization, const Trian
   std::vector<char> is_feature;
   for(const Intrinsic_corner& corner : surface.complex.corners)
     is_feature.push_back(corner.is_wall);
-  Extraction_options options = extraction_options(input);
+  Extraction_options options = extraction_options(np);
   options.scale = 1;
   options.leave_out_folded_cells = leave_out_folded_cells;
+  options.how_to_refine = "quantize to more quads, or with needs_face_graph(true)";
   Quad_extractor extractor(
     make_chart_mesh(surface.complex), std::move(is_feature), options,
     [&](const Corner_index h) {
       return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
     });
-  auto output = quad_mesh_output(tmesh, quads, np2);
   const auto locate = [&] {
     const auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(input, CGAL::internal_np::vertex_point),
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const Point_locator locator(surface.input, surface.complex, extractor.mesh());
     const auto locate_point = [&](const Lattice_point& p) { return locator.locate(p); };
@@ -155,6 +159,24 @@ Extraction_report extract_quads_of(const Quantization& quantization, const Trian
   if(extractor.template run<ConcurrencyTag>(locate))
     output.template write<ConcurrencyTag>(extractor);
   return extractor.report();
+}
+
+// Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
+// Returns the number of holes.
+template <typename QuadMesh>
+std::size_t close_folds(QuadMesh& quads)
+{
+  using Halfedge = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
+  std::vector<Halfedge> holes;
+  for(const Halfedge h : halfedges(quads))
+    if(CGAL::is_border(h, quads) && next(next(h, quads), quads) == h &&
+       target(h, quads) < source(h, quads))
+      holes.push_back(h);
+  for(const Halfedge h : holes) {
+    CGAL::Euler::fill_hole(h, quads);
+    CGAL::Euler::join_face(opposite(h, quads), quads);
+  }
+  return holes.size();
 }
 
 } // namespace internal
@@ -205,6 +227,14 @@ one wanted, by far where cones lie close together.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{needs_face_graph}
+    \cgalParamDescription{whether the quads have to form a face graph. Coarse ones can meet
+                          themselves, or each other twice, which no face graph can hold; then the
+                          least larger number of quads that form one is searched for, as
+                          `quad_remesh()` does.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -242,6 +272,8 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 
 extracts the quads of a quantization. They are all quads, and form a mesh that is homeomorphic to
 the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
+If they do not form a face graph, nothing is written; with `needs_face_graph`, they do, once quads
+around vertices of one edge are left out, and the two other sides of each are made one edge.
 
 \param quantization a quantization, of which `quantize()` says that it succeeded
 \param tmesh the mesh that has been quantized, not changed since
@@ -265,9 +297,41 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
                                     const NamedParameters2& np2 =
                                       CGAL::parameters::default_values())
 {
-  return internal::extract_quads_of<ConcurrencyTag>(quantization, tmesh, quads,
-                                                    internal::strip(np1), internal::strip(np2),
-                                                    false);
+  const bool leave_out_folds = quantization && quantization.surface().is_for_face_graph;
+  const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
+    quantization, tmesh, internal::strip(np1), leave_out_folds,
+    internal::quad_mesh_output(tmesh, quads, internal::strip(np2)));
+  if(report && leave_out_folds)
+    internal::close_folds(quads);
+  return report;
+}
+
+/*!
+\ingroup PkgSeamlessSnappingQuads
+
+extracts the same quads as points and lists of indices. Loops and double edges are no obstacle here.
+
+\param quantization a quantization, of which `quantize()` says that it succeeded
+\param tmesh the mesh that has been quantized, not changed since
+\param points the points of the quads are added to it
+\param polygons the quads are added to it
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+       for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
+
+\return the outcome
+
+\sa `quantize()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename PointRange, typename PolygonRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_soup(const Quantization& quantization, const TriangleMesh& tmesh,
+                                    PointRange& points, PolygonRange& polygons,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::extract_cells_of<ConcurrencyTag>(
+    quantization, tmesh, internal::strip(np), false,
+    internal::Quad_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
 } // namespace Seamless_snapping

@@ -51,6 +51,7 @@ struct Extraction_options
   std::size_t maximum_number = 100000000; // of cells
   bool allow_holes = false;
   bool leave_out_folded_cells = false; // around points of one edge
+  std::string how_to_refine = "scale the map up by grid_scale"; // for messages
 };
 
 // More darts than this have no 32-bit index.
@@ -84,6 +85,7 @@ public:
   }
 
   Extraction_report& report() { return m_report; }
+  const Extraction_options& options() const { return m_options; }
   const Mesh& mesh() const { return m_mesh; }
   const Quad_complex& complex() const { return *m_complex; }
 
@@ -341,7 +343,7 @@ private:
       return fail(may_be_coarse ? Extraction_status::TOO_COARSE : Extraction_status::INTERNAL_ERROR,
                   "the part of the surface that face " +
                     std::to_string(original_face((*m_parts)[part].first_face)) + " belongs to " +
-                    (may_be_coarse ? "is too small for the grid; scale the map up by grid_scale"
+                    (may_be_coarse ? "is too small for the grid; " + m_options.how_to_refine
                                    : "has cells of the wrong area"));
     }
     m_report.number_of_faces = m_complex->cells.size();
@@ -350,7 +352,7 @@ private:
       m_report.number_of_other_polygons += n;
     return m_report.number_of_faces > 0 ||
            fail(Extraction_status::TOO_COARSE,
-                "the surface holds no whole cell of the grid; scale the map up by grid_scale");
+                "the surface holds no whole cell of the grid; " + m_options.how_to_refine);
   }
 
   // A dart in each direction at a regular vertex; at others, their number is that of turns of the

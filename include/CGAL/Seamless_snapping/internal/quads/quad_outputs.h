@@ -49,8 +49,8 @@ bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertic
   extractor.report().status = Extraction_status::NO_FACE_GRAPH;
   extractor.report().message =
     "the " + std::string(Cell_shape<Group>::plural()) + " around point " + std::to_string(v) +
-    " of the grid meet themselves, or each other twice, which no face graph can hold; scale the "
-    "map up by grid_scale, or call " +
+    " of the grid meet themselves, or each other twice, which no face graph can hold; " +
+    extractor.options().how_to_refine + ", or call " +
     (Cell_shape<Group>::is_square ? "extract_quad_soup()" : "extract_triangle_soup()");
   return false;
 }

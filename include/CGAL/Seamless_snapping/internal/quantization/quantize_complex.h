@@ -91,20 +91,12 @@ public:
   {
     for(int i = 0; i < 4; ++i) {
       const double ratio = number / number_of_quads(m_complex);
-      if(ratio > 0.95 && ratio < 1.05)
+      if(ratio > 0.975 && ratio < 1.025)
         return;
       for(double& s : m_scales)
         s *= std::sqrt(ratio);
       move_and_flip();
     }
-  }
-
-  // Divides each quad into factor x factor.
-  void refine(const std::int64_t factor)
-  {
-    for(Intrinsic_corner& corner : m_complex.corners)
-      for(std::int64_t& coordinate : corner.units)
-        coordinate = checked_product(factor, coordinate);
   }
 
   const std::vector<int>& angles() const { return m_angles; }

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Quantization.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
@@ -41,7 +42,7 @@ struct Quantization_options
 {
   double number_of_quads = 0;
   bool is_coarsest = false; // as few as are found
-  int refinement = 1;       // each quad of a coarser mesh is divided into the square of this
+  bool needs_face_graph = false; // of more quads, if there is none of so many
 };
 
 class Surface_quantizer
@@ -143,15 +144,9 @@ private:
     m_result.number_of_coarse_faces = std::size_t(m_surface.complex.number_of_faces());
   }
 
-  // How many quads to make before they are divided.
-  double number_before_refinement() const
-  {
-    return m_options.number_of_quads / (m_options.refinement * m_options.refinement);
-  }
-
   // Units per step of each part's grid. Steps, which are powers of two, are measured by the largest
   // one, so that no square is too large.
-  std::vector<double> scales() const
+  std::vector<double> scales(const double number_of_quads) const
   {
     std::vector<double> result(m_surface.input.steps);
     const double largest = *std::max_element(result.begin(), result.end());
@@ -165,25 +160,51 @@ private:
               approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
     }
     for(double& s : result)
-      s *= std::sqrt(number_before_refinement() / area);
+      s *= std::sqrt(number_of_quads / area);
     return result;
+  }
+
+  // About so many quads, or as few as are found.
+  Quantized_complex quantize(const double number_of_quads, const bool is_coarsest) const
+  {
+    Quantized_complex result;
+    result.complex = m_surface.complex;
+    Complex_quantizer quantizer(m_surface.input, result.complex, scales(number_of_quads));
+    quantizer.start();
+    result.first_scale = quantizer.growth;
+    quantizer.improve();
+    if(!is_coarsest)
+      quantizer.adjust(number_of_quads);
+    result.number_of_moves = quantizer.number_of_moves;
+    result.number_of_long_edges = quantizer.number_of_long_edges();
+    result.number_of_quads = internal::number_of_quads(result.complex);
+    return result;
+  }
+
+  Quantized_complex find_quads() const
+  {
+    if(!m_options.needs_face_graph)
+      return quantize(m_options.number_of_quads, m_options.is_coarsest);
+    const auto quantize_to = [&](const double number) { return quantize(number, false); };
+    return Face_graph_search<decltype(quantize_to)>(quantize_to).run(m_options.number_of_quads);
   }
 
   bool find_units()
   {
-    Complex_quantizer quantizer(m_surface.input, m_surface.complex, scales());
-    quantizer.start();
-    m_result.first_scale = quantizer.growth;
-    quantizer.improve();
-    if(!m_options.is_coarsest)
-      quantizer.adjust(number_before_refinement());
-    m_result.number_of_moves = quantizer.number_of_moves;
-    m_result.number_of_long_edges = quantizer.number_of_long_edges();
-    quantizer.refine(m_options.refinement);
-    m_result.number_of_quads =
-      std::size_t(std::llround(internal::number_of_quads(m_surface.complex)));
-    if(!quantizer.is_feasible())
+    const std::vector<int> angles = angles_around_vertices(m_surface.complex);
+    Quantized_complex found = find_quads();
+    m_result.first_scale = found.first_scale;
+    m_result.number_of_moves = found.number_of_moves;
+    m_result.number_of_long_edges = found.number_of_long_edges;
+    m_result.number_of_quads = std::size_t(std::llround(found.number_of_quads));
+    if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
       return fail(Quantization_status::INTERNAL_ERROR, "the integers are not feasible");
+    if(!m_options.is_coarsest && found.number_of_quads > 1.1 * m_options.number_of_quads)
+      m_result.message = "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
+                         " of fewer than " + std::to_string(m_result.number_of_quads) +
+                         " quads was found";
+    m_surface.complex = std::move(found.complex);
+    m_surface.is_for_face_graph = m_options.needs_face_graph;
     m_result.set_surface(std::move(m_surface));
     return true;
   }
