@@ -103,6 +103,11 @@ void layout(const Arguments& arguments)
     options.base_complex
       ? SS::motorcycle_graph(model.mesh, model.uv_map, np.stop_policy(SS::Run_to_nodes()))
       : SS::motorcycle_graph(model.mesh, model.uv_map, np);
+  if(graph.status() == SS::Layout_status::NOT_POSITIVE && options.seams.repair_flips)
+    throw Failure(NOT_SOLVED, options.input + ": " +
+                                counted(graph.nonpositive_faces().size(), "flipped face") +
+                                " could not be repaired, the first is face " +
+                                std::to_string(graph.nonpositive_faces().front()));
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
                                 without_vain_advice(in_words_of_user(graph.message(), model),

@@ -54,6 +54,8 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
 {
   if(!is_arithmetic_exact())
     return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
+  if(faces(tmesh).size() == 0)
+    return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
   using Seams = decltype(seam_transitions(tmesh, uv_map, np));
   static_assert(std::is_same_v<Group, Ray_group<Seams::order> >,
                 "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
