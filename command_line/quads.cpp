@@ -1,4 +1,5 @@
-// seamless quads IN OUT: extracts the quad mesh of an integer-grid map.
+// seamless quads IN OUT: extracts the quad mesh of an integer-grid map or, where a number of quads
+// is wanted and no such map is near, of a quantization.
 
 #include "Failure.h"
 #include "Options.h"
@@ -13,6 +14,7 @@
 #include "words.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <nlohmann/json.hpp>
@@ -33,7 +35,7 @@ struct Quad_options
   Seam_options seams;
   std::string input, output, picture, report;
   double scale = 1, number = 0, rounding = 0.01;
-  bool allow_holes = false, soup = false;
+  bool allow_holes = false, soup = false, has_rounding = false;
 
   bool parse(const Arguments& arguments)
   {
@@ -51,11 +53,12 @@ struct Quad_options
     options.add("grid-scale", "K", scale, {0, infinity, true},
                 "multiply the coordinates by K first (default: 1)");
     options.add("number", "N", number, {1, largest_number},
-                "instead, scale the coordinates to an area of N, for about N quads, and round as "
-                "far as needed");
+                "instead, make about N quads: of the coordinates scaled to an area of N, if "
+                "integers are near; else by a quantization, which finds integers for each map "
+                "without flips whose border is aligned");
     options.add("rounding", "D", rounding, {0, infinity},
                 "how far from integers translations, cones, and levels may be that are rounded to "
-                "them (default: 0.01; with --number, any distance)");
+                "them (default: 0.01; with --number 0.5, or any distance if nothing else helps)");
     seams.add_repair_to(options);
     options.add("allow-holes", allow_holes,
                 "leave out the quads around faces that are still flipped, instead of refusing "
@@ -72,8 +75,9 @@ struct Quad_options
     if(!options.parse(arguments))
       return false;
     seams.check(options);
-    if(options.is_given("number") && !options.is_given("rounding"))
-      rounding = infinity;
+    has_rounding = options.is_given("rounding");
+    if(options.is_given("number") && !has_rounding)
+      rounding = 0.5;
     check_quad_file(output);
     check_picture(picture);
     check_outputs({input}, {output, picture, report});
@@ -104,22 +108,44 @@ double scale_for_number(const Model& model, const Quad_options& options)
   return std::sqrt(options.number / area);
 }
 
-SS::Snapping_report snap(const Quad_options& options, Model& model)
+auto snapping_parameters(const Quad_options& options, const Alignment& alignment)
+{
+  return SS::parameters::edge_is_constrained_map(alignment.is_aligned)
+    .tolerance(options.seams.tolerance).repair_flips(options.seams.flip_repair())
+    .number_of_untangling_iterations(options.seams.untangling_iterations)
+    .verbose(options.seams.reading.verbose);
+}
+
+SS::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
+                                     Model& model)
 {
   const Alignment alignment(model, options.seams);
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
-  const SS::Snapping_report report = SS::snap_to_seamless(
+  return SS::snap_to_seamless(
     model.mesh, model.uv_map,
-    SS::parameters::edge_is_constrained_map(alignment.is_aligned).tolerance(options.seams.tolerance)
-      .integer_grid(true).grid_scale(scale_for_number(model, options))
-      .rounding_tolerance(options.rounding)
-      .repair_flips(options.seams.flip_repair())
-      .number_of_untangling_iterations(options.seams.untangling_iterations)
-      .verbose(options.seams.reading.verbose));
+    snapping_parameters(options, alignment).integer_grid(true).rounding_tolerance(rounding)
+      .grid_scale(scale_for_number(model, options)));
+}
+
+void check_snapped(const Quad_options& options, const Model& model,
+                   const SS::Snapping_report& report)
+{
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
-  return report;
+}
+
+SS::Quantization quantize(const Quad_options& options, Model& model)
+{
+  const Alignment alignment(model, options.seams);
+  const Progress progress("quantizing", options.seams.reading.verbose);
+  check_snapped(options, model,
+                SS::snap_to_seamless(model.mesh, model.uv_map,
+                                     snapping_parameters(options, alignment)));
+  return SS::quantize(model.mesh, model.uv_map,
+                      SS::parameters::edge_is_constrained_map(model.is_feature)
+                        .needs_face_graph(!options.soup)
+                        .target_number_of_quads(static_cast<std::size_t>(options.number)));
 }
 
 // In the words of the command line.
@@ -143,27 +169,109 @@ void check_report(const Quad_options& options, const Model& model,
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
 }
 
-void write_summary(std::ostream& os, const Quad_options& options,
-                   const SS::Snapping_report& snapped, const SS::Extraction_report& report)
+// What is written, and how it was made.
+struct Result
 {
+  SS::Extraction_report report;
+  Quad_soup soup;
+  Mesh mesh;
+  Edge_bool_map is_feature;
+  SS::Snapping_report snapped; // to integers, unless there is a quantization
+  std::string integers;        // which they are
+};
+
+// `input` is the mesh and its map, or a quantization and the mesh.
+template <typename... Input>
+void extract(const Quad_options& options, const Model& model, Result& result, const Input&... input)
+{
+  const Progress progress("extracting quads", options.seams.reading.verbose);
+  const auto np =
+    SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
+  using Tag = CGAL::Parallel_if_available_tag;
+  if(options.soup) {
+    result.report =
+      SS::extract_quad_soup<Tag>(input..., result.soup.points, result.soup.polygons, np);
+    return;
+  }
+  result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
+  result.report = SS::extract_quad_mesh<Tag>(
+    input..., result.mesh, np, SS::parameters::edge_is_constrained_map(result.is_feature));
+  result.mesh.collect_garbage();
+}
+
+void extract_rounded(const Quad_options& options, Model& model, const double rounding,
+                     Result& result)
+{
+  result.snapped = snap_to_integers(options, rounding, model);
+  check_snapped(options, model, result.snapped);
+  extract(options, model, result, model.mesh, model.uv_map);
+}
+
+// By the integers that are near in the map itself, if any are; or by a quantization; or, where this
+// needs an aligned border or faces that are not flipped, by integers at any distance.
+void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
+{
+  std::vector<Kernel::Point_2> input;
+  for(const Halfedge h : model.mesh.halfedges())
+    input.push_back(model.uv_map[h]);
+  const auto restore = [&] {
+    std::size_t i = 0;
+    for(const Halfedge h : model.mesh.halfedges())
+      model.uv_map[h] = input[i++];
+  };
+  result.snapped = snap_to_integers(options, options.rounding, model);
+  if(result.snapped && result.snapped.lost_faces.empty() &&
+     result.snapped.remaining_flips.empty()) {
+    extract(options, model, result, model.mesh, model.uv_map);
+    result.integers = "those near in the map";
+    if(result.report)
+      return;
+  }
+  restore();
+  const SS::Quantization quantization = quantize(options, model);
+  result.integers = "of a quantization";
+  if(quantization) {
+    result.snapped = SS::Snapping_report();
+    if(!quantization.message.empty())
+      result.integers += "; " + quantization.message;
+    return extract(options, model, result, quantization, model.mesh);
+  }
+  restore();
+  const double any = std::numeric_limits<double>::infinity();
+  extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
+  const std::string why = "there is no quantization: " +
+                          in_words_of_user(quantization.message, model);
+  result.integers = "at any distance, as " + why;
+  if(!result.report)
+    result.report.message += "; and " + why;
+}
+
+void write_summary(std::ostream& os, const Quad_options& options, const Result& result)
+{
+  const SS::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
-     << counted(report.number_of_cones, "cone") << "\n"
-     << "translations, cones, and levels rounded by up to " << snapped.largest_rounding << "\n";
+     << counted(report.number_of_cones, "cone") << "\n";
+  if(!result.integers.empty())
+    os << "integers: " << result.integers << "\n";
+  if(result.snapped.run.number_of_faces > 0)
+    os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
+       << "\n";
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
   if(report.number_of_cut_cells > 0)
     os << "left out: " << counted(report.number_of_cut_cells, "piece")
-       << " of cells at the border or at holes\n";
+       << " of cells at the border or at holes; --align-border keeps those at the border whole\n";
   if(!report.nonpositive_faces.empty())
     os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
 }
 
-nlohmann::json json_of(const SS::Snapping_report& snapped, const SS::Extraction_report& report)
+nlohmann::json json_of(const Result& result)
 {
+  const SS::Extraction_report& report = result.report;
   return {{"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
           {"number_of_cones", report.number_of_cones},
@@ -172,8 +280,9 @@ nlohmann::json json_of(const SS::Snapping_report& snapped, const SS::Extraction_
           {"number_of_other_polygons", report.number_of_other_polygons},
           {"number_of_cut_cells", report.number_of_cut_cells},
           {"nonpositive_faces", report.nonpositive_faces},
-          {"largest_rounding", snapped.largest_rounding},
-          {"steps", json_of_steps(snapped.run.step_times)}};
+          {"integers", result.integers},
+          {"largest_rounding", result.snapped.largest_rounding},
+          {"steps", json_of_steps(result.snapped.run.step_times)}};
 }
 
 } // namespace
@@ -187,29 +296,17 @@ void quads(const Arguments& arguments)
   read_model(options.input, options.seams.reading, model);
   std::ostream& os = summary_stream({options.output, options.picture, options.report});
   os << notes_on_reading(model) << std::flush;
-  const SS::Snapping_report snapped = snap(options, model);
-  const auto np =
-    SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
-  SS::Extraction_report report;
-  const Progress progress("extracting quads", options.seams.reading.verbose);
-  if(options.soup) {
-    Quad_soup soup;
-    report = SS::extract_quad_soup<CGAL::Parallel_if_available_tag>(
-      model.mesh, model.uv_map, soup.points, soup.polygons, np);
-    check_report(options, model, report);
-    write_file(options.output, text_of_quads(soup, options.output));
-  } else {
-    Mesh mesh;
-    const Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
-    report = SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
-      model.mesh, model.uv_map, mesh, np, SS::parameters::edge_is_constrained_map(is_feature));
-    check_report(options, model, report);
-    write_file(options.output, text_of_quads(mesh, options.output));
-    if(!options.picture.empty())
-      write_file(options.picture, quad_picture(mesh, is_feature));
-  }
-  write_summary(os, options,
-                snapped, report);
+  Result result;
+  if(options.number > 0)
+    make_number_of_quads(options, model, result);
+  else
+    extract_rounded(options, model, options.rounding, result);
+  check_report(options, model, result.report);
+  write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
+                                          : text_of_quads(result.mesh, options.output));
+  if(!options.picture.empty())
+    write_file(options.picture, quad_picture(result.mesh, result.is_feature));
+  write_summary(os, options, result);
   if(!options.report.empty())
-    write_json(options.report, json_of(snapped, report));
+    write_json(options.report, json_of(result));
 }

@@ -99,6 +99,7 @@ void write_summary(std::ostream& os, const Remesh_options& options,
   os << counted(report.number_of_quads, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
      << counted(report.number_of_cones, "cone") << "\n"
+     << (report.message.empty() ? "" : "note: " + report.message + "\n")
      << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
      << report.mean_scaled_jacobian << "\n"
      << "largest distance from the input: " << report.largest_distance << ", that is "
@@ -147,7 +148,8 @@ void remesh(const Arguments& arguments)
   const Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
   const SS::Remeshing_report report = make_quads(options, model, quads, is_kept);
   const std::string message =
-    report ? "" : in_words_of_user(to_string(report.status) + (": " + report.message), model);
+    report ? report.message
+           : in_words_of_user(to_string(report.status) + (": " + report.message), model);
   const double size = diagonal(model.mesh);
   if(!options.report.empty())
     write_json(options.report, json_of(report, message, repairs, size));

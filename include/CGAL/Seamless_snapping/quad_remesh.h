@@ -396,7 +396,7 @@ other twice, which no mesh can hold. Then the least larger number for which ther
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this
 condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
 sixteen, which always helps. There are at most 122 quantizations. The result has about as many quads
-as wanted, or as few as were found, and not more, but for 5 %, than if more were wanted. The quad
+as wanted, or as few as were found, and not more, but for 8 %, than if more were wanted. The quad
 around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and

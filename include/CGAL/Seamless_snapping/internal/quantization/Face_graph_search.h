@@ -98,7 +98,7 @@ class Face_graph_search
 {
   static constexpr int most_divisions = 2;
   static constexpr int steps_per_division = 56; // of 2.5 %
-  static constexpr double tolerance = 0.025;
+  static constexpr double tolerance_below = 0.05, tolerance_above = 0.025;
 
 public:
   explicit Face_graph_search(const Quantize& quantize) : m_quantize(quantize) { }
@@ -123,7 +123,7 @@ private:
   { return int(std::lround(std::log2(number) * steps_per_division / 2)); }
   static double number_at(const int step) { return std::exp2(2. * step / steps_per_division); }
 
-  bool is_found(const int step) const { return m_least <= (1 + tolerance) * number_at(step); }
+  bool is_found(const int step) const { return m_least <= (1 + tolerance_above) * number_at(step); }
 
   // Upwards, until what was found is about the number of the step. Numbers below those of the
   // coarsest quantization lead to about that number, too: some of them are tried for luck.
@@ -145,7 +145,7 @@ private:
   {
     const Quantized_complex& q = at(step);
     const double number = q.number_after(divisions);
-    if(number >= (1 - tolerance) * m_wanted && number < m_least &&
+    if(number >= (1 - tolerance_below) * m_wanted && number < m_least &&
        q.has_face_graph_after(divisions)) {
       m_least = number;
       m_best = step;

@@ -91,7 +91,7 @@ public:
   {
     for(int i = 0; i < 4; ++i) {
       const double ratio = number / number_of_quads(m_complex);
-      if(ratio > 0.975 && ratio < 1.025)
+      if(ratio > 0.95 && ratio < 1.05)
         return;
       for(double& s : m_scales)
         s *= std::sqrt(ratio);
