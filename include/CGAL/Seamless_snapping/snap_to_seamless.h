@@ -178,11 +178,12 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{integer_grid}
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
                           levels of aligned edges become integers, the nearest ones up to what they
-                          have to agree on. Charts are moved first to where these are near, as
-                          where they lie means nothing, unless there are corner constraints, or the
-                          rounding tolerance is 0. Where integers are farther away than noise would
-                          be, the change is spread over the surface. See `extract_quad_mesh()`. With
-                          \f$ N = 3, 6 \f$, these are points and lines of the triangular lattice.}
+                          have to agree on. Where they are farther away than noise would be, charts
+                          are moved if that makes the change of edges less, as where charts lie
+                          means nothing; but not with corner constraints, or a rounding tolerance of
+                          0. Then the change is spread over the surface. See
+                          `extract_quad_mesh()`. With \f$ N = 3, 6 \f$, these are points and lines
+                          of the triangular lattice.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

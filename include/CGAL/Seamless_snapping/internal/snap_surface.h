@@ -48,6 +48,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -77,6 +78,8 @@ class Surface_snapper
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using Spreader = Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
 
 public:
   Surface_snapper(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
@@ -128,14 +131,6 @@ private:
     Cuts cuts = read_cut_complex(m_tmesh, m_uv_map, m_vertex_indices, transitions, aligned_edges,
                                  constraints);
     fill_in(cuts);
-    if constexpr(may_round)
-      if(m_options.rounds && !m_has_moved && m_options.rounding_tolerance > 0 &&
-         constraints.corner_constraints().empty()) {
-        m_has_moved = true;
-        if(Chart_mover<Group, TriangleMesh, HalfedgeUVMap>(m_tmesh, m_uv_map, transitions, cuts)
-             .run(negligible_rounding))
-          return snap();
-      }
     if(!m_is_rounded)
       if(const auto refusal = check_paths(cuts.complex, constraints,
                                            m_options.connection_tolerance, m_report))
@@ -144,10 +139,15 @@ private:
     std::vector<Rounding<Group> > roundings;
     if constexpr(may_round)
       if(m_options.rounds) {
-        if(const auto refusal = round_to_integers(cuts, constraints, roundings))
-          return refusal;
+        const auto refusal = round_to_integers(cuts, constraints, roundings);
         m_timer.finish("rounding");
-        if(!m_has_spread && largest_distance(roundings) > negligible_rounding)
+        const bool is_far = refusal || largest_distance(roundings) > negligible_rounding;
+        if(is_far && has_moved_charts(transitions, cuts, constraints, roundings))
+          return snap();
+        m_charts = Charts::CHOSEN;
+        if(refusal)
+          return refusal;
+        if(!m_has_spread && is_far)
           return spread_and_snap(cuts, roundings);
       }
 
@@ -207,6 +207,36 @@ private:
     return std::nullopt;
   }
 
+  // Where integers are far, charts are moved to where they may be nearer; and back, if the change
+  // of edge vectors is not less there. Returns whether they were moved.
+  bool has_moved_charts(const Transition_data<TriangleMesh>& transitions, const Cuts& cuts,
+                        const Constraint_list<TriangleMesh>& constraints,
+                        const std::vector<Rounding<Group> >& roundings)
+  {
+    if(m_charts == Charts::CHOSEN || m_options.rounding_tolerance == 0 ||
+       !constraints.corner_constraints().empty())
+      return false;
+    double energy = std::numeric_limits<double>::infinity();
+    Spreader spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings);
+    if(!roundings.empty() && spreader.compute())
+      energy = spreader.energy();
+    if(m_charts == Charts::MOVED) {
+      m_charts = Charts::CHOSEN;
+      if(energy < m_energy_before)
+        return false;
+      for(const auto& [h, point] : m_before)
+        put(m_uv_map, h, point);
+      return true;
+    }
+    m_charts = Charts::MOVED;
+    m_energy_before = energy;
+    for(const auto h : halfedges(m_tmesh))
+      if(!is_border(h, m_tmesh))
+        m_before.emplace_back(h, get(m_uv_map, h));
+    return Chart_mover<Group, TriangleMesh, HalfedgeUVMap>(m_tmesh, m_uv_map, transitions, cuts)
+      .run(negligible_rounding);
+  }
+
   // The uv map is a copy then, which can be changed before anything is known to succeed.
   std::optional<Refusal> spread_and_snap(const Cuts& cuts,
                                          const std::vector<Rounding<Group> >& roundings)
@@ -214,8 +244,7 @@ private:
     m_is_rounded = m_has_spread = true;
     // those that the displacement may have made
     m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
-    if(!Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
-          m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
+    if(!Spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
       return Refusal{Snapping_status::INTERNAL_ERROR, "the roundings could not be spread over the "
                      "surface; please report this", {}};
     m_timer.finish("displacement");
@@ -226,7 +255,6 @@ private:
   // untangles what that folds, until no cone is new; undoes what fails.
   void round_new_cones()
   {
-    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
     for(int i = 0; i < largest_number_of_roundings && has_point_off_grid(); ++i) {
       std::vector<std::pair<Halfedge, Point> > before;
       for(const auto h : halfedges(m_tmesh))
@@ -371,7 +399,9 @@ private:
   Step_timer m_timer;
   Flip_repair m_flip_repair;
   std::size_t m_iterations; // that the search for repairs may still take
-  bool m_has_moved = false;  // the charts
+  enum class Charts { AS_GIVEN, MOVED, CHOSEN } m_charts = Charts::AS_GIVEN;
+  std::vector<std::pair<Halfedge, Point> > m_before; // the charts were moved
+  double m_energy_before = 0;
   bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
   bool m_has_spread = false; // the last roundings
   std::vector<Halfedge> m_grid_points;

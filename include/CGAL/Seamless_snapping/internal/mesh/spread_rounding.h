@@ -103,10 +103,32 @@ public:
   }
 
   // Returns false if the displacement can't be computed.
-  bool run()
+  bool compute()
   {
     add_energy();
-    if(!solve())
+    return solve();
+  }
+
+  // Of the displacement, once it is computed: by how much edge vectors change.
+  double energy() const
+  {
+    double result = 0;
+    for(const auto f : faces(m_tmesh))
+      for(const Halfedge g : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Halfedge a = next(g, m_tmesh), b = prev(g, m_tmesh);
+        const Vector p = displacement(place(a)), q = displacement(place(b));
+        const double weight = cotangent(get_uv(m_uv_map, g), get_uv(m_uv_map, a),
+                                        get_uv(m_uv_map, b));
+        for(int k = 0; k < Group::number_of_functionals; ++k)
+          result += weight / 2 * std::pow(Group::value(k, p) - Group::value(k, q), 2);
+      }
+    return result;
+  }
+
+  // Computes the displacement and moves all corners by it; or returns false.
+  bool run()
+  {
+    if(!compute())
       return false;
     using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
     using Number = typename Uv_number<HalfedgeUVMap>::type;
