@@ -4,6 +4,7 @@
 
 #include "Polyhedron_copy.h"
 #include "foreign_locales.h"
+#include "floating_point_traps.h"
 #include "layout_checks.h"
 #include "quad_reference.h"
 #include "test_data.h"
@@ -789,6 +790,7 @@ void test_text()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   std::cout.precision(17);
   test_known_counts();
   test_surfaces();

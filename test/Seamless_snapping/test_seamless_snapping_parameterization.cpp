@@ -2,6 +2,7 @@
 // the meshes and property maps that it accepts, and what it refuses.
 
 #include "checking.h"
+#include "floating_point_traps.h"
 #include "parameterization_checks.h"
 #include "test_meshes.h"
 
@@ -609,6 +610,7 @@ void test_blas_threads() { }
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   test_blas_threads();
   test_generated_meshes();
   test_cube_with_creases();

@@ -5,6 +5,7 @@
 #include "open_mesh_checks.h"
 #endif
 #include "Polyhedron_copy.h"
+#include "floating_point_traps.h"
 #include "quad_reference.h"
 #include "slit_checks.h"
 #include "test_data.h"
@@ -957,6 +958,7 @@ void test_integer_grids()
 
 int main()
 {
+  const Floating_point_traps traps; // for all functions that are called
   std::cout.precision(17);
   test_inverted_quads();
   test_reports_on_inverted_quads();

@@ -3,6 +3,7 @@
 // and real maps give meshes of quads at all sizes.
 
 #include "Parametrized_model.h"
+#include "floating_point_traps.h"
 #include "quad_reference.h"
 #include "test_data.h"
 #include "test_surfaces.h"
@@ -1071,11 +1072,14 @@ int main()
   test_surfaces();
   test_optimum();
   test_strips_in_both_directions();
-  test_maps();
-  test_folds();
-  test_empty_mesh();
-  test_numbers();
-  test_remeshing();
+  {
+    const Floating_point_traps traps; // for public functions
+    test_maps();
+    test_folds();
+    test_empty_mesh();
+    test_numbers();
+    test_remeshing();
+  }
   test_sizes_in_space();
   test_improvement();
   test_division();
