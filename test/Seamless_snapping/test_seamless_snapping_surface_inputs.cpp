@@ -405,6 +405,27 @@ void test_bad_numbers()
   snap_and_check(named, "NaN on the border");
 }
 
+// What is large, but no more than what is accepted, leaves all figures finite.
+void test_large_numbers()
+{
+  for(const double large : { 1e160, 1e200, 1e300, -1e300 }) {
+    Named_mesh<Kernel> named = named_mesh("box with three holes", 1);
+    const UV_map uv = test_meshes::uv_map(named.mesh);
+    uv_noise::perturb(named.mesh, uv, 1e-9, 1);
+    const Halfedge h = named.mesh.halfedge(Mesh::Face_index(17));
+    uv[h] = Point_2(large, uv[h].y());
+    const auto report =
+      SS::snap_to_seamless(named.mesh, uv, SS::parameters::tolerance(10));
+    const std::string context = "coordinate " + std::to_string(large);
+    CHECK_IN(context, bool(report));
+    CHECK_IN(context, SS::is_seamless(named.mesh, uv));
+    CHECK_IN(context, report.largest_change > 0 && std::isfinite(report.largest_change));
+    for(const double figure : { report.extent, report.violation_before, report.mean_change,
+                                report.rms_change, report.optimal_rms_change })
+      CHECK_IN(context + ": " + report.message, figure > 0 && std::isfinite(figure));
+  }
+}
+
 void test_quads()
 {
   Mesh mesh;
@@ -702,6 +723,7 @@ int main()
   test_short_edges_at_cones();
   test_bad_numbers();
   test_constraints_on_bad_numbers();
+  test_large_numbers();
   test_quads();
   test_digon();
 #ifdef NDEBUG

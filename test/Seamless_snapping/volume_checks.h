@@ -4,6 +4,7 @@
 #define SEAMLESS_SNAPPING_TEST_VOLUME_CHECKS_H
 
 #include "checking.h"
+#include "floating_point_traps.h"
 #include "volume_generator.h"
 #include "volume_reference.h"
 
@@ -57,11 +58,13 @@ using Double_map = Corner_map<double>;
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Snapping_report snap(Tet_map& map, const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const Floating_point_traps traps;
   return Snapping::snap_volume_to_seamless(map.cells, Double_map{&map}, np);
 }
 
 inline bool is_seamless(Tet_map map)
 {
+  const Floating_point_traps traps;
   return Snapping::is_volume_seamless(map.cells, Double_map{&map});
 }
 

@@ -22,6 +22,7 @@ WORDS = {  # what a room is for, and the color of its kind
     "linear": ("rows, elimination, lattice, target, solver", PALE_BLUE),
     "algebra": ("rows, elimination, lattice, target, solver", PALE_BLUE),
     "complex": ("cuts without a mesh: sectors, branches, nodes", PALE_BLUE),
+    "volume": ("maps of tetrahedra, without a mesh", PALE_BLUE),
     "untangling": ("makes triangles positive, under constraints", PALE_BLUE),
     "mesh": ("reads and writes meshes", PALE_GREEN),
     "surface": ("cuts of a mesh, the snapping, repair", PALE_GREEN),
