@@ -46,6 +46,8 @@ inline void test_refusals()
   bad.cells.push_back({{map.cells[0][0], map.cells[0][1], map.cells[0][2], 4000}});
   bad.corners.resize(4 * bad.cells.size(), Point{{0, 0, 0}});
   check_refusal(Snapping_status::NOT_MANIFOLD, bad, "more than two cells", none);
+  bad = Tet_map{{{{0, 1, 2, 3}}, {{2, 1, 3, 0}}}, std::vector<Point>(8, Point{{0, 0, 0}})};
+  check_refusal(Snapping_status::NOT_MANIFOLD, bad, "cells 0 and 1", none);
   bad = map;
   bad.cells[3][2] = bad.cells[3][0];
   check_refusal(Snapping_status::INVALID_ARGUMENT, bad, "cell 3", none);
@@ -96,6 +98,29 @@ inline void test_neighbors()
   neighbors.pop_back();
   check_refusal(Snapping_status::INVALID_ARGUMENT, map, "size",
                 parameters::cell_neighbors(neighbors));
+}
+
+// Names of vertices that are much larger than their number change nothing.
+inline void test_large_names()
+{
+  Tet_map map = box_map(6);
+  volume_generator::add_noise(map, 1e-7, false, 7);
+  Tet_map other = map;
+  for(auto& cell : other.cells)
+    for(int& v : cell)
+      v = 1 + 3000000 * v;
+  using Facets = std::vector<std::array<int, 3> >;
+  using Edges = std::vector<std::array<int, 2> >;
+  const auto& c = map.cells[0]; // an edge and a facet of the first cube's side
+  CHECK(bool(snap(map, parameters::feature_facets(Facets{{{c[1], c[2], c[3]}}})
+                         .feature_edges(Edges{{{c[2], c[3]}}}))));
+  const auto& d = other.cells[0];
+  CHECK(bool(snap(other, parameters::feature_facets(Facets{{{d[1], d[2], d[3]}}})
+                           .feature_edges(Edges{{{d[2], d[3]}}}))));
+  CHECK(map.corners == other.corners);
+  other.corners[41][1] = std::numeric_limits<double>::infinity();
+  check_refusal(Snapping_status::NOT_FINITE, other,
+                "vertex " + std::to_string(other.cells[10][1]), parameters::default_values());
 }
 
 // In floats, and with a component that is exact and stays as it is.

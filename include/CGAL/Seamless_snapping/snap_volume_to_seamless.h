@@ -51,8 +51,9 @@ all. The result is verified exactly, facet by facet, before the function reports
 nothing has changed.
 
 Cells keep their orientation where a move of one of their vertices allows it, alone and with all its
-sectors. Cells that have negative or no orientation in the input are accepted.
-`Snapping_report::lost_faces` lists the cells that had the orientation of most cells, and lost it.
+sectors; vertices of more than 2,000 cells are not tried. Cells that have negative or no orientation
+in the input are accepted. `Snapping_report::lost_faces` lists the cells that had the orientation of
+most cells, and lost it.
 
 Cuts, rotations, singular curves, and the coordinate that is constant on a facet are read off the
 coordinates. Where a facet is so thin that several rotations fit as well as the inaccuracy near by
@@ -67,8 +68,7 @@ and at vertices.
         `float`, which can be constructed from three of them
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. Memory is
-       proportional to the largest of them.
+\param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices
 \param uvw_map the coordinates of each corner: that of key `4 * i + k` belongs to vertex `k` of cell
        `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -119,7 +119,8 @@ and at vertices.
         facets here, nodes are the vertices that enter the constraint system, and branches are the
         sheets of cut facets and the levels of aligned ones. On failure, `Snapping_report::status`
         is
-        - `NOT_MANIFOLD`: a facet belongs to more than two cells;
+        - `NOT_MANIFOLD`: a facet belongs to more than two cells, or two cells have the same
+          vertices and no neighbors were given;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of a facet up to the tolerance; or an exact
           map would differ from the input by more than ten times its inaccuracy (or a tenth of the

@@ -81,8 +81,7 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
                                CGAL::internal_np::Param_not_found>)
     refusal = read_neighbors(neighbors, tetrahedra);
   else
-    refusal = Facet_matcher(tetrahedra.vertices, tetrahedra.number_of_vertices)
-                .run(tetrahedra.opposite);
+    refusal = find_neighbors(tetrahedra);
   Volume_features features;
   if(!refusal)
     refusal = read_elements(get_parameter_reference(np, CGAL::internal_np::feature_facets),

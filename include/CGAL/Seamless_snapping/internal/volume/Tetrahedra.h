@@ -31,15 +31,44 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// 32 bytes a cell.
+// 32 bytes a cell. Invariant: there are at most four times as many vertices as cells.
 struct Tetrahedra
 {
   std::vector<std::int32_t> vertices; // per corner
   std::vector<Corner_index> opposite; // per facet
   std::size_t number_of_vertices = 0; // 1 + the largest index
+  std::vector<std::int32_t> names;    // per vertex, ascending; none where they are the indices
 
   std::size_t number_of_cells() const { return vertices.size() / 4; }
+
+  std::int32_t name(const std::int32_t v) const
+  {
+    return names.empty() ? v : names[std::size_t(v)];
+  }
+
+  // The vertex of that name, or a negative number.
+  std::int32_t vertex_of_name(const std::int64_t name) const
+  {
+    if(names.empty())
+      return 0 <= name && std::size_t(name) < number_of_vertices ? std::int32_t(name) : -1;
+    const auto found = std::lower_bound(names.begin(), names.end(), name);
+    return found != names.end() && *found == name ? std::int32_t(found - names.begin()) : -1;
+  }
 };
+
+// Where names are much larger than their number, arrays are not to grow with them.
+inline void renumber_vertices(Tetrahedra& tetrahedra)
+{
+  if(tetrahedra.number_of_vertices <= tetrahedra.vertices.size())
+    return;
+  std::vector<std::int32_t> names(tetrahedra.vertices);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  for(std::int32_t& v : tetrahedra.vertices)
+    v = std::int32_t(std::lower_bound(names.begin(), names.end(), v) - names.begin());
+  tetrahedra.number_of_vertices = names.size();
+  tetrahedra.names.swap(names);
+}
 
 // So that three numbers per corner can be counted in 31 bits.
 constexpr std::size_t largest_number_of_tetrahedra = std::size_t(1) << 27;
@@ -48,6 +77,15 @@ constexpr std::size_t largest_vertex_index = (std::size_t(1) << 31) - 2;
 inline Refusal invalid_cells(const std::string& message)
 {
   return {Snapping_status::INVALID_ARGUMENT, message, {}};
+}
+
+inline std::string name_of_facet(const Tetrahedra& tetrahedra, const Corner_index facet)
+{
+  std::vector<std::int64_t> names;
+  for(const Corner_index corner : corners_of_facet(facet))
+    names.push_back(tetrahedra.name(tetrahedra.vertices[std::size_t(corner)]));
+  std::sort(names.begin(), names.end());
+  return name_of("facet", names);
 }
 
 template <typename Number>
@@ -81,6 +119,7 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
       result.number_of_vertices = (std::max)(result.number_of_vertices, std::size_t(v) + 1);
     }
   }
+  renumber_vertices(result);
   return std::nullopt;
 }
 
@@ -133,6 +172,26 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
     if(other >= 0 && tetrahedra.opposite[std::size_t(other)] != Corner_index(f))
       return invalid_cells("cell_neighbors: cell " + std::to_string(f / 4) + " has the neighbor " +
                            std::to_string(other / 4) + ", but not the other way round");
+  }
+  return std::nullopt;
+}
+
+// The neighbors by common vertices. Two cells with the same vertices are one that is there twice.
+inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
+{
+  const auto third = Facet_matcher(tetrahedra.vertices, tetrahedra.number_of_vertices)
+                       .run(tetrahedra.opposite);
+  if(third != no_facet)
+    return Refusal{Snapping_status::NOT_MANIFOLD,
+                   name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
+                     "those that are there twice, or divide the mesh into manifold parts", {}};
+  for(std::size_t f = 0; f < tetrahedra.opposite.size(); f += 4) {
+    const Corner_index first = tetrahedra.opposite[f];
+    if(first >= 0 && first / 4 == tetrahedra.opposite[f + 1] / 4 &&
+       tetrahedra.opposite[f + 1] >= 0)
+      return Refusal{Snapping_status::NOT_MANIFOLD,
+                     "cells " + std::to_string(f / 4) + " and " + std::to_string(first / 4) +
+                       " have the same vertices; remove one of them", {}};
   }
   return std::nullopt;
 }

@@ -34,6 +34,9 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// A program is a dense matrix: vertices of more cells stay.
+constexpr std::size_t largest_number_of_cells_at_moved_vertex = 2000;
+
 // Orientations are decided exactly. Floating point only proposes moves: the shortest one after
 // which the cells at a vertex keep a part of their volumes.
 class Volume_repair
@@ -130,6 +133,10 @@ private:
   void improve(const Member& member)
   {
     const Place& place = place_of(member);
+    std::size_t number_of_cells = 0;
+    for_each_corner(member, [&](std::size_t, std::size_t) { ++number_of_cells; });
+    if(number_of_cells > largest_number_of_cells_at_moved_vertex)
+      return;
     const Place_freedom freedom = freedom_of(place, m_places, m_sectors.sheet_element);
     std::vector<std::size_t> directions;
     const bool is_free = place.first_arc == place.end_of_arcs &&

@@ -98,8 +98,8 @@ public:
                              const std::vector<std::int64_t>& further_vertices,
                              Flat_volume& volume)
   {
-    for(const std::int64_t v : further_vertices)
-      m_is_marked[std::size_t(v)] = 1;
+    for(const std::int64_t name : further_vertices)
+      m_is_marked[std::size_t(m_tetrahedra.vertex_of_name(name))] = 1;
     if(auto refusal = check_coordinates())
       return refusal;
     find_facets(align_boundary);
@@ -123,7 +123,7 @@ private:
         if(!(std::abs(u[c]) <= largest_uvw))
           return Refusal{Snapping_status::NOT_FINITE,
                          "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
-                           std::to_string(m_tetrahedra.vertices[i]) +
+                           std::to_string(name(Corner_index(i))) +
                            " is NaN, infinite, or beyond 1e300", {}};
         m_least[c] = (std::min)(m_least[c], u[c]);
         m_largest[c] = (std::max)(m_largest[c], u[c]);
@@ -188,8 +188,8 @@ private:
   void note_vertices(const Elements& elements, std::vector<char>& is_feature) const
   {
     for(const auto& element : elements)
-      for(const std::int64_t v : element)
-        if(is_index_below(v, is_feature.size()))
+      for(const std::int64_t name : element)
+        if(const std::int32_t v = m_tetrahedra.vertex_of_name(name); v >= 0)
           is_feature[std::size_t(v)] = 1;
   }
 
@@ -199,7 +199,7 @@ private:
     for(Corner_index i = first; i < first + 4; ++i) {
       std::array<std::int64_t, 3> facet;
       for(std::size_t k = 0; k < 3; ++k)
-        facet[k] = vertex(corners_of_facet(i)[k]);
+        facet[k] = name(corners_of_facet(i)[k]);
       std::sort(facet.begin(), facet.end());
       const std::size_t place = place_of(features.facets, facet);
       if(place < features.facets.size() && is_found[place] == 0) {
@@ -207,7 +207,7 @@ private:
         add_aligned_facet(i);
       }
       for(Corner_index j = first; j < i; ++j) {
-        std::array<std::int64_t, 2> edge{{vertex(i), vertex(j)}};
+        std::array<std::int64_t, 2> edge{{name(i), name(j)}};
         std::sort(edge.begin(), edge.end());
         const std::size_t edge_place = place_of(features.edges, edge);
         if(edge_place == features.edges.size() ||
@@ -215,8 +215,8 @@ private:
           continue;
         is_found[features.facets.size() + edge_place] = 1;
         m_aligned_edges.push_back({i, j});
-        for(const std::int64_t v : edge)
-          m_is_marked[std::size_t(v)] = 1;
+        for(const Corner_index corner : {i, j})
+          m_is_marked[std::size_t(vertex(corner))] = 1;
       }
     }
   }
@@ -267,12 +267,12 @@ private:
     std::vector<std::int32_t> new_vertex(m_tetrahedra.number_of_vertices, -1);
     for(const std::int32_t c : volume.cell_names)
       for(std::size_t i = 4 * std::size_t(c); i < 4 * std::size_t(c) + 4; ++i) {
-        const std::int32_t name = m_tetrahedra.vertices[i];
-        std::int32_t& v = new_vertex[std::size_t(name)];
+        const std::size_t old = std::size_t(m_tetrahedra.vertices[i]);
+        std::int32_t& v = new_vertex[old];
         if(v < 0) {
           v = std::int32_t(volume.vertex_names.size());
-          volume.vertex_names.push_back(name);
-          volume.is_fixed.push_back(m_is_marked[std::size_t(name)] == 0);
+          volume.vertex_names.push_back(name(Corner_index(i)));
+          volume.is_fixed.push_back(m_is_marked[old] == 0);
         }
         volume.vertices.push_back(v);
         volume.coordinates.push_back(get_uvw(m_uvw_map, i));
@@ -300,6 +300,8 @@ private:
   {
     return m_tetrahedra.vertices[std::size_t(corner)];
   }
+
+  std::int32_t name(const Corner_index corner) const { return m_tetrahedra.name(vertex(corner)); }
 
   const Tetrahedra& m_tetrahedra;
   const CornerUVWMap& m_uvw_map;

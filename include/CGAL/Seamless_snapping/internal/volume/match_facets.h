@@ -17,14 +17,12 @@
 
 // The neighbors of the cells of a tetrahedral mesh that is given by vertices alone.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,8 +50,9 @@ public:
     m_begin.swap(begin);
   }
 
-  // Fills in, per facet, the other side, or `no_facet`. Returns what is wrong with the mesh, if so.
-  std::optional<Refusal> run(std::vector<Corner_index>& opposite)
+  // Fills in, per facet, the other side, or `no_facet`. Returns a facet that more than two cells
+  // have, or `no_facet`.
+  Corner_index run(std::vector<Corner_index>& opposite)
   {
     opposite.assign(m_vertices.size(), no_facet);
     std::vector<std::pair<Key, Corner_index> > bucket;
@@ -66,13 +65,13 @@ public:
         if(bucket[i].first != bucket[i + 1].first)
           continue;
         if(i + 2 < bucket.size() && bucket[i + 2].first == bucket[i].first)
-          return refusal(bucket[i].first);
+          return bucket[i].second;
         opposite[std::size_t(bucket[i].second)] = bucket[i + 1].second;
         opposite[std::size_t(bucket[i + 1].second)] = bucket[i].second;
         ++i;
       }
     }
-    return std::nullopt;
+    return no_facet;
   }
 
 private:
@@ -86,13 +85,6 @@ private:
       result[i] = m_vertices[std::size_t(corners[i])];
     std::sort(result.begin(), result.end());
     return result;
-  }
-
-  static Refusal refusal(const Key& k)
-  {
-    return {Snapping_status::NOT_MANIFOLD,
-            name_of("facet", {k[0], k[1], k[2]}) + " belongs to more than two cells; remove those "
-            "that are there twice, or divide the mesh into manifold parts", {}};
   }
 
   const std::vector<std::int32_t>& m_vertices;
