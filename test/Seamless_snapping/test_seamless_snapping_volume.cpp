@@ -128,6 +128,27 @@ void test_optimum()
     }
 }
 
+// Where charts are joined, the optimum is approximated: in squared changes of all sectors, and in
+// no place by much more.
+void test_optimum_of_joined_charts()
+{
+  for(const Cube_complex& complex :
+      {volume_generator::quadrants(5, 2), volume_generator::one_sided_cut(1, 3, 2),
+       volume_generator::tetrahedron_of_blocks(1)}) {
+    const Charts charts = complex.cubes.size() > 33 ? Charts::CUBES : Charts::TETRAHEDRA;
+    Tet_map map = volume_generator::Tetrahedra_builder(complex, charts, 5).build();
+    volume_generator::add_noise(map, 1e-6, false, 6);
+    const Tet_map before = map, best{map.cells, volume_optimum::optimum(map)};
+    const Snapping_report report = snap_and_check(map, complex.name);
+    CHECK_IN(complex.name, report.run.number_of_cut_branches < 16); // joined
+    const double change = volume_optimum::sum_of_squared_changes(before, map);
+    const double least = volume_optimum::sum_of_squared_changes(before, best);
+    CHECK_IN(complex.name + ": " + std::to_string(change / least), change <= 1.2 * least);
+    CHECK_IN(complex.name, volume_reference::largest_change(before, map) <=
+                             1.5 * volume_reference::largest_change(before, best));
+  }
+}
+
 // The same for cells, corners, and vertices in another order: the optimum does not depend on it.
 void test_renumbering()
 {
@@ -270,6 +291,7 @@ int main(int argc, char** argv)
   for(int i = 0; i < (argc > 1 ? std::atoi(argv[1]) : 1); ++i)
     test_generated(1 + 1000 * static_cast<unsigned int>(i));
   test_optimum();
+  test_optimum_of_joined_charts();
   test_renumbering();
   test_features();
   test_repair(false);

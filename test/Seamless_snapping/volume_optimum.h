@@ -181,6 +181,22 @@ inline std::vector<Point> optimum(const Tet_map& map)
   return result;
 }
 
+// Over all sectors; these are corners at a vertex with the same coordinates before.
+inline double sum_of_squared_changes(const Tet_map& before, const Tet_map& after)
+{
+  std::map<std::pair<int, Point>, double> changes;
+  for(std::size_t i = 0; i < before.corners.size(); ++i) {
+    double square = 0;
+    for(int c = 0; c < 3; ++c)
+      square += std::pow(after.corners[i][c] - before.corners[i][c], 2);
+    changes[{before.cells[i / 4][i % 4], before.corners[i]}] = square;
+  }
+  double result = 0;
+  for(const auto& change : changes)
+    result += change.second;
+  return result;
+}
+
 } // namespace volume_optimum
 
 #endif // SEAMLESS_SNAPPING_TEST_VOLUME_OPTIMUM_H

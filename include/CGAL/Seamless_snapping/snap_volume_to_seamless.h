@@ -45,8 +45,10 @@ floating point numbers.
 
 The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
 of squared changes of the sectors, which are the classes of corners at a vertex between whose cells
-no cut runs. Corners at vertices that no constraint concerns keep their bits, unless the orientation
-of a cell requires otherwise. A parametrization that is exactly seamless already is not touched at
+no cut runs. Where there are more than 32 charts beside those of the components, as where each
+hexahedron has its own, they are joined for that: the result comes close to the optimum. Corners at
+vertices that no constraint concerns keep their bits, unless the orientation of a cell requires
+otherwise. A parametrization that is exactly seamless already is not touched at
 all. The result is verified exactly, facet by facet, before the function reports success; on failure
 nothing has changed.
 
@@ -142,8 +144,9 @@ and at vertices.
 Linear in the number of cells, with a constant of a few passes over the facets; in addition sparse
 elimination of a system whose size is that of the cuts' topology: three unknowns for each sector of
 a place, where a place stands for all vertices at which the same sheets and levels meet in the same
-way. Where each hexahedron or each cell has a chart of its own, that is proportional to the number
-of cells, and the least-squares problem takes more than linear time and memory.
+way. Where each hexahedron or each cell has a chart of its own, charts are joined first, so that
+this holds as well: in linear time, and at most 500 passes over the corners to fit the charts to
+each other.
 
 \sa `is_volume_seamless()`
 \sa `snap_to_seamless()`

@@ -59,6 +59,7 @@ public:
   }
 
   Corner_index facet() const { return m_facet; }
+  Corner_index third() const { return m_third; } // of the facet: the corner opposite to the edge
   bool is_closed() const { return m_facet == m_start || m_facet == m_start_other; }
 
 private:

@@ -19,6 +19,7 @@
 // the mean of the members of a place, on a common grid for all that depend on each other.
 
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <algorithm>
@@ -82,17 +83,18 @@ private:
 class Sector_means
 {
 public:
-  Sector_means(const Flat_volume& volume, const Volume_sectors& sectors)
-    : m_volume(volume), m_sectors(sectors)
+  Sector_means(const Flat_volume& volume, const Volume_sectors& sectors,
+               const Volume_charts& charts)
+    : m_volume(volume), m_sectors(sectors), m_charts(charts)
   { }
 
   // As numbers of a grid, with what is left.
   Grid_value operator()(const Sector_number s, const std::size_t c, const Grid& grid) const
   {
-    const double first = m_volume.uvw(*m_sectors.corners_begin(s))[c];
+    const double first = coordinate(*m_sectors.corners_begin(s), c);
     double deviation = 0;
     for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
-      deviation += m_volume.uvw(*i)[c] - first;
+      deviation += coordinate(*i, c) - first;
     Grid_value result = grid.split(first);
     if(deviation != 0)
       result.offset += grid.in_steps(
@@ -100,17 +102,26 @@ public:
     return result;
   }
 
+  // In the chart of the system, and in that of the input.
   double largest(const Sector_number s, const std::size_t c) const
   {
     double result = 0;
-    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
-      result = (std::max)(result, std::abs(m_volume.uvw(*i)[c]));
+    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i) {
+      const double u = coordinate(*i, c);
+      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(*i), c))});
+    }
     return result;
   }
 
 private:
+  double coordinate(const Corner_index i, const std::size_t c) const
+  {
+    return m_charts.coordinate(m_volume.uvw(i), std::size_t(i), c);
+  }
+
   const Flat_volume& m_volume;
   const Volume_sectors& m_sectors;
+  const Volume_charts& m_charts;
 };
 
 // The mean of grid values, without loss of digits: relative to the first, and in two parts whose

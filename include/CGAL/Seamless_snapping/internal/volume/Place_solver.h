@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// From the places to exact coordinates of all sectors near the input: solves the system of places,
+// From the places to exact coordinates of all corners near the input: solves the system of places,
 // and lets each member go to the grid point nearest to its optimum.
 
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
@@ -41,11 +41,12 @@ class Place_solver
 
 public:
   // \param is_inexact per coordinate of a slot: whether a constraint on it does not hold
-  Place_solver(const Flat_volume& volume, const Volume_sectors& sectors,
-               const Volume_places& places, const std::vector<char>& is_inexact,
-               const Number_format& format)
-    : m_volume(volume), m_sectors(sectors), m_places(places), m_means(volume, sectors),
-      m_format(format), m_system(sectors, places), m_classes(sectors, places),
+  Place_solver(const Flat_volume& volume, const Volume_charts& charts,
+               const Volume_sectors& sectors, const Volume_places& places,
+               const std::vector<char>& is_inexact, const Number_format& format)
+    : m_volume(volume), m_charts(charts), m_sectors(sectors), m_places(places),
+      m_means(volume, sectors, charts), m_format(format), m_system(sectors, places),
+      m_classes(sectors, places),
       m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false),
       m_moves(m_classes.size(), 0)
   {
@@ -78,7 +79,7 @@ public:
   const Grid& grid(const std::size_t column) const { return m_grids[m_classes.root(column)]; }
   bool moves(const std::size_t column) const { return m_moves[m_classes.root(column)] != 0; }
 
-  // Fills in the coordinates of all sectors. Returns false if no grid has a solution.
+  // Fills in the coordinates of all corners. Returns false if no grid has a solution.
   bool solve(std::vector<Uvw>& coordinates)
   {
     for(;;) {
@@ -152,9 +153,7 @@ private:
 
   void expand(std::vector<Uvw>& coordinates)
   {
-    coordinates.clear();
-    for(std::size_t s = 0; s < m_sectors.number_of_sectors(); ++s)
-      coordinates.push_back(m_volume.uvw(*m_sectors.corners_begin(Sector_number(s))));
+    coordinates = m_volume.coordinates;
     for(const Place& place : m_places.places) {
       if(place.number_of_members() == 1) {
         set_member(place, 0, Place_freedom(), {}, coordinates);
@@ -211,15 +210,33 @@ private:
         const std::size_t column = 3 * (place.first_slot + slot) + c;
         if(!moves(column))
           continue;
-        const std::int64_t x = m_x[column] + turned[c];
-        if(!grid(column).is_representable(x))
+        if(!set_sector(place.sector(m, slot), c, grid(column), m_x[column] + turned[c],
+                       coordinates))
           return note_misfit(m_classes.root(column));
-        coordinates[std::size_t(place.sector(m, slot))][c] = grid(column).value(x);
       }
     }
   }
 
+  // Sets coordinate c, x in the system, of all corners of a sector. Returns false if some can't be
+  // represented.
+  bool set_sector(const Sector_number s, const std::size_t c, const Grid& grid,
+                  const std::int64_t x, std::vector<Uvw>& coordinates) const
+  {
+    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i) {
+      const int g = m_charts.element(std::size_t(*i));
+      const Grid_value shift = grid.split(m_charts.shift(std::size_t(*i), c));
+      const std::int64_t in_chart = Group::sign(g, c) * (x - shift.base);
+      if(!grid.is_representable(x) || !grid.is_representable(in_chart) || shift.offset != 0)
+        return false;
+      double& u = coordinates[std::size_t(*i)][Group::source(g, c)];
+      if(const double to = grid.value(in_chart); u != to) // a zero that stays one keeps its sign
+        u = to;
+    }
+    return true;
+  }
+
   const Flat_volume& m_volume;
+  const Volume_charts& m_charts;
   const Volume_sectors& m_sectors;
   const Volume_places& m_places;
   Sector_means m_means;

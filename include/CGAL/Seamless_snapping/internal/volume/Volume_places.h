@@ -18,6 +18,7 @@
 // Vertices at which the same sheets and levels meet in the same way: they have the same equations,
 // so that one of them stands for all in the system.
 
+#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_sectors.h>
 
 #include <boost/container_hash/hash.hpp>
@@ -61,8 +62,8 @@ struct Volume_places
 class Place_finder
 {
 public:
-  explicit Place_finder(const Volume_sectors& sectors)
-    : m_sectors(sectors), m_links(sectors.number_of_sectors()),
+  Place_finder(const Volume_sectors& sectors, const Volume_charts& charts)
+    : m_sectors(sectors), m_charts(charts), m_links(sectors.number_of_sectors()),
       m_levels(sectors.number_of_sectors()), m_slot(sectors.number_of_sectors(), -1)
   {
     for(const Sector_arc& arc : sectors.arcs) {
@@ -125,6 +126,8 @@ private:
     }
     for(const Sector_number s : part)
       m_slot[std::size_t(s)] = -1;
+    if(!m_charts.are_given()) // their grids differ
+      word.push_back(std::int32_t(m_charts.root(*m_sectors.corners_begin(part[0]))));
     return word;
   }
 
@@ -186,6 +189,7 @@ private:
   }
 
   const Volume_sectors& m_sectors;
+  const Volume_charts& m_charts;
   std::vector<std::vector<Link> > m_links;   // per sector
   std::vector<std::vector<Label> > m_levels; // per sector
   std::vector<std::int32_t> m_slot;          // per sector, of the part at hand; else -1

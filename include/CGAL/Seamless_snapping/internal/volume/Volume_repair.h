@@ -47,10 +47,11 @@ class Volume_repair
 
 public:
   // \param largest_change of a coordinate, against the input
-  Volume_repair(const Flat_volume& input, const Volume_sectors& sectors,
-                const Volume_places& places, const Place_solver& solver,
-                const double largest_change, std::vector<Uvw>& coordinates)
-    : m_volume(input), m_sectors(sectors), m_places(places), m_solver(solver),
+  Volume_repair(const Flat_volume& input, const Volume_charts& charts,
+                const Volume_sectors& sectors, const Volume_places& places,
+                const Place_solver& solver, const double largest_change,
+                std::vector<Uvw>& coordinates)
+    : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
       m_largest_change(largest_change), m_coordinates(coordinates),
       m_place(sectors.number_of_sectors())
   {
@@ -179,11 +180,12 @@ private:
     const Place& place = place_of(member);
     bool is_good = true;
     for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
-      const Move turned = Group::apply(freedom.rotation[slot], move);
+      const Move turned = Group::apply(element(freedom, slot, i), move);
       for(std::size_t c = 0; c < 3; ++c) {
         if(turned[c] == 0)
           continue;
-        const Grid& grid = m_solver.grid(3 * (place.first_slot + slot) + c);
+        const Grid& grid =
+          m_solver.grid(3 * (place.first_slot + slot) + m_charts.column(i, c));
         const std::int64_t x = grid.split(m_coordinates[i][c]).base + turned[c];
         is_good = is_good && grid.is_representable(x);
         if(is_good)
@@ -193,6 +195,12 @@ private:
       }
     });
     return is_good;
+  }
+
+  // From the first slot of a place to the chart of a corner's cell.
+  int element(const Place_freedom& freedom, const std::size_t slot, const std::size_t corner) const
+  {
+    return Group::compose(Group::inverse(m_charts.element(corner)), freedom.rotation[slot]);
   }
 
   // How the volume of a cell grows as a corner moves.
@@ -237,7 +245,7 @@ private:
       const double before = sign * volume(m_volume.coordinates, i / 4);
       if(before < 0) // has nothing to lose
         return;
-      const Uvw slope = Group::apply(Group::inverse(freedom.rotation[slot]), gradient(i));
+      const Uvw slope = Group::apply(Group::inverse(element(freedom, slot, i)), gradient(i));
       Eigen::VectorXd row = Eigen::VectorXd::Zero(dimension);
       for(Eigen::Index d = 0; d < dimension; ++d)
         for(std::size_t c = 0; c < 3; ++c)
@@ -276,6 +284,7 @@ private:
   }
 
   const Flat_volume& m_volume;
+  const Volume_charts& m_charts;
   const Volume_sectors& m_sectors;
   const Volume_places& m_places;
   const Place_solver& m_solver;

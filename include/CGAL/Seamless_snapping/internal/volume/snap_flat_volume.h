@@ -21,6 +21,8 @@
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/volume/Chart_fitter.h>
+#include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_repair.h>
@@ -70,28 +72,32 @@ public:
       return std::nullopt;
     m_timer.finish("verification of the input");
 
-    const Volume_sectors sectors = Sector_builder(m_volume, transitions, alignment).build();
+    Joined_charts joined;
+    const bool is_joined = Chart_joiner(m_volume, transitions).run(alignment, joined);
+    m_timer.finish("charts");
+    const Volume_sectors sectors =
+      is_joined ? Sector_builder(m_volume, joined.transitions, joined.alignment).build()
+                : Sector_builder(m_volume, transitions, alignment).build();
     m_timer.finish("sectors");
-    const Volume_places places = Place_finder(sectors).find();
+    if(is_joined)
+      Chart_fitter(m_volume, sectors, joined.charts).run(m_report.violation_before, m_format);
+    m_timer.finish("fitting of charts");
+    const Volume_places places = Place_finder(sectors, joined.charts).find();
     fill_in(sectors, places);
     m_timer.finish("places");
-    Place_solver solver(m_volume, sectors, places,
-                        inexact_coordinates(transitions, alignment, sectors, places), m_format);
+    Place_solver solver(m_volume, joined.charts, sectors, places,
+                        inexact_coordinates(transitions, alignment, joined.charts, sectors,
+                                            places), m_format);
     m_report.linear_solver = solver.linear_solver().figures();
     m_report.run.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
-    std::vector<Uvw> coordinates;
-    if(!solver.solve(coordinates))
+    if(!solver.solve(snapped))
       return Refusal{Snapping_status::NOT_REPRESENTABLE,
                      "the coordinates are so large that the number type holds no solution near by; "
                      "scale the map down", {}};
     m_timer.finish("solution");
 
-    snapped = m_volume.coordinates;
-    for(std::size_t i = 0; i < snapped.size(); ++i)
-      if(sectors.sector[i] >= 0)
-        set(snapped[i], coordinates[std::size_t(sectors.sector[i])]);
-    repair(sectors, places, solver, snapped);
+    repair(joined.charts, sectors, places, solver, snapped);
     m_timer.finish("orientation");
     if(const auto refusal = guard_against_collapse(snapped))
       return refusal;
@@ -106,14 +112,6 @@ public:
   }
 
 private:
-  // A zero that stays one keeps its sign.
-  static void set(Uvw& u, const Uvw& to)
-  {
-    for(std::size_t c = 0; c < 3; ++c)
-      if(u[c] != to[c])
-        u[c] = to[c];
-  }
-
   void fill_in(const Volume_transitions& transitions)
   {
     m_report.violation_before = transitions.violation;
@@ -170,10 +168,11 @@ private:
               "facets of the boundary, pass align_boundary(false)", {}};
   }
 
-  void repair(const Volume_sectors& sectors, const Volume_places& places,
-              const Place_solver& solver, std::vector<Uvw>& snapped)
+  void repair(const Volume_charts& charts, const Volume_sectors& sectors,
+              const Volume_places& places, const Place_solver& solver, std::vector<Uvw>& snapped)
   {
-    Volume_repair repair(m_volume, sectors, places, solver, largest_plausible_change(), snapped);
+    Volume_repair repair(m_volume, charts, sectors, places, solver, largest_plausible_change(),
+                         snapped);
     std::vector<std::size_t> lost = repair.lost_cells();
     m_report.run.number_of_lost_faces = lost.size();
     m_report.run.largest_change_before_repair = largest_change(snapped).first;
@@ -223,6 +222,7 @@ private:
 
   std::vector<char> inexact_coordinates(const Volume_transitions& transitions,
                                         const Volume_alignment& alignment,
+                                        const Volume_charts& charts,
                                         const Volume_sectors& sectors,
                                         const Volume_places& places) const
   {
@@ -234,9 +234,29 @@ private:
     for_each_inexact_coordinate(
       m_volume, transitions, alignment, m_volume.coordinates,
       [&](const Corner_index corner, const std::size_t c) {
-        result[3 * slot[std::size_t(sectors.sector[std::size_t(corner)])] + c] = 1;
+        result[3 * slot[std::size_t(sectors.sector[std::size_t(corner)])] +
+               charts.column(std::size_t(corner), c)] = 1;
       });
+    if(!charts.are_given())
+      spread_over_joined_charts(charts, sectors, slot, result);
     return result;
+  }
+
+  // Where charts have moved relative to each other, all of their coordinates are on a grid.
+  void spread_over_joined_charts(const Volume_charts& charts, const Volume_sectors& sectors,
+                                 const std::vector<std::size_t>& slot,
+                                 std::vector<char>& is_inexact) const
+  {
+    std::vector<char> is_root_inexact(charts.roots.size(), 0);
+    for(const bool is_second_pass : {false, true})
+      for(std::size_t s = 0; s < slot.size(); ++s) {
+        char& of_root = is_root_inexact[charts.root(*sectors.corners_begin(Sector_number(s)))];
+        for(std::size_t j = 3 * slot[s]; j < 3 * slot[s] + 3; ++j)
+          if(is_second_pass)
+            is_inexact[j] = of_root;
+          else if(is_inexact[j] != 0)
+            of_root = 1;
+      }
   }
 
   const Flat_volume& m_volume;

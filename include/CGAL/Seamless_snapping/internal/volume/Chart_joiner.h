@@ -1,0 +1,287 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_CHART_JOINER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_CHART_JOINER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Joins the charts of a volume whose producer gave each hexahedron, or each cell, its own.
+
+#include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// So many more charts than components are kept as they are: the system is small, and its optimum is
+// that of the charts of the input.
+constexpr std::size_t largest_number_of_kept_charts = 32;
+
+// The transitions and alignments in other charts, and these.
+struct Joined_charts
+{
+  Volume_charts charts;
+  Volume_transitions transitions; // elements and cuts only
+  Volume_alignment alignment;     // coordinates and directions only
+};
+
+// A chart is a class of cells between which no cut runs. A spanning forest of the charts takes each
+// to that of its root. The facets that it crosses are no cuts any more, and so is any other facet
+// that is the last cut at a regular edge: around the edge, rotations multiply to the identity, and
+// the transition leaves the edge in place, so that it is the identity in each exact map.
+class Chart_joiner
+{
+  using Group = Cube_rotations;
+
+public:
+  Chart_joiner(const Flat_volume& volume, const Volume_transitions& transitions)
+    : m_volume(volume), m_transitions(transitions)
+  { }
+
+  // Returns false if there are few charts.
+  bool run(const Volume_alignment& alignment, Joined_charts& result)
+  {
+    if(m_transitions.number_of_cuts <= largest_number_of_kept_charts)
+      return false;
+    find_charts();
+    if(span() <= largest_number_of_kept_charts)
+      return false;
+    join_at_edges();
+    set(alignment, result.alignment);
+    result.transitions.element.swap(m_element);
+    result.transitions.is_cut.swap(m_is_cut);
+    result.charts.chart_of_cell.swap(m_chart);
+    result.charts.elements.swap(m_element_of_chart);
+    result.charts.shifts.swap(m_shift);
+    result.charts.roots.swap(m_root);
+    return true;
+  }
+
+private:
+  // The cut facets at an edge, so far: their number, and the exclusive or of their places.
+  struct Edge
+  {
+    std::int32_t number_of_cuts = 0, places = 0;
+  };
+
+  static constexpr std::int32_t unknown = -1, border = -2;
+
+  std::int32_t chart_of(const Corner_index facet) const { return m_chart[std::size_t(facet / 4)]; }
+  Corner_index facet(const std::size_t i) const { return m_volume.open_facets[i]; }
+  Corner_index other(const std::size_t i) const { return m_volume.opposite[std::size_t(facet(i))]; }
+
+  void find_charts()
+  {
+    m_is_cut = m_transitions.is_cut;
+    m_place.assign(m_volume.opposite.size(), -1);
+    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+      if(m_is_cut[i] != 0)
+        m_place[std::size_t(facet(i))] = m_place[std::size_t(other(i))] = std::int32_t(i);
+    Signed_union_find classes(m_volume.number_of_cells());
+    for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
+      if(m_volume.opposite[f] > Corner_index(f) && m_place[f] < 0)
+        classes.unite(f / 4, std::size_t(m_volume.opposite[f] / 4));
+    m_chart.assign(m_volume.number_of_cells(), -1);
+    std::int32_t number_of_charts = 0;
+    for(std::size_t c = 0; c < m_chart.size(); ++c) {
+      const std::size_t root = classes.root(c); // the first cell
+      m_chart[c] = root == c ? number_of_charts++ : m_chart[root];
+    }
+    m_element_of_chart.assign(std::size_t(number_of_charts), -1);
+    m_shift.assign(std::size_t(number_of_charts), Uvw{});
+    m_root.assign(std::size_t(number_of_charts), -1);
+  }
+
+  // Turns and moves charts along a spanning forest. Returns how many it reaches from others.
+  std::size_t span()
+  {
+    std::vector<std::size_t> begin(m_element_of_chart.size() + 1, 0);
+    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+      if(m_is_cut[i] != 0)
+        for(const Corner_index f : {facet(i), other(i)})
+          ++begin[std::size_t(chart_of(f)) + 1];
+    for(std::size_t k = 1; k < begin.size(); ++k)
+      begin[k] += begin[k - 1];
+    std::vector<Corner_index> facets(begin.back()); // of the cuts, by the chart of their cells
+    std::vector<std::size_t> next(begin);
+    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+      if(m_is_cut[i] != 0)
+        for(const Corner_index f : {facet(i), other(i)})
+          facets[next[std::size_t(chart_of(f))]++] = f;
+    std::vector<std::int32_t> queue;
+    for(std::size_t root = 0; root < m_element_of_chart.size(); ++root) {
+      if(m_element_of_chart[root] >= 0)
+        continue;
+      m_element_of_chart[root] = Group::identity();
+      m_root[root] = std::int32_t(root);
+      std::size_t i = queue.size();
+      for(queue.push_back(std::int32_t(root)); i < queue.size(); ++i)
+        for(std::size_t j = begin[std::size_t(queue[i])]; j < begin[std::size_t(queue[i]) + 1]; ++j)
+          if(const std::int32_t chart = chart_of(m_volume.opposite[std::size_t(facets[j])]);
+             m_element_of_chart[std::size_t(chart)] < 0) {
+            fit(facets[j]);
+            m_tree.push_back(std::size_t(m_place[std::size_t(facets[j])]));
+            queue.push_back(chart);
+          }
+    }
+    return m_tree.size();
+  }
+
+  // Makes the chart on the other side of a facet agree with that of its cell.
+  void fit(const Corner_index from)
+  {
+    const std::size_t i = std::size_t(m_place[std::size_t(from)]);
+    const std::size_t here = std::size_t(chart_of(from));
+    const std::size_t there = std::size_t(chart_of(m_volume.opposite[std::size_t(from)]));
+    const int g = m_transitions.element[i]; // from the side that the list names
+    m_element_of_chart[there] =
+      Group::compose(m_element_of_chart[here], facet(i) == from ? Group::inverse(g) : g);
+    const Facet_sides sides = m_volume.sides(from);
+    m_root[there] = m_root[here];
+    Uvw& shift = m_shift[there];
+    for(std::size_t k = 0; k < 3; ++k) {
+      const Uvw a = Group::apply(m_element_of_chart[here], sides.here[k]);
+      const Uvw b = Group::apply(m_element_of_chart[there], sides.there[k]);
+      for(std::size_t c = 0; c < 3; ++c)
+        shift[c] += (a[c] - b[c]) / 3;
+    }
+    for(std::size_t c = 0; c < 3; ++c)
+      shift[c] += m_shift[here][c];
+  }
+
+  void join_at_edges()
+  {
+    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+      m_element.push_back(Group::compose(
+        m_element_of_chart[std::size_t(chart_of(other(i)))],
+        Group::compose(m_transitions.element[i],
+                       Group::inverse(m_element_of_chart[std::size_t(chart_of(facet(i)))]))));
+    find_edges();
+    std::vector<std::size_t> queue;
+    queue.swap(m_tree);
+    for(const Edge& edge : m_edges)
+      push_last(edge, queue);
+    for(std::size_t k = 0; k < queue.size(); ++k) {
+      const std::size_t i = queue[k];
+      if(m_is_cut[i] == 0)
+        continue;
+      m_is_cut[i] = 0;
+      for(std::size_t j = 0; j < 3; ++j)
+        if(m_edge[3 * i + j] >= 0) {
+          Edge& edge = m_edges[std::size_t(m_edge[3 * i + j])];
+          --edge.number_of_cuts;
+          edge.places ^= std::int32_t(i);
+          push_last(edge, queue);
+        }
+    }
+  }
+
+  void push_last(const Edge& edge, std::vector<std::size_t>& queue) const
+  {
+    if(edge.number_of_cuts == 1 && m_element[std::size_t(edge.places)] == Group::identity())
+      queue.push_back(std::size_t(edge.places));
+  }
+
+  // Those that cut facets have, with all facets around.
+  void find_edges()
+  {
+    m_edge.assign(3 * m_is_cut.size(), unknown);
+    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+      for(std::size_t j = 0; m_is_cut[i] != 0 && j < 3; ++j) {
+        if(m_edge[3 * i + j] != unknown)
+          continue;
+        const Corner_index third = corners_of_facet(facet(i))[j];
+        Edge edge;
+        const std::int32_t name = std::int32_t(m_edges.size());
+        if(walk(facet(i), third, name, edge)) {
+          m_edges.push_back(edge);
+        } else { // names all that it has met, and those on the other side
+          walk(facet(i), third, border, edge);
+          walk(other(i), m_volume.across(facet(i), third), border, edge);
+          m_edge[3 * i + j] = border;
+        }
+      }
+  }
+
+  // Names the edge for all cut facets around it, to the border at most. Returns whether there is
+  // none.
+  bool walk(const Corner_index start, const Corner_index third, const std::int32_t name, Edge& edge)
+  {
+    Facet_ring ring(m_volume, start, third);
+    do {
+      ring.turn();
+      const std::int32_t i = m_place[std::size_t(ring.facet())];
+      if(i >= 0) {
+        m_edge[3 * std::size_t(i) + position(std::size_t(i), ring.third())] = name;
+        ++edge.number_of_cuts;
+        edge.places ^= i;
+      }
+      if(!ring.is_closed()) {
+        if(!ring.can_cross())
+          return false;
+        ring.cross();
+      } else {
+        return true;
+      }
+    }
+    while(true);
+  }
+
+  // Which corner of the facet, as the list names it, is at the vertex of another one.
+  std::size_t position(const std::size_t i, const Corner_index corner) const
+  {
+    const auto corners = corners_of_facet(facet(i));
+    std::size_t result = 0;
+    while(m_volume.vertex(corners[result]) != m_volume.vertex(corner))
+      ++result;
+    return result;
+  }
+
+  void set(const Volume_alignment& alignment, Volume_alignment& result) const
+  {
+    const auto moved = [&](const Corner_index corner, const int k) {
+      const int g = m_element_of_chart[std::size_t(chart_of(corner))];
+      return int(Group::source(Group::inverse(g), std::size_t(k)));
+    };
+    for(std::size_t i = 0; i < alignment.coordinate.size(); ++i)
+      result.coordinate.push_back(moved(m_volume.aligned_facets[i], alignment.coordinate[i]));
+    for(std::size_t i = 0; i < alignment.direction.size(); ++i)
+      result.direction.push_back(moved(m_volume.aligned_edges[i].a, alignment.direction[i]));
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_transitions& m_transitions;
+  std::vector<std::int32_t> m_place;   // per facet: that of its cut among the open ones, or -1
+  std::vector<std::int32_t> m_chart;   // per cell
+  std::vector<int> m_element_of_chart; // -1 while it is not reached
+  std::vector<Uvw> m_shift;            // per chart
+  std::vector<std::int32_t> m_root;    // per chart
+  std::vector<std::size_t> m_tree;     // the facets that the forest crosses
+  std::vector<int> m_element;          // per open facet, between the new charts
+  std::vector<char> m_is_cut;          // per open facet
+  std::vector<std::int32_t> m_edge;    // 3 per open facet: the edge opposite to its corner
+  std::vector<Edge> m_edges;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_CHART_JOINER_H
