@@ -6,6 +6,7 @@
 #include "files.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
+#include <CGAL/Seamless_snapping/is_volume_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
 
@@ -14,8 +15,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -57,7 +61,7 @@ struct Volume
 
 struct Volume_options
 {
-  bool free_boundary = false, ignore_features = false;
+  bool free_boundary = false, ignore_features = false, integer_grid = false;
   double tolerance = 1e-4;
 
   void add_to(Options& options)
@@ -66,6 +70,8 @@ struct Volume_options
                 "do not ask the boundary to lie in planes of constant coordinates");
     options.add("ignore-features", ignore_features,
                 "do not ask the features of the file to do so");
+    options.add("integer-grid", integer_grid,
+                "ask for integers: of translations, singular edges, boundary, and features");
   }
 
   auto parameters(const Snapping::IO::HEXEX_mesh& mesh) const
@@ -84,6 +90,26 @@ Snapping::Volume_seamlessness measure(Volume& volume, const Volume_options& opti
   return Snapping::measure_volume_seamlessness(volume.mesh.tetrahedra,
                                                CGAL::make_property_map(volume.uvw),
                                                options.parameters(volume.mesh));
+}
+
+Snapping::Volume_integer_grid_measure measure_grid(Volume& volume, const Volume_options& options)
+{
+  return Snapping::measure_volume_integer_grid(volume.mesh.tetrahedra,
+                                               CGAL::make_property_map(volume.uvw),
+                                               options.parameters(volume.mesh));
+}
+
+// The hexahedra are whole where the boundary is aligned only.
+void write(std::ostream& os, const Snapping::Volume_integer_grid_measure& m,
+           const Volume_options& options)
+{
+  os << m.number_of_noninteger_cuts << " translations, "
+     << m.number_of_noninteger_facets + m.number_of_noninteger_edges << " aligned facets and edges, "
+     << m.number_of_noninteger_singular_edges << " of " << m.number_of_singular_edges
+     << " singular edges and " << m.number_of_noninteger_nodes << " of " << m.number_of_nodes
+     << " nodes off the integers\n";
+  if(m && !options.free_boundary)
+    os << std::llround(m.volume) << " hexahedra\n";
 }
 
 std::ostream& operator<<(std::ostream& os, const Snapping::Volume_seamlessness& s)
@@ -118,8 +144,15 @@ void check_volume(const Arguments& arguments)
   Volume volume(input);
   const Snapping::Volume_seamlessness result = measure(volume, volume_options);
   std::cout << result;
+  Snapping::Volume_integer_grid_measure grid;
+  if(volume_options.integer_grid) {
+    grid = measure_grid(volume, volume_options);
+    write(std::cout, grid, volume_options);
+  }
   if(!result.is_exact())
     throw Failure(NOT_SOLVED, input + ": not exactly seamless");
+  if(volume_options.integer_grid && !grid)
+    throw Failure(NOT_SOLVED, input + ": no integer-grid map");
   std::cout << "exactly seamless" << std::endl;
 }
 
@@ -131,13 +164,25 @@ void snap_volume(const Arguments& arguments)
                   "on both sides differ by a rotation of the cube and a translation, and boundary and\n"
                   "features lie in planes of constant coordinates. All else in the file stays as it is.\n");
   std::string input, output;
-  bool overwrite = false;
+  bool overwrite = false, repair_flips = false;
+  int untangling_iterations = 400;
+  double scale = 1, rounding = 0.01;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   Volume_options volume_options;
   options.add_file("input", input);
   options.add_file("output", output);
   volume_options.add_to(options);
   options.add("tolerance", "T", volume_options.tolerance, {0, 1, true},
               "the largest violation that is taken for noise, relative to the extent");
+  options.add("grid-scale", "K", scale, {0, infinity, true},
+              "multiply the coordinates by K first (default: 1)");
+  options.add("rounding", "D", rounding, {0, infinity},
+              "with --integer-grid: how far from integers translations and levels may be that are "
+              "rounded to them (default: 0.01)");
+  options.add("repair-flips", repair_flips, "repair cells that are flipped in the domain, if need "
+              "be by changing the coordinates around them");
+  options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
+              "the largest number of passes over the cells around flipped ones (default: 400)");
   options.add("overwrite", overwrite, "let OUT replace IN");
   if(!options.parse(arguments))
     return;
@@ -148,10 +193,16 @@ void snap_volume(const Arguments& arguments)
   Volume volume(input);
   const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
     volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
-    volume_options.parameters(volume.mesh));
+    volume_options.parameters(volume.mesh)
+      .integer_grid(volume_options.integer_grid)
+      .grid_scale(scale)
+      .rounding_tolerance(rounding)
+      .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE : Snapping::Flip_repair::NONE)
+      .number_of_untangling_iterations(untangling_iterations));
   if(!report)
     throw Failure(NOT_SOLVED, input + ": " + report.message);
-  if(!measure(volume, volume_options).is_exact())
+  if(!measure(volume, volume_options).is_exact() ||
+     (volume_options.integer_grid && !measure_grid(volume, volume_options)))
     throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
   for(std::size_t i = 0; i < volume.uvw.size(); ++i)
     volume.mesh.uvw[i] = {{volume.uvw[i].x(), volume.uvw[i].y(), volume.uvw[i].z()}};
@@ -160,10 +211,18 @@ void snap_volume(const Arguments& arguments)
   if(const auto status = Snapping::IO::rewrite_HEXEX(original, os, volume.mesh.uvw); !status)
     throw Failure(UNWRITABLE, output + ": " + status.message);
   write_file(output, os.str());
-  summary_stream({output})
-    << report << ": " << report.run.number_of_cut_edges << " cut facets in "
+  std::ostream& summary = summary_stream({output});
+  summary << report.status << ": " << report.run.number_of_cut_edges << " cut facets in "
     << report.run.number_of_cut_branches << " sheets, " << report.linear_solver.number_of_unknowns
     << " unknowns\nlargest violation before " << report.violation_before << ", largest change "
     << report.largest_change << ", " << report.lost_faces.size()
     << " cells lost their orientation\n";
+  if(volume_options.integer_grid) {
+    summary << "largest rounding " << report.largest_rounding << "\n";
+    write(summary, measure_grid(volume, volume_options), volume_options);
+  }
+  if(report.run.number_of_repaired_flips > 0)
+    summary << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
+  if(report.status == Snapping::Snapping_status::FLIPS_REMAIN)
+    throw Failure(STILL_FLIPPED, input + ": " + report.message);
 }

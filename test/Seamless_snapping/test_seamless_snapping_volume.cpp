@@ -4,6 +4,7 @@
 #include "test_data.h"
 #include "volume_checks.h"
 #include "volume_file_checks.h"
+#include "volume_grid_checks.h"
 #include "volume_input_checks.h"
 #include "volume_optimum.h"
 
@@ -301,6 +302,10 @@ int main(int argc, char** argv)
   test_large_names();
   test_floats_and_components();
   test_map_that_rounds();
+  test_integer_grids();
+  test_refusals_of_grids();
+  test_repairs_of_flips();
+  test_cell_without_volume();
   test_files();
   test_rounding_of_fractions();
   test_further_files();

@@ -23,7 +23,8 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Values of the named parameter `repair_flips` of `snap_to_seamless()`. `true` stands for `NEAR_BY`,
+Values of the named parameter `repair_flips` of `snap_to_seamless()` and of
+`snap_volume_to_seamless()`, which tells what they mean for cells. `true` stands for `NEAR_BY`,
 `false` for `NONE`.
 
 Repairs leave cones their angles if they can: a cone of 450 degrees, for instance, does not become

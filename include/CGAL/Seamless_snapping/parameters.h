@@ -220,7 +220,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
- * - `integer_grid`: whether translations, cones, and aligned edges become integers (`bool`)
+ * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
+ *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
@@ -228,7 +229,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
  * - `release_alignment`: whether features need not be aligned where triangles would be flipped
  *   otherwise (`bool`)
- * - `repair_flips`: whether faces that are flipped or degenerate in the input are repaired (`bool`)
+ * - `repair_flips`: whether faces or cells that are flipped or degenerate in the input are
+ *   repaired (`bool` or `Flip_repair`)
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `stop_policy`: where curves of a layout end that meet others

@@ -18,6 +18,7 @@
 // The volume function: makes an approximately seamless parametrization of a tetrahedral mesh
 // exactly seamless.
 
+#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/snap_volume.h>
@@ -109,6 +110,50 @@ and at vertices.
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
+  \cgalParamNBegin{integer_grid}
+    \cgalParamDescription{whether to make an integer-grid map: translations, the levels of aligned
+                          facets and edges, and the coordinates across singular edges become
+                          integers, the nearest ones up to what they have to agree on. Where they
+                          are farther away than noise would be, charts are moved if that makes the
+                          change of edges less, as where charts lie means nothing; but not with a
+                          rounding tolerance of 0. Then the change is spread over the volume, and
+                          cells that it turned are repaired near by.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{grid_scale}
+    \cgalParamDescription{a positive number that the coordinates are multiplied by first}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{rounding_tolerance}
+    \cgalParamDescription{the largest distance of a translation or a level from the integer that it
+                          becomes. A larger one is an error, since the map is not meant to be an
+                          integer-grid map then; raise it, to 10 for instance, where it is.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+    \cgalParamExtra{Integers are the nearest ones, not the best ones: on a coarse grid, what is
+                    narrower than a unit collapses. Cells lose their orientation there, which
+                    `Snapping_report::lost_faces` tells.}
+  \cgalParamNEnd
+  \cgalParamNBegin{repair_flips}
+    \cgalParamDescription{whether cells that are flipped or degenerate, in the input or by snapping,
+                          are made as most cells are, by moves of their vertices that keep
+                          transitions, alignments, and integers. `Flip_repair::NEAR_BY`, or `true`:
+                          single vertices of these cells and of their neighbors move, and no cell
+                          loses its orientation on the way. `Flip_repair::UNTANGLE`: where flips
+                          remain, more and more vertices around them move.}
+    \cgalParamType{`Flip_repair` or Boolean}
+    \cgalParamDefault{`Flip_repair::NONE`}
+    \cgalParamExtra{Cells that have the orientation of most cells never lose it by repairs. Where
+                    flips remain, the status is `Snapping_status::FLIPS_REMAIN`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_untangling_iterations}
+    \cgalParamDescription{the largest number of passes that repairs make over the vertices around
+                          cells to be repaired}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{400}
+  \cgalParamNEnd
   \cgalParamNBegin{verbose}
     \cgalParamDescription{whether each step is reported on the standard error stream with its time}
     \cgalParamType{Boolean}
@@ -117,10 +162,11 @@ and at vertices.
 \cgalNamedParamsEnd
 
 \return the status and figures; converts to `true` if and only if the parametrization is exactly
-        seamless and aligned. Where `Snapping_report` speaks of faces and edges, these are cells and
-        facets here, nodes are the vertices that enter the constraint system, and branches are the
-        sheets of cut facets and the levels of aligned ones. On failure, `Snapping_report::status`
-        is
+        seamless and aligned, also where cells are left flipped, which the status `FLIPS_REMAIN`
+        tells if `repair_flips` asked for them. Where `Snapping_report` speaks of faces and edges,
+        these are cells and facets here, nodes are the vertices that enter the constraint system,
+        and branches are the sheets of cut facets and the levels of aligned ones. On failure,
+        `Snapping_report::status` is
         - `NOT_MANIFOLD`: a facet belongs to more than two cells, or two cells have the same
           vertices and no neighbors were given;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
@@ -129,11 +175,15 @@ and at vertices.
           tolerance, if that is more), so that some part of it must be a mistake;
         - `NOT_ALIGNED`: no coordinate is constant on a facet of the boundary, or on a feature, up
           to the tolerance;
+        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or a
+          singular edge has no coordinate axis; or so much collapses at the integers near by that
+          the grid can't be told from the coordinates;
         - `INVALID_ARGUMENT`: there is no cell or more than \f$ 2^{27} \f$, a cell has a vertex
           twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
-          the cells, or the tolerance is negative;
+          the cells, a tolerance is negative, or the scale is not positive;
         - `NOT_REPRESENTABLE`: coordinates would exceed the largest number, as can happen with
-          `float`s close to it;
+          `float`s close to it; or, with `integer_grid`, a coordinate is beyond \f$ 2^{46} \f$, or
+          \f$ 2^{17} \f$ for `float`s;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: the result failed its verification; or `uvw_map` does not keep what is
           written to it, and the old coordinates have been written back.
@@ -146,8 +196,16 @@ elimination of a system whose size is that of the cuts' topology: three unknowns
 a place, where a place stands for all vertices at which the same sheets and levels meet in the same
 way. Where each hexahedron or each cell has a chart of its own, charts are joined first, so that
 this holds as well: in linear time, and at most 500 passes over the corners to fit the charts to
-each other.
+each other. With `integer_grid` and `repair_flips`, all cells are copied; spreading takes at most
+2000 iterations of conjugate gradients over them, twice, and repairs the passes that
+`number_of_untangling_iterations` allows.
 
+\par Sources
+The energy that repairs make less is that of V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais,
+N. Ray, and D. Sokolov, <em>Foldover-free maps in 50 lines of code</em>, ACM Transactions on
+Graphics 40(4), 2021, vertex by vertex.
+
+\sa `is_volume_integer_grid_map()`
 \sa `is_volume_seamless()`
 \sa `snap_to_seamless()`
 */

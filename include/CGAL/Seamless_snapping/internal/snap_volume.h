@@ -17,8 +17,9 @@
 
 // The part of the functions on volumes that knows the caller's types: reads them, and writes.
 
+#include <CGAL/Seamless_snapping/internal/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
-#include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/snap_whole_volume.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -62,13 +64,16 @@ std::optional<Refusal> read_elements(const Range& range, const char* const name,
   return std::nullopt;
 }
 
+enum class Cells_to_read { AT_CONSTRAINTS, ALL };
+
 // All that constraints concern, and some further vertices. Returns what is wrong with the input, if
 // so.
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
 std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
                                    const NamedParameters& np, Tetrahedra& tetrahedra,
                                    Flat_volume& volume,
-                                   const std::vector<std::int64_t>& further_vertices = {})
+                                   std::vector<std::int64_t> further_vertices = {},
+                                   const Cells_to_read cells = Cells_to_read::AT_CONSTRAINTS)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -92,6 +97,10 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
   if(refusal)
     return refusal;
   features.sort();
+  if(cells == Cells_to_read::ALL) {
+    further_vertices.resize(tetrahedra.number_of_vertices);
+    std::iota(further_vertices.begin(), further_vertices.end(), std::int64_t(0));
+  }
   const bool align_boundary =
     choose_parameter(get_parameter(np, CGAL::internal_np::align_boundary), true);
   return Volume_survey<CornerUVWMap>(tetrahedra, uvw_map)
@@ -205,6 +214,38 @@ std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const Corne
   }
 }
 
+// The same where constraints are not all.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                      const NamedParameters& np, const Volume_options& options,
+                                      Step_timer& timer, Snapping_report& report,
+                                      Flat_volume& volume, std::vector<Uvw>& snapped)
+{
+  Tetrahedra tetrahedra;
+  const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, Cells_to_read::ALL);
+  report.run.number_of_faces = tetrahedra.number_of_cells();
+  report.extent = volume.extent;
+  timer.finish("reading");
+  if(refusal)
+    return refusal;
+  const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
+  return Whole_volume_snapper(volume, options, format, report, timer).run(snapped);
+}
+
+template <typename NamedParameters>
+Volume_options volume_options(const NamedParameters& np)
+{
+  const auto chosen = [&](const auto& tag, const auto value) {
+    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), value);
+  };
+  return {chosen(CGAL::internal_np::tolerance, default_volume_tolerance),
+          bool(chosen(CGAL::internal_np::integer_grid, false)),
+          chosen(CGAL::internal_np::grid_scale, 1.),
+          chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
+          chosen_flip_repair(np),
+          chosen_number_of_untangling_iterations(np)};
+}
+
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
 Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
                             const NamedParameters& np)
@@ -212,18 +253,19 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Snapping_report report;
-  const double tolerance = choose_parameter(get_parameter(np, CGAL::internal_np::tolerance),
-                                            default_volume_tolerance);
+  const Volume_options options = volume_options(np);
   Step_timer timer(report.run,
                    choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false));
   Flat_volume volume;
   std::vector<Uvw> snapped;
   std::optional<Refusal> refusal;
-  if(tolerance >= 0)
-    refusal = find_exact_map(range, uvw_map, np, tolerance, timer, report, volume, snapped);
+  if(!(options.tolerance >= 0 && options.rounding_tolerance >= 0))
+    refusal = invalid_cells("a tolerance is negative or NaN");
+  else if(options.is_about_all_cells())
+    refusal = find_whole_map(range, uvw_map, np, options, timer, report, volume, snapped);
   else
-    refusal = invalid_cells("the tolerance is negative or NaN");
-  if(!refusal && report.status == Snapping_status::SNAPPED &&
+    refusal = find_exact_map(range, uvw_map, np, options.tolerance, timer, report, volume, snapped);
+  if(!refusal && report.status != Snapping_status::ALREADY_EXACT &&
      !Corner_writer<CornerUVWMap>(volume, uvw_map).write(snapped))
     refusal = Refusal{Snapping_status::INTERNAL_ERROR,
                       "the map does not keep what is written to it, so that what it had was "

@@ -45,6 +45,14 @@ struct Exact_difference
   { return x.rounded == y.rounded && x.error == y.error; }
 };
 
+inline double distance_to_integer(const double x) { return std::abs(x - std::round(x)); }
+
+// 0 if and only if it is one: up to 2^52, all integers are doubles.
+inline double distance_to_integer(const Exact_difference& d)
+{
+  return std::abs((d.rounded - std::round(d.rounded)) + d.error);
+}
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -19,7 +19,7 @@
 // different parameters share all code that knows these values only: it is compiled once for a mesh
 // and a uv map.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
+#include <CGAL/Seamless_snapping/internal/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_paths.h>
@@ -37,9 +37,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// In units of the grid: beyond, something else than the nearest integers is meant.
-constexpr double default_rounding_tolerance = 0.01;
-
 template <typename TriangleMesh>
 struct Snapping_options
 {
@@ -56,21 +53,6 @@ struct Snapping_options
   std::size_t number_of_untangling_iterations;
   bool is_verbose;
 };
-
-// The parameter is a Boolean, or a Flip_repair.
-template <typename NamedParameters>
-Flip_repair chosen_flip_repair(const NamedParameters& np)
-{
-  return static_cast<Flip_repair>(int(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false)));
-}
-
-template <typename NamedParameters>
-std::size_t chosen_number_of_untangling_iterations(const NamedParameters& np)
-{
-  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::untangling_iterations), 400));
-}
 
 template <typename Group, typename TriangleMesh, typename NamedParameters>
 Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,

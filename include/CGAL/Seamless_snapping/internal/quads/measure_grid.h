@@ -28,16 +28,9 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-inline double distance_to_integer(const double x) { return std::abs(x - std::round(x)); }
-
 inline double distance_to_integer(const Uv& u)
 {
   return (std::max)(distance_to_integer(u[0]), distance_to_integer(u[1]));
-}
-
-inline double distance_to_integer(const Exact_difference& d)
-{
-  return std::abs((d.rounded - std::round(d.rounded)) + d.error);
 }
 
 inline bool is_integer(const Exact_level& x)

@@ -61,6 +61,7 @@ struct Flat_volume
   struct Aligned_edge // as one of its cells sees it
   {
     Corner_index a, b;
+    int direction = -1; // the coordinate that is not constant, where it is known
   };
 
   std::vector<std::int32_t> vertices;       // per corner

@@ -194,7 +194,9 @@ private:
       Uvw s;
       for(std::size_t c = 0; c < 3; ++c)
         s[c] = std::abs(b[c] - a[c]);
-      m_result.direction.push_back(int(std::max_element(s.begin(), s.end()) - s.begin()));
+      m_result.direction.push_back(
+        edge.direction >= 0 ? edge.direction
+                            : int(std::max_element(s.begin(), s.end()) - s.begin()));
       for(std::size_t c = 0; c < 3; ++c)
         if(int(c) != m_result.direction.back())
           measure(s[c], [&] { return m_volume.name_of_edge(edge); });

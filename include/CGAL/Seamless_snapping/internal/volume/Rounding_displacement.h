@@ -1,0 +1,229 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_ROUNDING_DISPLACEMENT_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_ROUNDING_DISPLACEMENT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The displacement that takes a map to rounded translations and levels and is as even as possible:
+// of least Dirichlet energy in the domain, in floating point. What is made of it is exact anyway.
+
+#include <CGAL/Seamless_snapping/internal/volume/Integer_places.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: a corner's coordinate is to move by a base, and by the move of its member. The moves
+// are those that come nearest to the map, until `spread()` makes them even.
+class Rounding_displacement
+{
+  using Values = std::vector<double>;
+
+public:
+  // \param u per corner
+  Rounding_displacement(const Volume_sectors& sectors, const Volume_members& members,
+                        const Integer_places& integers, const std::vector<Uvw>& u)
+    : m_members(members), m_bases(u.size()), m_terms(u.size()),
+      m_moves(members.number_of_unknowns(), 0)
+  {
+    for(std::size_t i = 0; i < u.size(); ++i) {
+      const Corner_index corner = Corner_index(i);
+      for(std::size_t c = 0; c < 3; ++c) {
+        m_bases[i][c] = static_cast<double>(integers(corner, c)) - u[i][c];
+        m_terms[i][c] = members.term(members.member_of_corner(corner),
+                                     members.slot_of_corner(corner), c);
+      }
+    }
+    move_near(sectors);
+    for(std::size_t i = 0; i < u.size(); i += 4)
+      m_weights.push_back(weights_of_cell(&u[i]));
+  }
+
+  // The moves of members, per unknown.
+  const Values& moves() const { return m_moves; }
+
+  // By conjugate gradients; ends after so many iterations.
+  static constexpr int largest_number_of_iterations = 2000;
+  void spread()
+  {
+    constexpr double precision = 1e-6;
+    Values diagonal(m_moves.size(), 0), residual(m_moves.size(), 0), image;
+    for(std::size_t i = 0; i < m_bases.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        if(m_terms[i][c].sign != 0)
+          diagonal[m_terms[i][c].unknown] += weight_of_corner(i);
+    for(double& d : diagonal)
+      d = d > 0 ? d : 1;
+    add_gradient(m_moves, true, residual);
+    for(double& r : residual)
+      r = -r;
+    Values direction(residual.size());
+    for(std::size_t j = 0; j < residual.size(); ++j)
+      direction[j] = residual[j] / diagonal[j];
+    double size = product(residual, direction);
+    const double end = precision * precision * size;
+    for(int i = 0; i < largest_number_of_iterations && size > end; ++i) {
+      image.assign(residual.size(), 0);
+      add_gradient(direction, false, image);
+      const double step = size / product(direction, image);
+      if(!std::isfinite(step))
+        return;
+      double next_size = 0;
+      for(std::size_t j = 0; j < residual.size(); ++j) {
+        m_moves[j] += step * direction[j];
+        residual[j] -= step * image[j];
+        next_size += residual[j] * residual[j] / diagonal[j];
+      }
+      for(std::size_t j = 0; j < residual.size(); ++j)
+        direction[j] = residual[j] / diagonal[j] + next_size / size * direction[j];
+      size = next_size;
+    }
+  }
+
+  double energy() const
+  {
+    double result = 0;
+    for(std::size_t c = 0; c < m_weights.size(); ++c)
+      for(std::size_t k = 0; k < 3; ++k)
+        for_each_edge(c, [&](const std::size_t i, const std::size_t j, const double weight) {
+          const double d = value(m_moves, true, i, k) - value(m_moves, true, j, k);
+          result += weight * d * d / 2;
+        });
+    return result;
+  }
+
+private:
+  using Weights = std::array<double, 6>; // of the edges of a cell
+
+  // Each sector of a member counts once.
+  void move_near(const Volume_sectors& sectors)
+  {
+    for(Member_index m = 0; m < m_members.size(); ++m) {
+      std::array<double, 3> sum{}, count{};
+      const std::size_t first = m_members.first_unknown(m);
+      m_members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
+        const Sector_number s = m_members.sector(m, slot);
+        const double weight = 1 / static_cast<double>(sectors.corners_end(s) -
+                                                      sectors.corners_begin(s));
+        for(std::size_t c = 0; c < 3; ++c)
+          if(const Volume_members::Term& t = m_terms[std::size_t(i)][c]; t.sign != 0) {
+            sum[t.unknown - first] -= weight * t.sign * m_bases[std::size_t(i)][c];
+            count[t.unknown - first] += weight;
+          }
+      });
+      for(std::size_t k = 0; k < 3; ++k)
+        if(count[k] > 0)
+          m_moves[first + k] = sum[k] / count[k];
+    }
+  }
+
+  // The cotangent weights of the six edges; those of thin cells are bounded.
+  static Weights weights_of_cell(const Uvw* const u)
+  {
+    constexpr double least_volume = 1e-4; // against the third power of the size
+    std::array<Uvw, 3> e;
+    double size = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t c = 0; c < 3; ++c) {
+        e[i][c] = u[i + 1][c] - u[0][c];
+        size = (std::max)(size, std::abs(e[i][c]));
+      }
+    if(!(size > 0))
+      return {};
+    std::array<Uvw, 4> n{}; // normals opposite to the corners, without scale
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t c = 0; c < 3; ++c) {
+        const Uvw &a = e[(i + 1) % 3], &b = e[(i + 2) % 3];
+        const std::size_t d = (c + 1) % 3, k = (c + 2) % 3;
+        n[i + 1][c] = (a[d] / size) * (b[k] / size) - (a[k] / size) * (b[d] / size);
+        n[0][c] -= n[i + 1][c];
+      }
+    double volume = 0;
+    for(std::size_t c = 0; c < 3; ++c)
+      volume += e[0][c] / size * n[1][c];
+    const double scale = size / (std::max)(std::abs(volume), least_volume);
+    Weights result{};
+    std::size_t edge = 0;
+    for(std::size_t i = 0; i < 4; ++i)
+      for(std::size_t j = i + 1; j < 4; ++j, ++edge)
+        for(std::size_t c = 0; c < 3; ++c)
+          result[edge] -= scale * n[i][c] * n[j][c];
+    return result;
+  }
+
+  // Calls f(i, j, weight) for the corners of the edges of a cell.
+  template <typename F>
+  void for_each_edge(const std::size_t cell, const F& f) const
+  {
+    std::size_t edge = 0;
+    for(std::size_t i = 0; i < 4; ++i)
+      for(std::size_t j = i + 1; j < 4; ++j, ++edge)
+        f(4 * cell + i, 4 * cell + j, m_weights[cell][edge]);
+  }
+
+  double weight_of_corner(const std::size_t corner) const
+  {
+    double result = 0;
+    for_each_edge(corner / 4, [&](const std::size_t i, const std::size_t j, const double weight) {
+      result += i == corner || j == corner ? weight : 0;
+    });
+    return result;
+  }
+
+  double value(const Values& moves, const bool with_base, const std::size_t i,
+               const std::size_t c) const
+  {
+    const Volume_members::Term& t = m_terms[i][c];
+    return (with_base ? m_bases[i][c] : 0) + (t.sign != 0 ? t.sign * moves[t.unknown] : 0);
+  }
+
+  void add_gradient(const Values& moves, const bool with_base, Values& gradient) const
+  {
+    for(std::size_t cell = 0; cell < m_weights.size(); ++cell)
+      for(std::size_t c = 0; c < 3; ++c)
+        for_each_edge(cell, [&](const std::size_t i, const std::size_t j, const double weight) {
+          const double d = weight * (value(moves, with_base, i, c) - value(moves, with_base, j, c));
+          if(const Volume_members::Term& t = m_terms[i][c]; t.sign != 0)
+            gradient[t.unknown] += t.sign * d;
+          if(const Volume_members::Term& t = m_terms[j][c]; t.sign != 0)
+            gradient[t.unknown] -= t.sign * d;
+        });
+  }
+
+  static double product(const Values& a, const Values& b)
+  {
+    double result = 0;
+    for(std::size_t j = 0; j < a.size(); ++j)
+      result += a[j] * b[j];
+    return result;
+  }
+
+  const Volume_members& m_members;
+  std::vector<Uvw> m_bases;                                   // per corner
+  std::vector<std::array<Volume_members::Term, 3> > m_terms;  // per corner
+  std::vector<Weights> m_weights;                             // per cell
+  Values m_moves;                                             // per unknown
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_ROUNDING_DISPLACEMENT_H

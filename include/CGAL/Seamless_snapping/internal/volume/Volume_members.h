@@ -1,0 +1,131 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_MEMBERS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_MEMBERS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The members of all places, and how they can move while translations and levels stay as they are.
+
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_freedom.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Member_index = std::size_t;
+
+// Invariant: a member moves by a vector e, where coordinates of one class of its freedom are equal
+// up to signs: each class is an unknown. Sector i of the member moves by R_i e.
+class Volume_members
+{
+  using Group = Cube_rotations;
+  using Place = Volume_places::Place;
+
+public:
+  // A corner's coordinate moves by a sign times an unknown, or not at all (sign 0).
+  struct Term
+  {
+    std::size_t unknown;
+    int sign;
+  };
+
+  Volume_members(const Volume_sectors& sectors, const Volume_places& places)
+    : m_sectors(sectors), m_places(places), m_member_of_sector(sectors.number_of_sectors())
+  {
+    for(std::size_t p = 0; p < places.places.size(); ++p) {
+      const Place& place = places.places[p];
+      m_freedoms.push_back(freedom_of(place, places, sectors.sheet_element));
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        m_member_of_sector[std::size_t(place.members[i])] =
+          {m_member.size() + i / place.number_of_slots, i % place.number_of_slots};
+      for(std::size_t m = 0; m < place.number_of_members(); ++m) {
+        m_member.push_back({p, m});
+        m_first_unknown.push_back(m_number_of_unknowns);
+        m_number_of_unknowns += std::size_t(m_freedoms.back().dimension());
+      }
+    }
+  }
+
+  std::size_t size() const { return m_member.size(); }
+  std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
+  const Place& place(const Member_index m) const { return m_places.places[m_member[m].first]; }
+  const Place_freedom& freedom(const Member_index m) const
+  {
+    return m_freedoms[m_member[m].first];
+  }
+
+  // The unknowns of a member are consecutive.
+  std::size_t first_unknown(const Member_index m) const { return m_first_unknown[m]; }
+
+  Member_index member_of_corner(const Corner_index i) const
+  {
+    return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].first;
+  }
+
+  // The sector of a corner among those of its place.
+  std::size_t slot_of_corner(const Corner_index i) const
+  {
+    return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].second;
+  }
+
+  Sector_number sector(const Member_index m, const std::size_t slot) const
+  {
+    return place(m).sector(m_member[m].second, slot);
+  }
+
+  // Calls f(slot, corner) for all corners of a member.
+  template <typename F>
+  void for_each_corner(const Member_index m, const F& f) const
+  {
+    for(std::size_t slot = 0; slot < place(m).number_of_slots; ++slot) {
+      const Sector_number s = sector(m, slot);
+      for(auto i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
+        f(slot, *i);
+    }
+  }
+
+  // How coordinate c of a sector moves.
+  Term term(const Member_index m, const std::size_t slot, const std::size_t c) const
+  {
+    const Place_freedom& f = freedom(m);
+    const std::size_t source = Group::source(f.rotation[slot], c);
+    if(f.first[source] < 0)
+      return {0, 0};
+    std::size_t unknown = first_unknown(m);
+    for(int k = 0; k < f.first[source]; ++k)
+      unknown += std::size_t(f.first[std::size_t(k)] == k);
+    return {unknown, Group::sign(f.rotation[slot], c) * f.sign[source]};
+  }
+
+private:
+  const Volume_sectors& m_sectors;
+  const Volume_places& m_places;
+  std::vector<std::pair<std::size_t, std::size_t> > m_member; // the place, and which of its members
+  std::vector<std::size_t> m_first_unknown;                   // per member
+  std::vector<std::pair<Member_index, std::size_t> > m_member_of_sector; // and which slot
+  std::vector<Place_freedom> m_freedoms;                      // per place
+  std::size_t m_number_of_unknowns = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_MEMBERS_H

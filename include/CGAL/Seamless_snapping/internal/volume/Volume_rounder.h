@@ -1,0 +1,290 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ROUNDER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ROUNDER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// From an exactly seamless map of a volume to an integer-grid map near by: translations, levels of
+// aligned facets, and singular curves become integers, and the change is spread over the volume.
+
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/volume/Integer_grid_check.h>
+#include <CGAL/Seamless_snapping/internal/volume/Rounding_displacement.h>
+#include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Below, each vertex takes the nearest place, and charts stay where they are.
+constexpr double negligible_volume_rounding = 1e-4;
+
+// What constraints say of a volume: read off coordinates that meet them exactly, or nearly so. Its
+// parts refer to each other.
+struct Volume_structure
+{
+  Volume_transitions transitions;
+  Volume_alignment alignment;
+  Volume_sectors sectors;
+  Volume_charts charts; // those of the input
+  Volume_places places;
+  Volume_members members;
+
+  explicit Volume_structure(const Flat_volume& volume)
+    : transitions(Facet_transition_reader(volume).read()),
+      alignment(Facet_alignment_reader(volume, transitions).read()),
+      sectors(Sector_builder(volume, transitions, alignment).build()),
+      places(Place_finder(sectors, charts).find()), members(sectors, places)
+  { }
+  Volume_structure(const Volume_structure&) = delete;
+  Volume_structure& operator=(const Volume_structure&) = delete;
+};
+
+// Adds the edges that an integer-grid map has on integer lines to those that are to be aligned. A
+// refusal names what no integer grid fits.
+inline std::optional<Refusal> add_grid_edges(Flat_volume& volume)
+{
+  const Volume_transitions transitions = Facet_transition_reader(volume).read();
+  for(const Grid_edge& edge : Grid_edge_finder(volume, transitions).find()) {
+    if(edge.is_skew)
+      return Refusal{Snapping_status::NOT_INTEGER,
+                     "cells are turned around the singular " + volume.name_of_edge(edge.edge) +
+                       " about an axis that is none of the coordinates', so that no integer grid "
+                     "fits; correct the map there", {}};
+    volume.aligned_edges.push_back(edge.edge);
+  }
+  return std::nullopt;
+}
+
+// \pre `add_grid_edges()` was called for the volume before its structure was read; it holds all
+//      cells, none of whose vertices is fixed
+class Volume_rounder
+{
+  using Group = Cube_rotations;
+
+public:
+  // \param tolerance of alignments, absolute
+  Volume_rounder(const Flat_volume& volume, const Volume_structure& structure,
+                 const double tolerance, const double rounding_tolerance,
+                 const Number_format& format, Snapping_report& report, Step_timer& timer)
+    : m_volume(volume), m_structure(structure), m_members(structure.members),
+      m_tolerance(tolerance), m_rounding_tolerance(rounding_tolerance), m_format(format),
+      m_report(report), m_timer(timer),
+      m_integers(structure.sectors, structure.places, structure.members, format)
+  { }
+
+  // Fills in the coordinates of all corners, if these have to move. Returns why there are none, if
+  // so.
+  std::optional<Refusal> run(std::vector<Uvw>& rounded)
+  {
+    const Volume_transitions& transitions = m_structure.transitions;
+    const Volume_alignment& alignment = m_structure.alignment;
+    if(alignment.violation > m_tolerance)
+      return Refusal{Snapping_status::NOT_INTEGER,
+                     alignment.worst + ", around which cells have 720 degrees or the boundary "
+                     "turns back, is " + short_number(alignment.violation) + " off a line of "
+                     "constant coordinates; correct the map there", {}};
+    if(const auto refusal = check_range())
+      return refusal;
+    if(is_exact(m_volume, transitions, alignment, m_volume.coordinates) &&
+       is_on_integers(m_volume, transitions, alignment, m_volume.coordinates))
+      return std::nullopt;
+    m_report.linear_solver = m_integers.linear_solver().figures();
+    std::vector<Uvw> u = m_volume.coordinates;
+    if(!m_integers.solve(u))
+      return not_representable();
+    auto worst = largest_rounding(u);
+    std::optional<Rounding_displacement> displacement = displacement_of(u);
+    const bool is_far = worst.first > negligible_volume_rounding;
+    if(is_far) {
+      displacement->spread();
+      std::vector<Uvw> moved = Volume_chart_mover(m_volume, transitions, alignment).run();
+      if(m_rounding_tolerance > 0 && m_integers.solve(moved)) {
+        std::optional<Rounding_displacement> of_moved = displacement_of(moved);
+        of_moved->spread();
+        if(of_moved->energy() < displacement->energy()) {
+          u.swap(moved);
+          displacement.emplace(std::move(*of_moved));
+          worst = largest_rounding(u);
+        }
+      }
+      m_integers.solve(u); // as before
+    }
+    m_timer.finish("rounding");
+    m_report.largest_rounding = worst.first;
+    if(worst.first > m_rounding_tolerance)
+      return Refusal{Snapping_status::NOT_INTEGER,
+                     worst.second + " is " + short_number(worst.first) +
+                       " off the integer that it is rounded to, more than the rounding_tolerance "
+                     "of " + short_number(m_rounding_tolerance) + "; raise it, or scale the map up "
+                     "by grid_scale", {}};
+    rounded = m_volume.coordinates;
+    if(!expand(*displacement, is_far, rounded))
+      return not_representable();
+    if(!is_exact(m_volume, transitions, alignment, rounded) ||
+       !is_on_integers(m_volume, transitions, alignment, rounded))
+      return Refusal{Snapping_status::INTERNAL_ERROR,
+                     "the integer-grid map failed its exact verification and was discarded; please "
+                     "report this", {}};
+    m_timer.finish("displacement");
+    return std::nullopt;
+  }
+
+private:
+  Rounding_displacement displacement_of(const std::vector<Uvw>& u) const
+  {
+    return Rounding_displacement(m_structure.sectors, m_members, m_integers, u);
+  }
+
+  Refusal not_representable() const
+  {
+    return {Snapping_status::NOT_REPRESENTABLE,
+            "the integers near by would be too large for the number type; scale the map down", {}};
+  }
+
+  // Seven bits for what is behind the point.
+  std::optional<Refusal> check_range() const
+  {
+    const int bits = m_format.digits - 7;
+    for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
+      for(const double x : m_volume.coordinates[i])
+        if(std::abs(x) > std::ldexp(1., bits))
+          return Refusal{Snapping_status::NOT_REPRESENTABLE,
+                         "a coordinate at vertex " +
+                           std::to_string(m_volume.vertex_names[std::size_t(
+                             m_volume.vertices[i])]) +
+                           " is too large: beyond 2^" + std::to_string(bits) + ", where units "
+                           "can't be counted safely; move or shrink the map", {}};
+    return std::nullopt;
+  }
+
+  // The largest distance of a translation or a level from its integer, and the place.
+  std::pair<double, std::string> largest_rounding(const std::vector<Uvw>& u) const
+  {
+    std::pair<double, std::string> result(0, "");
+    const auto note = [&](const double x, const std::int64_t integer, const auto& name) {
+      const double distance = std::abs(x - static_cast<double>(integer));
+      if(distance > result.first)
+        result = {distance, name()};
+    };
+    for(std::size_t i = 0; i < m_volume.open_facets.size(); ++i)
+      if(m_structure.transitions.is_cut[i] != 0)
+        for(std::size_t c = 0; c < 3; ++c)
+          note_translation(u, i, c, note);
+    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
+      const Corner_index corner = corners_of_facet(m_volume.aligned_facets[i])[0];
+      const std::size_t c = std::size_t(m_structure.alignment.coordinate[i]);
+      note(u[std::size_t(corner)][c], m_integers(corner, c), [&] {
+        return "the level of " + m_volume.name_of_facet(m_volume.aligned_facets[i]);
+      });
+    }
+    for(std::size_t i = 0; i < m_volume.aligned_edges.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        if(const Corner_index corner = m_volume.aligned_edges[i].a;
+           int(c) != m_structure.alignment.direction[i])
+          note(u[std::size_t(corner)][c], m_integers(corner, c), [&] {
+            return m_volume.name_of_edge(m_volume.aligned_edges[i]);
+          });
+    return result;
+  }
+
+  template <typename Note>
+  void note_translation(const std::vector<Uvw>& u, const std::size_t i, const std::size_t c,
+                        const Note& note) const
+  {
+    const Corner_index facet = m_volume.open_facets[i], here = corners_of_facet(facet)[0],
+                       there = m_volume.across(facet, here);
+    const int g = m_structure.transitions.element[i];
+    const std::size_t source = Group::source(g, c);
+    const int sign = Group::sign(g, c);
+    note(u[std::size_t(there)][c] - sign * u[std::size_t(here)][source],
+         m_integers(there, c) - sign * m_integers(here, source), [&] {
+           return "the translation across " + m_volume.name_of_facet(facet);
+         });
+  }
+
+  // On one grid, which holds all coordinates. Vertices that no constraint concerns keep theirs,
+  // unless these are spread.
+  bool expand(const Rounding_displacement& displacement, const bool is_spread,
+              std::vector<Uvw>& rounded) const
+  {
+    const auto move = [&](const Volume_members::Term& t)
+    { return t.sign == 0 ? 0. : t.sign * displacement.moves()[t.unknown]; };
+    double largest = 1;
+    for(std::size_t i = 0; i < rounded.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c) {
+        const double integer = static_cast<double>(m_integers(Corner_index(i), c));
+        largest = (std::max)({largest, std::abs(integer),
+                              std::abs(integer + move(term(Corner_index(i), c)))});
+      }
+    const Grid grid = Grid::finest(m_format, largest);
+    if(grid.exponent() > 0)
+      return false;
+    m_report.run.grid_step = grid.step();
+    const std::int64_t unit = std::int64_t(1) << -grid.exponent();
+    for(std::size_t i = 0; i < rounded.size(); ++i) {
+      if(!is_spread && is_unconstrained(m_members.member_of_corner(Corner_index(i))))
+        continue;
+      for(std::size_t c = 0; c < 3; ++c) {
+        const Volume_members::Term t = term(Corner_index(i), c);
+        std::int64_t x = unit * m_integers(Corner_index(i), c);
+        if(t.sign != 0)
+          x += t.sign * nearest_integer(grid.in_steps(displacement.moves()[t.unknown]));
+        if(!grid.is_representable(x))
+          return false;
+        if(const double to = grid.value(x); rounded[i][c] != to) // zeros keep their signs
+          rounded[i][c] = to;
+      }
+    }
+    return true;
+  }
+
+  Volume_members::Term term(const Corner_index i, const std::size_t c) const
+  {
+    return m_members.term(m_members.member_of_corner(i), m_members.slot_of_corner(i), c);
+  }
+
+  bool is_unconstrained(const Member_index m) const
+  {
+    const Volume_places::Place& place = m_members.place(m);
+    return place.first_arc == place.end_of_arcs && place.first_level == place.end_of_levels;
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_structure& m_structure;
+  const Volume_members& m_members;
+  double m_tolerance, m_rounding_tolerance;
+  Number_format m_format;
+  Snapping_report& m_report;
+  Step_timer& m_timer;
+  Integer_places m_integers;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_VOLUME_ROUNDER_H
