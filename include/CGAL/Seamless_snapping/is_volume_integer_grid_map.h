@@ -143,6 +143,7 @@ Volume_integer_grid_measure measure_volume_integer_grid(const TetrahedronRange& 
   if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {},
                                       Cells_to_read::ALL))
     throw std::invalid_argument(refusal->message);
+  read_coordinates(uvw_map, volume);
   Volume_integer_grid_measure result;
   const Volume_transitions transitions = Facet_transition_reader(volume).read();
   const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();

@@ -89,6 +89,7 @@ Volume_seamlessness measure_volume_seamlessness(const TetrahedronRange& range,
   Flat_volume volume;
   if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume))
     throw std::invalid_argument(refusal->message);
+  read_coordinates(uvw_map, volume);
   Volume_seamlessness result;
   measure_constraints(volume, result);
   result.number_of_cells = tetrahedra.number_of_cells();
@@ -116,6 +117,7 @@ bool is_volume_seamless(const TetrahedronRange& range, const CornerUVWMap& uvw_m
       return false;
     throw std::invalid_argument(refusal->message);
   }
+  read_coordinates(uvw_map, volume);
   Volume_seamlessness result;
   measure_constraints(volume, result);
   return result.is_exact();

@@ -66,8 +66,8 @@ std::optional<Refusal> read_elements(const Range& range, const char* const name,
 
 enum class Cells_to_read { AT_CONSTRAINTS, ALL };
 
-// All that constraints concern, and some further vertices. Returns what is wrong with the input, if
-// so.
+// All that constraints concern, and some further vertices, but for coordinates. Returns what is
+// wrong with the input, if so.
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
 std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
                                    const NamedParameters& np, Tetrahedra& tetrahedra,
@@ -204,6 +204,7 @@ std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const Corne
       if(refusal)
         return refusal;
     }
+    read_coordinates(uvw_map, volume);
     const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
     if(auto refusal = Flat_volume_snapper(volume, tolerance, format, report, timer).run(snapped))
       return refusal;
@@ -228,6 +229,7 @@ std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const Corne
   timer.finish("reading");
   if(refusal)
     return refusal;
+  read_coordinates(uvw_map, volume);
   const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
   return Whole_volume_snapper(volume, options, format, report, timer).run(snapped);
 }

@@ -93,16 +93,15 @@ public:
   { }
 
   // Fills in the cells at facets whose sides differ and at aligned facets and edges, and those at
-  // some further vertices. Returns what is wrong with the input, if so.
+  // some further vertices, but for their coordinates. Returns what is wrong with the input, if so.
   std::optional<Refusal> run(const bool align_boundary, const Volume_features& features,
                              const std::vector<std::int64_t>& further_vertices,
                              Flat_volume& volume)
   {
     for(const std::int64_t name : further_vertices)
       m_is_marked[std::size_t(m_tetrahedra.vertex_of_name(name))] = 1;
-    if(auto refusal = check_coordinates())
+    if(auto refusal = find_facets(align_boundary))
       return refusal;
-    find_facets(align_boundary);
     if(auto refusal = find_features(features))
       return refusal;
     copy_cells(volume);
@@ -113,34 +112,33 @@ public:
   }
 
 private:
-  std::optional<Refusal> check_coordinates()
+  std::optional<Refusal> find_facets(const bool align_boundary)
   {
     m_least.fill(std::numeric_limits<double>::infinity());
     m_largest.fill(-std::numeric_limits<double>::infinity());
-    for(std::size_t i = 0; i < m_tetrahedra.vertices.size(); ++i) {
-      const Uvw u = get_uvw(m_uvw_map, i);
-      for(std::size_t c = 0; c < 3; ++c) {
-        if(!(std::abs(u[c]) <= largest_uvw))
-          return Refusal{Snapping_status::NOT_FINITE,
-                         "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
-                           std::to_string(name(Corner_index(i))) +
-                           " is NaN, infinite, or beyond 1e300", {}};
-        m_least[c] = (std::min)(m_least[c], u[c]);
-        m_largest[c] = (std::max)(m_largest[c], u[c]);
-      }
-    }
-    return std::nullopt;
-  }
-
-  void find_facets(const bool align_boundary)
-  {
     for(std::size_t f = 0; f < m_tetrahedra.opposite.size(); ++f) {
       const Corner_index facet = Corner_index(f), other = m_tetrahedra.opposite[f];
+      if(!add_to_extent(get_uvw(m_uvw_map, f))) // of the corner of that number
+        return Refusal{Snapping_status::NOT_FINITE,
+                       "cell " + std::to_string(f / 4) + ": a coordinate at vertex " +
+                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300", {}};
       if(other == no_facet ? align_boundary : facet < other && !are_identical(facet, other)) {
         (other == no_facet ? m_aligned_facets : m_open_facets).push_back(facet);
         mark(facet);
       }
     }
+    return std::nullopt;
+  }
+
+  bool add_to_extent(const Uvw& u)
+  {
+    for(std::size_t c = 0; c < 3; ++c) {
+      if(!(std::abs(u[c]) <= largest_uvw))
+        return false;
+      m_least[c] = (std::min)(m_least[c], u[c]);
+      m_largest[c] = (std::max)(m_largest[c], u[c]);
+    }
+    return true;
   }
 
   void mark(const Corner_index facet)
@@ -262,7 +260,6 @@ private:
         }
     const std::size_t size = 4 * volume.number_of_cells();
     volume.vertices.reserve(size);
-    volume.coordinates.reserve(size);
     volume.opposite.reserve(size);
     std::vector<std::int32_t> new_vertex(m_tetrahedra.number_of_vertices, -1);
     for(const std::int32_t c : volume.cell_names)
@@ -275,7 +272,6 @@ private:
           volume.is_fixed.push_back(m_is_marked[old] == 0);
         }
         volume.vertices.push_back(v);
-        volume.coordinates.push_back(get_uvw(m_uvw_map, i));
         volume.opposite.push_back(moved(m_tetrahedra.opposite[i], place));
       }
     m_aligned_facets.insert(m_aligned_facets.end(), m_added_facets.begin(), m_added_facets.end());
@@ -310,6 +306,16 @@ private:
   std::vector<Corner_index> m_open_facets, m_aligned_facets, m_added_facets;
   std::vector<Flat_volume::Aligned_edge> m_aligned_edges;
 };
+
+// Separate, as by then what the survey needs can be gone.
+template <typename CornerUVWMap>
+void read_coordinates(const CornerUVWMap& uvw_map, Flat_volume& volume)
+{
+  volume.coordinates.reserve(volume.vertices.size());
+  for(const std::int32_t c : volume.cell_names)
+    for(std::size_t i = 4 * std::size_t(c); i < 4 * std::size_t(c) + 4; ++i)
+      volume.coordinates.push_back(get_uvw(uvw_map, i));
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
