@@ -299,6 +299,7 @@ int main(int argc, char** argv)
   test_repair(true);
   test_refusals();
   test_neighbors();
+  test_two_cells();
   test_large_names();
   test_floats_and_components();
   test_map_that_rounds();

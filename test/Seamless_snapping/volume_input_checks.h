@@ -100,6 +100,38 @@ inline void test_neighbors()
                 parameters::cell_neighbors(neighbors));
 }
 
+// The sides of one facet, which differ at one vertex, by so little that rounded differences of
+// coordinates are the same, or by much.
+inline void test_two_cells()
+{
+  Tet_map map{{{{0, 1, 2, 3}}, {{1, 2, 3, 4}}},
+                    {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}},
+                     {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 1, 1}}}};
+  const auto is_exact = [](Tet_map changed) {
+    const bool result = Snapping::is_volume_seamless(changed.cells, Double_map{&changed},
+                                                     parameters::align_boundary(false));
+    CHECK_EQUAL(result, volume_reference::check(changed, false).is_exact());
+    return result;
+  };
+  CHECK(is_exact(map));
+  for(std::size_t c = 0; c < 3; ++c)
+    for(const double by : {0x1p-60, 0.25}) {
+      for(std::size_t k = 4; k < 7; ++k) {
+        Tet_map changed = map;
+        changed.corners[k][c] += by;
+        CHECK(!is_exact(changed) || changed.corners == map.corners);
+      }
+      Tet_map moved = map;
+      for(std::size_t k = 4; k < 8; ++k)
+        moved.corners[k][c] += by;
+      CHECK_EQUAL(is_exact(moved), by == 0.25);
+    }
+  // the last cell has its features, too
+  CHECK_EQUAL(snap(map, parameters::align_boundary(false)
+                .feature_edges(std::vector<std::array<int, 2> >{{{1, 4}}})).status,
+              Snapping_status::NOT_ALIGNED);
+}
+
 // Names of vertices that are much larger than their number change nothing.
 inline void test_large_names()
 {
