@@ -133,6 +133,7 @@ seamless_snapping_benchmark_table(layout_speed 8 "" "${data}/genus2.obj" --runs 
   --nodes 20)
 seamless_snapping_benchmark_table(extraction_speed 7 "" "${data}/genus2.obj" --runs 1 --quads 20000
   --faces 20000 --nodes 20)
+seamless_snapping_benchmark_table(volume_scaling 0 "adjacency;lost" --cubes 4 --repeats 1)
 
 # The other benchmarks compile, where they are not built: with the flags of the precompiled headers,
 # which are those of all programs, or these would not be taken.
