@@ -259,6 +259,19 @@ void test_repair(const bool per_corner)
   CHECK(per_corner || number_of_lost_cells > 0); // else the vertex is one that moves anyway
 }
 
+// Fifty hexahedra along a side: fewer would need better integers than the nearest.
+void test_grid_of_file(Tet_map map, const std::string& name)
+{
+  const Tet_map before = map;
+  const double scale = 50 / volume_reference::extent(map);
+  const Snapping_report report =
+    snap(map, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.));
+  CHECK_IN(name + ": " + report.message, bool(report) && is_grid(map));
+  CHECK_IN(name, report.lost_faces.empty() && volume_reference::lost_cells(before, map) == 0);
+  if(map.cells.size() < 2000) // takes long in rational numbers
+    CHECK_IN(name, volume_grid_reference::count(map).are_integers());
+}
+
 // Real maps, as they are and with noise.
 void test_further_files()
 {
@@ -274,6 +287,8 @@ void test_further_files()
     Tet_map noisy = map;
     CHECK_IN(file.string(), snap_and_check(map, file.string()).lost_faces.empty());
     volume_generator::add_noise(noisy, 1e-8, true, 1);
+    if(file.string().find("_noise") == std::string::npos)
+      test_grid_of_file(noisy, file.string());
     CHECK_IN(file.string(), snap_and_check(noisy, file.string()).lost_faces.empty());
     if(mesh.feature_facets.empty())
       continue;

@@ -63,7 +63,7 @@ public:
   static constexpr int largest_number_of_iterations = 2000;
   void spread()
   {
-    constexpr double precision = 1e-6;
+    constexpr double precision = 1e-4;
     Values diagonal(m_moves.size(), 0), residual(m_moves.size(), 0), image;
     for(std::size_t i = 0; i < m_bases.size(); ++i)
       for(std::size_t c = 0; c < 3; ++c)
@@ -197,14 +197,19 @@ private:
   void add_gradient(const Values& moves, const bool with_base, Values& gradient) const
   {
     for(std::size_t cell = 0; cell < m_weights.size(); ++cell)
-      for(std::size_t c = 0; c < 3; ++c)
+      for(std::size_t c = 0; c < 3; ++c) {
+        std::array<double, 4> x, slope{};
+        for(std::size_t i = 0; i < 4; ++i)
+          x[i] = value(moves, with_base, 4 * cell + i, c);
         for_each_edge(cell, [&](const std::size_t i, const std::size_t j, const double weight) {
-          const double d = weight * (value(moves, with_base, i, c) - value(moves, with_base, j, c));
-          if(const Volume_members::Term& t = m_terms[i][c]; t.sign != 0)
-            gradient[t.unknown] += t.sign * d;
-          if(const Volume_members::Term& t = m_terms[j][c]; t.sign != 0)
-            gradient[t.unknown] -= t.sign * d;
+          const double d = weight * (x[i % 4] - x[j % 4]);
+          slope[i % 4] += d;
+          slope[j % 4] -= d;
         });
+        for(std::size_t i = 0; i < 4; ++i)
+          if(const Volume_members::Term& t = m_terms[4 * cell + i][c]; t.sign != 0)
+            gradient[t.unknown] += t.sign * slope[i];
+      }
   }
 
   static double product(const Values& a, const Values& b)

@@ -120,18 +120,24 @@ public:
     std::optional<Rounding_displacement> displacement = displacement_of(u);
     const bool is_far = worst.first > negligible_volume_rounding;
     if(is_far) {
-      displacement->spread();
-      std::vector<Uvw> moved = Volume_chart_mover(m_volume, transitions, alignment).run();
-      if(m_rounding_tolerance > 0 && m_integers.solve(moved)) {
-        std::optional<Rounding_displacement> of_moved = displacement_of(moved);
+      std::vector<Uvw> moved = u;
+      if(m_rounding_tolerance > 0)
+        moved = Volume_chart_mover(m_volume, transitions, alignment).run();
+      if(!m_integers.solve(moved))
+        return not_representable();
+      const auto worst_of_moved = largest_rounding(moved);
+      std::optional<Rounding_displacement> of_moved = displacement_of(moved);
+      const bool is_moved_near = worst_of_moved.first <= negligible_volume_rounding;
+      if(!is_moved_near) {
+        displacement->spread();
         of_moved->spread();
-        if(of_moved->energy() < displacement->energy()) {
-          u.swap(moved);
-          displacement.emplace(std::move(*of_moved));
-          worst = largest_rounding(u);
-        }
       }
-      m_integers.solve(u); // as before
+      if(is_moved_near || of_moved->energy() < displacement->energy()) {
+        displacement.emplace(std::move(*of_moved));
+        worst = worst_of_moved;
+      } else {
+        m_integers.solve(u); // as before
+      }
     }
     m_timer.finish("rounding");
     m_report.largest_rounding = worst.first;
