@@ -177,7 +177,7 @@ and at vertices.
           to the tolerance;
         - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or a
           singular edge has no coordinate axis; or so much collapses at the integers near by that
-          the grid can't be told from the coordinates;
+          most cells lose their orientation, or the grid can't be told from the coordinates;
         - `INVALID_ARGUMENT`: there is no cell or more than \f$ 2^{27} \f$, a cell has a vertex
           twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
           the cells, a tolerance is negative, or the scale is not positive;

@@ -171,7 +171,7 @@ private:
   std::optional<Refusal> refusal_of_collapse()
   {
     m_volume.aligned_edges.resize(m_number_of_feature_edges);
-    if(m_report.lost_faces.size() < m_volume.number_of_cells() && is_integer_grid(m_volume))
+    if(2 * m_report.lost_faces.size() < m_volume.number_of_cells() && is_integer_grid(m_volume))
       return std::nullopt;
     return Refusal{Snapping_status::NOT_INTEGER,
                    "at the nearest integers, " + std::to_string(m_report.lost_faces.size()) +
@@ -179,8 +179,8 @@ private:
                      (m_report.lost_faces.empty()
                         ? std::string()
                         : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
-                     ", and the grid can't be told from the coordinates; scale the map up by "
-                     "grid_scale", {}};
+                     ": these are most of them, or the grid can't be told from the coordinates; "
+                     "scale the map up by grid_scale", {}};
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each.
