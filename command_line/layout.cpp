@@ -8,10 +8,10 @@
 #include "files.h"
 #include "layout_picture.h"
 #include "measures.h"
+#include "snap_model.h"
 #include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/layout.h>
-#include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <cstddef>
@@ -59,29 +59,14 @@ struct Layout_options
   }
 };
 
-void snap(const Layout_options& options, Model& model, const Edge_bool_map is_aligned)
+// Where flips should be repaired and remain, there is no layout.
+void snap(const Layout_options& options, Model& model, const Alignment& alignment)
 {
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
-  const SS::Snapping_report report = SS::snap_to_seamless(
-    model.mesh, model.uv_map,
-    SS::parameters::edge_is_constrained_map(is_aligned).tolerance(options.seams.tolerance)
-      .repair_flips(options.seams.flip_repair())
-      .number_of_untangling_iterations(options.seams.untangling_iterations)
-      .verbose(options.seams.reading.verbose));
+  const SS::Snapping_report report = snap_in_double(model, alignment, options.seams);
   if(!report || report.status == SS::Snapping_status::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
-}
-
-// What was tried is no remedy.
-std::string without_vain_advice(std::string message, const Seam_options& options)
-{
-  const std::string advice = "repair them by --repair-flips";
-  const std::size_t i = message.find(advice);
-  if(options.repair_flips && i != message.npos)
-    message.replace(i, advice.size(),
-                    "--repair-flips could not repair them; change the map there");
-  return message;
 }
 
 } // namespace
@@ -96,22 +81,16 @@ void layout(const Arguments& arguments)
   std::ostream& os = summary_stream({options.output, options.picture});
   os << notes_on_reading(model) << std::flush;
   const Alignment alignment(model, options.seams);
-  snap(options, model, alignment.is_aligned);
+  snap(options, model, alignment);
   const Progress progress("dividing the surface", options.seams.reading.verbose);
   const auto np = SS::parameters::edge_is_constrained_map(alignment.is_aligned);
   const SS::Motorcycle_graph<Mesh> graph =
     options.base_complex
       ? SS::motorcycle_graph(model.mesh, model.uv_map, np.stop_policy(SS::Run_to_nodes()))
       : SS::motorcycle_graph(model.mesh, model.uv_map, np);
-  if(graph.status() == SS::Layout_status::NOT_POSITIVE && options.seams.repair_flips)
-    throw Failure(NOT_SOLVED, options.input + ": " +
-                                counted(graph.nonpositive_faces().size(), "flipped face") +
-                                " could not be repaired, the first is face " +
-                                std::to_string(graph.nonpositive_faces().front()));
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
-                                without_vain_advice(in_words_of_user(graph.message(), model),
-                                                    options.seams));
+                                in_words_of_user(graph.message(), model));
   std::ostringstream text;
   SS::IO::write_layout(text, graph);
   write_file(options.output, text.str());

@@ -11,6 +11,7 @@
 #include "measures.h"
 #include "plain_meshes.h"
 #include "quad_picture.h"
+#include "snap_model.h"
 #include "words.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
@@ -108,14 +109,6 @@ double scale_for_number(const Model& model, const Quad_options& options)
   return std::sqrt(options.number / area);
 }
 
-auto snapping_parameters(const Quad_options& options, const Alignment& alignment)
-{
-  return SS::parameters::edge_is_constrained_map(alignment.is_aligned)
-    .tolerance(options.seams.tolerance).repair_flips(options.seams.flip_repair())
-    .number_of_untangling_iterations(options.seams.untangling_iterations)
-    .verbose(options.seams.reading.verbose);
-}
-
 SS::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
                                      Model& model)
 {
@@ -124,7 +117,7 @@ SS::Snapping_report snap_to_integers(const Quad_options& options, const double r
                           options.seams.reading.verbose);
   return SS::snap_to_seamless(
     model.mesh, model.uv_map,
-    snapping_parameters(options, alignment).integer_grid(true).rounding_tolerance(rounding)
+    snapping_parameters(alignment, options.seams).integer_grid(true).rounding_tolerance(rounding)
       .grid_scale(scale_for_number(model, options)));
 }
 
@@ -139,9 +132,7 @@ SS::Quantization quantize(const Quad_options& options, Model& model)
 {
   const Alignment alignment(model, options.seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  check_snapped(options, model,
-                SS::snap_to_seamless(model.mesh, model.uv_map,
-                                     snapping_parameters(options, alignment)));
+  check_snapped(options, model, snap_in_double(model, alignment, options.seams));
   return SS::quantize(model.mesh, model.uv_map,
                       SS::parameters::edge_is_constrained_map(model.is_feature)
                         .needs_face_graph(!options.soup)
@@ -211,13 +202,10 @@ void extract_rounded(const Quad_options& options, Model& model, const double rou
 // needs an aligned border or faces that are not flipped, by integers at any distance.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
 {
-  std::vector<Kernel::Point_2> input;
-  for(const Halfedge h : model.mesh.halfedges())
-    input.push_back(model.uv_map[h]);
+  const Uv_map input = copy_of_uv_map(model);
   const auto restore = [&] {
-    std::size_t i = 0;
     for(const Halfedge h : model.mesh.halfedges())
-      model.uv_map[h] = input[i++];
+      model.uv_map[h] = input[h];
   };
   result.snapped = snap_to_integers(options, options.rounding, model);
   if(result.snapped && result.snapped.lost_faces.empty() &&

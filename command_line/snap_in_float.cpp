@@ -14,12 +14,7 @@ SS::Snapping_report snap_in_float(Model& model, const Alignment& alignment,
     float_map[h] = Float_point(static_cast<float>(model.uv_map[h].x()),
                                static_cast<float>(model.uv_map[h].y()));
   const SS::Snapping_report report =
-    SS::snap_to_seamless(model.mesh, float_map,
-                         SS::parameters::edge_is_constrained_map(alignment.is_aligned)
-                                        .tolerance(options.tolerance)
-                                        .repair_flips(options.flip_repair())
-                                        .number_of_untangling_iterations(options.untangling_iterations)
-                                        .verbose(options.reading.verbose));
+    SS::snap_to_seamless(model.mesh, float_map, snapping_parameters(alignment, options));
   for(const Halfedge h : model.mesh.halfedges())
     model.uv_map[h] = Kernel::Point_2(float_map[h].x(), float_map[h].y());
   return report;

@@ -6,6 +6,17 @@
 #include "measures.h"
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+
+// What the options say of snapping.
+inline auto snapping_parameters(const Alignment& alignment, const Seam_options& options)
+{
+  return CGAL::Seamless_snapping::parameters::edge_is_constrained_map(alignment.is_aligned)
+    .tolerance(options.tolerance)
+    .repair_flips(options.flip_repair())
+    .number_of_untangling_iterations(options.untangling_iterations)
+    .verbose(options.reading.verbose);
+}
 
 CGAL::Seamless_snapping::Snapping_report
 snap_in_double(Model& model, const Alignment& alignment, const Seam_options& options);
