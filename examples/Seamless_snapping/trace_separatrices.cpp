@@ -42,4 +42,5 @@ int main(int argc, char* argv[])
     std::cout << "the first one leads to "
               << SS::isocurve_point_3(curves.front().points.back(), mesh, uv_map, mesh.points())
               << std::endl;
+  return EXIT_SUCCESS;
 }
