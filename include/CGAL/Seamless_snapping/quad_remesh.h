@@ -25,6 +25,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/inverted_quads.h>
 #include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
+#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -361,10 +362,7 @@ bool Quad_remesher::parametrize(Surface& surface)
     face = surface.original(face);
   if(!m_report.remaining_flips.empty())
     return fail(Remeshing_status::NOT_POSITIVE,
-                std::to_string(m_report.remaining_flips.size()) +
-                  (m_report.remaining_flips.size() == 1 ? " face is" : " faces are") +
-                  " flipped in the parametrization, the first is face " +
-                  std::to_string(m_report.remaining_flips.front()) +
+                name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
                   "; mark fewer features, or remesh the input there");
   return true;
 }

@@ -238,10 +238,8 @@ private:
     }
     if(!m_options.allow_holes)
       return fail(Extraction_status::NOT_POSITIVE,
-                  std::to_string(faces.size()) + (faces.size() == 1 ? " face is" : " faces are") +
-                    " flipped or degenerate in the domain, the first is face " +
-                    std::to_string(faces.front()) + "; repair them by repair_integer_grid(), or "
-                    "leave out the cells around them: allow_holes(true)");
+                  refusal_of_faces(faces) + "; repair them by repair_integer_grid(), or leave out "
+                    "the cells around them: allow_holes(true)");
     const Face_remover<Group> remover(m_mesh, faces);
     Mesh rest = remover.run();
     if(!m_is_feature.empty())

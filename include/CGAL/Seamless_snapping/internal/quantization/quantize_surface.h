@@ -93,9 +93,7 @@ private:
     const std::vector<std::size_t>& faces = m_result.nonpositive_faces;
     return faces.empty() ||
            fail(Quantization_status::NOT_POSITIVE,
-                std::to_string(faces.size()) + (faces.size() == 1 ? " face is" : " faces are") +
-                  " flipped or degenerate in the domain, the first is face " +
-                  std::to_string(faces.front()) +
+                refusal_of_faces(faces) +
                   "; repair them by snap_to_seamless() with repair_flips(true)");
   }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,17 @@ std::vector<std::size_t> nonpositive_faces(const Basic_chart_mesh<Group>& mesh)
       result.push_back(f);
   return result;
 }
+
+// How many there are, and the first, in words. `what` they are, such as "flipped".
+inline std::string name_of_faces(const std::vector<std::size_t>& faces, const std::string& what)
+{
+  return std::to_string(faces.size()) + (faces.size() == 1 ? " face is " : " faces are ") + what +
+         ", the first is face " + std::to_string(faces.front());
+}
+
+// Why no isocurve can be followed.
+inline std::string refusal_of_faces(const std::vector<std::size_t>& nonpositive)
+{ return name_of_faces(nonpositive, "flipped or degenerate in the domain"); }
 
 } // namespace internal
 } // namespace Seamless_snapping
