@@ -913,7 +913,7 @@ void test_large_roundings(const Square_complex& complex, const int side, const i
       map.mesh, map.uv,
       parameters::integer_grid(true).align_border(true).rounding_tolerance(10.));
     CHECK(bool(report));
-    CHECK_EQUAL(report.largest_rounding, refusal.largest_rounding);
+    CHECK(report.largest_rounding > 0.01); // of others, it may be
     CHECK(SS::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
     CHECK(report.lost_faces.empty());
     Mesh quads;
@@ -926,8 +926,27 @@ void test_large_roundings(const Square_complex& complex, const int side, const i
   }
 }
 
+// Where coordinates that are rounded independently turn over faces, integers are chosen that don't.
+void test_integers_one_after_another(const std::string& name, const double number_of_quads)
+{
+  Mesh mesh;
+  UV_map uv = square_complex::uv_map(mesh);
+  CHECK(SS::IO::read_OBJ(test_data::package_file(name), mesh, uv));
+  const double scale = std::sqrt(number_of_quads / SS::measure_integer_grid(mesh, uv).area);
+  const auto report = SS::snap_to_seamless(
+    mesh, uv, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.));
+  CHECK_EQUAL(report.status, SS::Snapping_status::SNAPPED);
+  CHECK_EQUAL(report.lost_faces.size(), std::size_t(0));
+  const auto measure = SS::measure_integer_grid(mesh, uv);
+  CHECK_EQUAL(measure.number_of_nonpositive_faces, std::size_t(0));
+  CHECK(std::abs(measure.area - number_of_quads) < 0.1 * number_of_quads);
+}
+
 void test_integer_grids()
 {
+  test_integers_one_after_another("genus1", 600);
+  test_integers_one_after_another("genus2", 2000);
+  test_integers_one_after_another("genus3", 2000);
   Square_complex box = surfaces::box(1, 2, 1);
   surfaces::mark_creases(box);
   for(const auto& [complex, n] : {std::pair{box, 8}, {surfaces::double_torus(), 4},

@@ -178,10 +178,14 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{integer_grid}
     \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
                           levels of aligned edges become integers, the nearest ones up to what they
-                          have to agree on. Where they are farther away than noise would be, charts
-                          are moved if that makes the change of edges less, as where charts lie
-                          means nothing; but not with corner constraints, or a rounding tolerance of
-                          0. Then the change is spread over the surface. See
+                          have to agree on. Where they are farther away than noise would be, the
+                          change is spread over the surface, and there are up to three further
+                          choices: charts are moved to where integers may be nearer, as where they
+                          lie means nothing, but not with corner constraints or a rounding tolerance
+                          of 0; and, in either place, integers are chosen one after another, a
+                          quarter of those that are left at a time, the nearest first, with all
+                          vertices following. What turns over the fewest faces is taken, and of that
+                          what changes edges least: not always the nearest integers. See
                           `extract_quad_mesh()`. With \f$ N = 3, 6 \f$, these are points and lines
                           of the triangular lattice.}
     \cgalParamType{Boolean}

@@ -32,6 +32,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/move_charts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
+#include <CGAL/Seamless_snapping/internal/mesh/round_one_after_another.h>
 #include <CGAL/Seamless_snapping/internal/mesh/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
@@ -79,6 +80,17 @@ class Surface_snapper
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Stars = Mesh_stars<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
   using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  // The faces that the displacement turns over, and by how much it changes edges.
+  using Cost = std::pair<std::size_t, double>;
+  static constexpr Cost infinite_cost{std::size_t(-1), 0};
+
+  struct Choice
+  {
+    std::vector<Rounding<Group> > roundings;
+    Cost cost = infinite_cost;
+  };
+
+  using Corners = std::vector<std::pair<Halfedge, Point> >;
   using Spreader = Rounding_spreader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>;
 
 public:
@@ -142,13 +154,15 @@ private:
         const auto refusal = round_to_integers(cuts, constraints, roundings);
         m_timer.finish("rounding");
         const bool is_far = refusal || largest_distance(roundings) > negligible_rounding;
-        if(is_far && has_moved_charts(transitions, cuts, constraints, roundings))
+        if(is_far && !m_has_spread &&
+           has_other_charts(transitions, cuts, constraints, refusal.has_value(), roundings))
           return snap();
-        m_charts = Charts::CHOSEN;
         if(refusal)
           return refusal;
-        if(!m_has_spread && is_far)
-          return spread_and_snap(cuts, roundings);
+        if(is_far && !m_has_spread)
+          return spread_and_snap(cuts);
+        for(const Rounding<Group>& rounding : roundings)
+          cuts.complex.equations.push_back(rounding.equation);
       }
 
     const bool was_exact = transitions.is_exact && is_exact(cuts.complex, cuts.complex.coordinates);
@@ -207,48 +221,92 @@ private:
     return std::nullopt;
   }
 
-  // Where integers are far, charts are moved to where they may be nearer; and back, if the change
-  // of edge vectors is not less there. Returns whether they were moved.
-  bool has_moved_charts(const Transition_data<TriangleMesh>& transitions, const Cuts& cuts,
-                        const Constraint_list<TriangleMesh>& constraints,
+  // Where integers are far, charts are moved to where they may be nearer; and back, if what can be
+  // chosen there is not better. Returns whether they were moved.
+  bool has_other_charts(const Transition_data<TriangleMesh>& transitions, const Cuts& cuts,
+                        const Constraint_list<TriangleMesh>& constraints, const bool is_refused,
                         const std::vector<Rounding<Group> >& roundings)
   {
-    if(m_charts == Charts::CHOSEN || m_options.rounding_tolerance == 0 ||
-       !constraints.corner_constraints().empty())
+    if(m_charts == Charts::CHOSEN)
       return false;
-    double energy = std::numeric_limits<double>::infinity();
-    Spreader spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings);
-    if(!roundings.empty() && spreader.compute())
-      energy = spreader.energy();
+    Choice choice;
+    if(!is_refused)
+      choice = choose_integers(cuts, roundings);
     if(m_charts == Charts::MOVED) {
       m_charts = Charts::CHOSEN;
-      if(energy < m_energy_before)
+      if(choice.cost < m_choice.cost) {
+        m_choice = std::move(choice);
         return false;
-      for(const auto& [h, point] : m_before)
-        put(m_uv_map, h, point);
+      }
+      restore(m_before);
       return true;
     }
+    m_choice = std::move(choice);
+    m_charts = Charts::CHOSEN;
+    if(m_options.rounding_tolerance == 0 || !constraints.corner_constraints().empty())
+      return false;
+    m_before = all_coordinates();
+    if(!Chart_mover<Group, TriangleMesh, HalfedgeUVMap>(m_tmesh, m_uv_map, transitions, cuts)
+         .run(negligible_rounding))
+      return false;
     m_charts = Charts::MOVED;
-    m_energy_before = energy;
+    return true;
+  }
+
+  Corners all_coordinates() const
+  {
+    Corners result;
     for(const auto h : halfedges(m_tmesh))
       if(!is_border(h, m_tmesh))
-        m_before.emplace_back(h, get(m_uv_map, h));
-    return Chart_mover<Group, TriangleMesh, HalfedgeUVMap>(m_tmesh, m_uv_map, transitions, cuts)
-      .run(negligible_rounding);
+        result.emplace_back(h, get(m_uv_map, h));
+    return result;
+  }
+
+  void restore(const Corners& corners)
+  {
+    for(const auto& [h, point] : corners)
+      put(m_uv_map, h, point);
   }
 
   // The uv map is a copy then, which can be changed before anything is known to succeed.
-  std::optional<Refusal> spread_and_snap(const Cuts& cuts,
-                                         const std::vector<Rounding<Group> >& roundings)
+  std::optional<Refusal> spread_and_snap(const Cuts& cuts)
   {
     m_is_rounded = m_has_spread = true;
     // those that the displacement may have made
     m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
-    if(!Spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts, roundings).run())
+    Spreader spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts);
+    if(!spreader.compute(m_choice.roundings))
       return Refusal{Snapping_status::INTERNAL_ERROR, "the roundings could not be spread over the "
                      "surface; please report this", {}};
+    if(const Rounding<Group>* const worst = farthest(m_choice.roundings, cuts))
+      m_report.largest_rounding = worst->distance();
+    spreader.move();
     m_timer.finish("displacement");
     return snap();
+  }
+
+  // The nearest integers, or those that are chosen one after another: whichever turn over fewer
+  // faces and change edges less.
+  Choice choose_integers(const Cuts& cuts, const std::vector<Rounding<Group> >& nearest) const
+  {
+    Spreader spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts);
+    Choice result{nearest, cost(spreader, nearest)};
+    std::vector<Rounding<Group> > others = nearest;
+    if(!round_one_after_another(cuts.complex, cuts.grid_points, format(), spreader, others))
+      return result;
+    const Rounding<Group>* const worst = farthest(others, cuts);
+    if(worst != nullptr && worst->distance() > m_options.rounding_tolerance)
+      return result;
+    const Cost with_others = cost(spreader, others);
+    if(with_others < result.cost)
+      result = {std::move(others), with_others};
+    return result;
+  }
+
+  static Cost cost(Spreader& spreader, const std::vector<Rounding<Group> >& roundings)
+  {
+    return spreader.compute(roundings) ? Cost(spreader.number_of_flips(), spreader.energy())
+                                       : infinite_cost;
   }
 
   // Untangling can turn folds into cones, which are not rounded then. Rounds these, too, and
@@ -256,10 +314,7 @@ private:
   void round_new_cones()
   {
     for(int i = 0; i < largest_number_of_roundings && has_point_off_grid(); ++i) {
-      std::vector<std::pair<Halfedge, Point> > before;
-      for(const auto h : halfedges(m_tmesh))
-        if(!is_border(h, m_tmesh))
-          before.emplace_back(h, get(m_uv_map, h));
+      const Corners before = all_coordinates();
       const Snapping_report report = m_report;
       m_is_rounded = true;
       m_has_spread = false;
@@ -268,8 +323,7 @@ private:
         m_report.run.number_of_repaired_flips = report.run.number_of_repaired_flips;
         continue;
       }
-      for(const auto& [h, point] : before)
-        put(m_uv_map, h, point);
+      restore(before);
       m_report = report;
       return;
     }
@@ -295,43 +349,50 @@ private:
   {
     double result = 0;
     for(const Rounding<Group>& rounding : roundings)
-      result = (std::max)(result, rounding.distance);
+      result = (std::max)(result, rounding.distance());
     return result;
   }
 
-  // Adds equations to the complex: those of the integer-grid map near by.
-  std::optional<Refusal> round_to_integers(Cuts& cuts,
+  // The integers near by.
+  std::optional<Refusal> round_to_integers(const Cuts& cuts,
                                            const Constraint_list<TriangleMesh>& constraints,
                                            std::vector<Rounding<Group> >& roundings)
   {
-    const auto format = Number_format::of<typename Uv_number<HalfedgeUVMap>::type>();
     if(auto refusal =
-         Integer_rounding<Group>(cuts.complex, cuts.grid_points).run(format, roundings)) {
+         Integer_rounding<Group>(cuts.complex, cuts.grid_points).run(format(), roundings)) {
       refusal->message = constraints.empty()
         ? "the integers near by would be too large for the number type; scale the map down"
         : "the further constraints don't hold for any integers near by; correct or remove them";
       return refusal;
     }
-    const Rounding<Group>* worst = nullptr;
-    for(const Rounding<Group>& rounding : roundings) {
-      cuts.complex.equations.push_back(rounding.equation);
-      if(!is_free(rounding, cuts) && (worst == nullptr || rounding.distance > worst->distance))
-        worst = &rounding;
-    }
-    if(worst == nullptr)
+    const Rounding<Group>* worst = farthest(roundings, cuts);
+    if(worst == nullptr || m_is_rounded)
       return std::nullopt;
-    if(m_is_rounded)
-      return std::nullopt;
-    m_report.largest_rounding = worst->distance;
+    m_report.largest_rounding = worst->distance();
     const double tolerance = m_options.rounding_tolerance;
-    if(worst->distance <= tolerance)
+    if(worst->distance() <= tolerance)
       return std::nullopt;
     return Refusal{Snapping_status::NOT_INTEGER,
                    name_of_rounding(*worst, cuts, m_tmesh, m_vertex_indices) + " is " +
-                     short_number(worst->distance) + " off the integer that it is rounded to, more "
-                     "than the rounding_tolerance of " + short_number(tolerance) +
+                     short_number(worst->distance()) + " off the integer that it is rounded to, "
+                     "more than the rounding_tolerance of " + short_number(tolerance) +
                      "; raise it, or scale the map up by grid_scale", {}};
   }
+
+  // Null if there is none but of points that are free to move.
+  const Rounding<Group>* farthest(const std::vector<Rounding<Group> >& roundings,
+                                  const Cuts& cuts) const
+  {
+    const Rounding<Group>* result = nullptr;
+    for(const Rounding<Group>& rounding : roundings)
+      if(!is_free(rounding, cuts) &&
+         (result == nullptr || rounding.distance() > result->distance()))
+        result = &rounding;
+    return result;
+  }
+
+  static Number_format format()
+  { return Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(); }
 
   // Whether it moves a point of the border along it, as that at the end of a slit.
   bool is_free(const Rounding<Group>& rounding, const Cuts& cuts) const
@@ -400,8 +461,8 @@ private:
   Flip_repair m_flip_repair;
   std::size_t m_iterations; // that the search for repairs may still take
   enum class Charts { AS_GIVEN, MOVED, CHOSEN } m_charts = Charts::AS_GIVEN;
-  std::vector<std::pair<Halfedge, Point> > m_before; // the charts were moved
-  double m_energy_before = 0;
+  Corners m_before; // the charts were moved
+  Choice m_choice;
   bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
   bool m_has_spread = false; // the last roundings
   std::vector<Halfedge> m_grid_points;

@@ -50,9 +50,11 @@ struct Rounding
   enum Kind { BRANCH, CHAIN, POINT };
   Kind kind;
   std::size_t index; // of the branch, the chain, or the sector
-  double rounded;  // the integer
-  double distance; // from the input
+  double rounded; // the integer
+  double value;   // of the input
   typename Cut_complex<Group>::Equation equation;
+
+  double distance() const { return std::abs(rounded - value); }
 };
 
 template <typename Group>
@@ -72,6 +74,9 @@ public:
       if(complex.is_node[v])
         move_to_origin(v);
   }
+
+  // What is to stay rounded as it is.
+  void fix(const Rounding<Group>& rounding) { m_shifted.equations.push_back(rounding.equation); }
 
   // The equations that make the complex that of an integer-grid map; or why there are none.
   std::optional<Refusal> run(const Number_format& format, std::vector<Rounding<Group> >& roundings);
@@ -155,8 +160,7 @@ private:
         const Column_index column = system.unknown(s) + Column_index(c);
         const double u = m_complex.coordinates[std::size_t(s)][c];
         const double rounded = solver.component(column) < 0 ? std::round(u) : value(column);
-        roundings.push_back({Rounding<Group>::POINT, std::size_t(s), rounded,
-                             std::abs(rounded - u),
+        roundings.push_back({Rounding<Group>::POINT, std::size_t(s), rounded, u,
                              {{{s, int(c), Exact_rational(1)}}, Exact_rational(rounded)}});
       }
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
@@ -184,7 +188,7 @@ private:
         if(Group::functional(f)[c] != 0)
           equation.terms.push_back({s, int(c), Exact_rational(Group::functional(f)[c])});
       const double level = Group::value(f, m_complex.coordinates[std::size_t(s)]);
-      roundings.push_back({Rounding<Group>::CHAIN, i, rounded, std::abs(rounded - level),
+      roundings.push_back({Rounding<Group>::CHAIN, i, rounded, level,
                            std::move(equation)});
     }
   }
@@ -203,7 +207,7 @@ private:
         equation.terms.push_back({pair.plus, int(d), Exact_rational(-row[d])});
         t -= row[d] * m_complex.coordinates[std::size_t(pair.plus)][d];
       }
-    return {Rounding<Group>::BRANCH, b, rounded, std::abs(rounded - t), std::move(equation)};
+    return {Rounding<Group>::BRANCH, b, rounded, t, std::move(equation)};
   }
 
   const Complex& m_complex;

@@ -22,12 +22,14 @@
 // exact; this is not, and need not be.
 
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/container/small_vector.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <Eigen/SparseCore>
@@ -44,7 +46,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Invariant: the displacement of a corner is g x + c, where x is that of a vertex of the mesh.
+// Invariant: the displacement of a corner is g x + c, where x is that of a vertex of the mesh. If
+// only some roundings are given, changes of the other translations and levels are unknowns, too.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
 class Rounding_spreader
 {
@@ -55,26 +58,26 @@ class Rounding_spreader
   static constexpr std::size_t dimension = Group::dimension;
   static constexpr std::size_t number_of_functionals = std::size_t(Group::number_of_functionals);
 
+  // Unknowns times their factors, and a number.
+  struct Form
+  {
+    boost::container::small_vector<std::pair<std::size_t, double>, 4> terms;
+    double constant = 0;
+
+    void add(const Form& other, const double factor)
+    {
+      for(const auto& [unknown, f] : other.terms)
+        terms.emplace_back(unknown, factor * f);
+      constant += factor * other.constant;
+    }
+  };
+  using Form_vector = std::array<Form, dimension>;
+
   struct Place
   {
     std::size_t vertex;
     Element element;
-    Vector offset;
-  };
-
-  // Unknowns times their signs, and a number.
-  struct Form
-  {
-    std::array<std::pair<std::size_t, int>, 4> terms;
-    std::size_t size = 0;
-    double constant = 0;
-
-    void add(const Form& other, const int sign)
-    {
-      for(std::size_t i = 0; i < other.size; ++i)
-        terms[size++] = {other.terms[i].first, sign * other.terms[i].second};
-      constant += sign * other.constant;
-    }
+    Form_vector offset;
   };
 
   // u(sector) = g u(here) + t, after the rounding.
@@ -82,30 +85,48 @@ class Rounding_spreader
   {
     Sector_index sector;
     Element element;
-    Vector translation;
+    Form_vector translation;
   };
+
+  struct Corner
+  {
+    std::size_t vertex;
+    Sector_index sector; // -1 where it is in none
+  };
+
+  using Roundings = std::vector<Rounding<Group> >;
 
 public:
   Rounding_spreader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                    const VertexIndexMap& vertex_indices, const Cuts& cuts,
-                    const std::vector<Rounding<Group> >& roundings)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices), m_cuts(cuts),
-      m_complex(cuts.complex), m_places(m_complex.number_of_sectors()),
-      m_fixed(number_of_functionals * num_vertices(tmesh)), m_is_fixed(m_fixed.size(), false)
+                    const VertexIndexMap& vertex_indices, const Cuts& cuts)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_cuts(cuts), m_complex(cuts.complex),
+      m_first_translation(dimension * num_vertices(tmesh)),
+      m_first_level(m_first_translation + dimension * m_complex.number_of_branches()),
+      m_number_of_unknowns(m_first_level + m_complex.number_of_chains()),
+      m_is_fixed(number_of_functionals * num_vertices(tmesh))
   {
+    read_faces(vertex_indices);
+    for(std::size_t f = 0; f < m_weights.size() / 3; ++f)
+      if(is_free(f))
+        add_face(f);
+    m_free_faces.swap(m_triplets);
+  }
+
+  // The displacement that makes the roundings: all of the complex, or some. Returns false if it
+  // can't be computed.
+  bool compute(const Roundings& roundings)
+  {
+    m_rhs.assign(m_number_of_unknowns, 0);
+    m_triplets = m_free_faces;
     link_sectors(roundings);
+    m_places.assign(m_complex.number_of_sectors(), {});
     for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v)
       place_sectors(v);
     fix_coordinates(roundings);
-    for(std::size_t s = 0; s < m_places.size(); ++s)
-      for(auto h = cuts.corners_begin(Sector_index(s)); h != cuts.corners_end(Sector_index(s)); ++h)
-        m_sector_of_corner[*h] = Sector_index(s);
-  }
-
-  // Returns false if the displacement can't be computed.
-  bool compute()
-  {
-    add_energy();
+    for(std::size_t f = 0; f < m_weights.size() / 3; ++f)
+      if(!is_free(f))
+        add_face(f);
+    add_conditions();
     return solve();
   }
 
@@ -113,51 +134,150 @@ public:
   double energy() const
   {
     double result = 0;
-    for(const auto f : faces(m_tmesh))
-      for(const Halfedge g : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
-        const Halfedge a = next(g, m_tmesh), b = prev(g, m_tmesh);
-        const Vector p = displacement(place(a)), q = displacement(place(b));
-        const double weight = cotangent(get_uv(m_uv_map, g), get_uv(m_uv_map, a),
-                                        get_uv(m_uv_map, b));
-        for(int k = 0; k < Group::number_of_functionals; ++k)
-          result += weight / 2 * std::pow(Group::value(k, p) - Group::value(k, q), 2);
-      }
+    for(std::size_t i = 0; i < m_weights.size(); ++i) {
+      const Vector a = displacement(place(i - i % 3 + (i + 1) % 3)),
+                   b = displacement(place(i - i % 3 + (i + 2) % 3));
+      for(int k = 0; k < Group::number_of_functionals; ++k)
+        result += m_weights[i] / 2 * std::pow(Group::value(k, a) - Group::value(k, b), 2);
+    }
     return result;
   }
 
-  // Computes the displacement and moves all corners by it; or returns false.
-  bool run()
+  // The faces that it turns over, up to rounding.
+  std::size_t number_of_flips() const
   {
-    if(!compute())
-      return false;
+    std::size_t result = 0, i = 0;
+    for(const auto f : faces(m_tmesh)) {
+      Uv_triangle before, after;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Vector d = displacement(place(i));
+        before[i % 3] = get_uv(m_uv_map, h);
+        after[i % 3] = {{before[i % 3][0] + d[0], before[i % 3][1] + d[1]}};
+        ++i;
+      }
+      result += orientation(before) == CGAL::POSITIVE && orientation(after) != CGAL::POSITIVE ? 1
+                                                                                             : 0;
+    }
+    return result;
+  }
+
+  // Once the displacement is computed.
+  Vector operator()(const Sector_index s) const { return displacement(m_places[std::size_t(s)]); }
+
+  // Moves all corners by the displacement, once it is computed.
+  void move()
+  {
     using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
     using Number = typename Uv_number<HalfedgeUVMap>::type;
-    std::vector<std::pair<Halfedge, Point> > moved;
+    std::size_t i = 0;
     for(const auto f : faces(m_tmesh))
       for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
         const Uv u = get_uv(m_uv_map, h);
-        const Vector d = displacement(place(h));
-        moved.emplace_back(h, Point(Number(u[0] + d[0]), Number(u[1] + d[1])));
+        const Vector d = displacement(place(i++));
+        put(m_uv_map, h, Point(Number(u[0] + d[0]), Number(u[1] + d[1])));
       }
-    for(const auto& [h, point] : moved)
-      put(m_uv_map, h, point);
-    return true;
   }
 
 private:
-  void link_sectors(const std::vector<Rounding<Group> >& roundings)
+  static Form number(const double x)
   {
-    m_links.resize(m_complex.number_of_sectors());
-    std::vector<Vector> translations(m_complex.number_of_branches());
+    Form result;
+    result.constant = x;
+    return result;
+  }
+
+  static Form number_and_unknown(const double x, const std::size_t unknown)
+  {
+    Form result = number(x);
+    result.terms.emplace_back(unknown, 1.);
+    return result;
+  }
+
+  static Form_vector apply(const Element g, const Form_vector& v)
+  {
+    Form_vector result;
+    for(std::size_t c = 0; c < dimension; ++c)
+      for(std::size_t d = 0; d < dimension; ++d)
+        if(const auto m = Group::matrix(g)[c][d]; m != 0)
+          result[c].add(v[d], m);
+    return result;
+  }
+
+  static Form functional(const int f, const Form_vector& v)
+  {
+    Form result;
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(const auto factor = Group::functional(f)[c]; factor != 0)
+        result.add(v[c], factor);
+    return result;
+  }
+
+  // The cotangent of each corner in the domain is the weight of the opposite edge. It is the same
+  // for faces of either orientation; those of nearly degenerate ones are bounded, by the same area
+  // for all three, so that the energy is not negative.
+  void read_faces(const VertexIndexMap& vertex_indices)
+  {
+    std::unordered_map<Halfedge, Sector_index> sectors;
+    for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
+      for(auto h = m_cuts.corners_begin(Sector_index(s)); h != m_cuts.corners_end(Sector_index(s));
+          ++h)
+        sectors[*h] = Sector_index(s);
+    m_vertex_of_sector.resize(m_complex.number_of_sectors());
+    for(const auto f : faces(m_tmesh)) {
+      std::array<Uv, 3> sides; // opposite to the corners
+      std::size_t i = 0;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Uv a = get_uv(m_uv_map, next(h, m_tmesh)), b = get_uv(m_uv_map, prev(h, m_tmesh));
+        sides[i++] = Group::to_cartesian({b[0] - a[0], b[1] - a[1]});
+        const auto found = sectors.find(h);
+        const auto vertex = std::size_t(get(vertex_indices, target(h, m_tmesh)));
+        m_corners.push_back({vertex, found == sectors.end() ? -1 : found->second});
+        if(found != sectors.end())
+          m_vertex_of_sector[std::size_t(found->second)] = vertex;
+      }
+      double squares = 0;
+      for(const Uv& e : sides)
+        squares += e[0] * e[0] + e[1] * e[1];
+      const double cross = std::abs(sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0]);
+      const double bounded = (std::max)(cross, thinnest * squares);
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Uv &a = sides[(k + 1) % 3], &b = sides[(k + 2) % 3];
+        m_weights.push_back(squares > 0 ? -(a[0] * b[0] + a[1] * b[1]) / bounded : 0);
+      }
+    }
+  }
+
+  bool is_free(const std::size_t face) const
+  {
+    return m_corners[3 * face].sector < 0 && m_corners[3 * face + 1].sector < 0 &&
+           m_corners[3 * face + 2].sector < 0;
+  }
+
+  void link_sectors(const Roundings& roundings)
+  {
+    m_links.assign(m_complex.number_of_sectors(), {});
+    std::vector<Form_vector> translations(m_complex.number_of_branches());
+    for(std::size_t b = 0; b < translations.size(); ++b) {
+      const auto& pair = *m_complex.pairs_begin(b);
+      const Vector turned =
+        Group::apply(m_complex.element[b], m_complex.coordinates[std::size_t(pair.plus)]);
+      for(std::size_t c = 0; c < dimension; ++c)
+        translations[b][c] = number_and_unknown(
+          m_complex.coordinates[std::size_t(pair.minus)][c] - turned[c],
+          m_first_translation + dimension * b + c);
+    }
     for(const Rounding<Group>& r : roundings)
       if(r.kind == Rounding<Group>::BRANCH)
-        translations[r.index][std::size_t(r.equation.terms.front().coordinate)] = r.rounded;
+        translations[r.index][std::size_t(r.equation.terms.front().coordinate)] =
+          number(r.rounded);
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b) {
       const Element g = m_complex.element[b], back = Group::inverse(g);
-      const Vector t = translations[b], s = Group::apply(back, t);
+      Form_vector s;
+      for(std::size_t c = 0; c < dimension; ++c)
+        s[c].add(apply(back, translations[b])[c], -1);
       for(auto p = m_complex.pairs_begin(b); p != m_complex.pairs_end(b); ++p) {
-        m_links[std::size_t(p->plus)].push_back({p->minus, g, t});
-        m_links[std::size_t(p->minus)].push_back({p->plus, back, {-s[0], -s[1]}});
+        m_links[std::size_t(p->plus)].push_back({p->minus, g, translations[b]});
+        m_links[std::size_t(p->minus)].push_back({p->plus, back, s});
       }
     }
   }
@@ -168,13 +288,11 @@ private:
   void place_sectors(const std::size_t v)
   {
     const Sector_index first = m_complex.first_sector[v], end = m_complex.first_sector[v + 1];
-    const Halfedge corner = *m_cuts.corners_begin(first);
-    const std::size_t vertex = std::size_t(get(m_vertex_indices, target(corner, m_tmesh)));
     std::vector<char> is_placed(std::size_t(end - first), false);
     for(Sector_index root = first; root != end; ++root) {
       if(is_placed[std::size_t(root - first)])
         continue;
-      m_places[std::size_t(root)] = {vertex, Group::identity(), {}};
+      m_places[std::size_t(root)] = {m_vertex_of_sector[std::size_t(root)], Group::identity(), {}};
       is_placed[std::size_t(root - first)] = true;
       std::vector<Sector_index> sectors(1, root);
       for(std::size_t i = 0; i < sectors.size(); ++i)
@@ -182,34 +300,40 @@ private:
           if(link.sector >= first && link.sector < end &&
              !is_placed[std::size_t(link.sector - first)]) {
             is_placed[std::size_t(link.sector - first)] = true;
-            place_behind(sectors[i], link);
+            m_places[std::size_t(link.sector)] = place_behind(sectors[i], link);
             sectors.push_back(link.sector);
           }
     }
   }
 
-  void place_behind(const Sector_index here, const Link& link)
+  Place place_behind(const Sector_index here, const Link& link) const
   {
     const Place& p = m_places[std::size_t(here)];
     const Vector u = Group::apply(link.element, m_complex.coordinates[std::size_t(here)]);
-    const Vector c = Group::apply(link.element, p.offset);
     const Vector& now = m_complex.coordinates[std::size_t(link.sector)];
-    Place& q = m_places[std::size_t(link.sector)];
-    q = {p.vertex, Group::compose(link.element, p.element), {}};
-    for(std::size_t i = 0; i < dimension; ++i)
-      q.offset[i] = c[i] + u[i] + link.translation[i] - now[i];
+    Place q{p.vertex, Group::compose(link.element, p.element), apply(link.element, p.offset)};
+    for(std::size_t i = 0; i < dimension; ++i) {
+      q.offset[i].add(link.translation[i], 1);
+      q.offset[i].constant += u[i] - now[i];
+    }
+    return q;
   }
 
   // Points, and the levels along whole chains.
-  void fix_coordinates(const std::vector<Rounding<Group> >& roundings)
+  void fix_coordinates(const Roundings& roundings)
   {
+    m_is_fixed.assign(m_is_fixed.size(), false);
+    m_fixed.clear();
+    m_has_level.assign(m_complex.number_of_chains(), false);
     for(const Rounding<Group>& r : roundings) {
       const auto& term = r.equation.terms.front();
       if(r.kind == Rounding<Group>::POINT)
         fix(term.sector, term.coordinate, r.rounded);
-      else if(r.kind == Rounding<Group>::CHAIN)
+      else if(r.kind == Rounding<Group>::CHAIN) {
+        m_has_level[r.index] = true;
         for(auto s = m_complex.links_begin(r.index); s != m_complex.links_end(r.index); ++s)
           fix(*s, m_complex.functional[r.index], r.rounded);
+      }
     }
   }
 
@@ -219,16 +343,17 @@ private:
     const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
     const std::size_t i = number_of_functionals * p.vertex + std::size_t(of_vertex.index);
     m_is_fixed[i] = true;
-    m_fixed[i] =
-      of_vertex.sign *
-      (value - Group::value(f, m_complex.coordinates[std::size_t(s)]) - Group::value(f, p.offset));
+    Form& fixed = m_fixed[i];
+    fixed = number(of_vertex.sign *
+                   (value - Group::value(f, m_complex.coordinates[std::size_t(s)])));
+    fixed.add(functional(f, p.offset), -of_vertex.sign);
   }
 
-  // f(g x) is a functional of x, up to the sign.
+  // f(g x + c): a functional of x, up to the sign, and the change of translations.
   Form form(const Place& p, const int f) const
   {
     const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
-    Form result;
+    Form result = functional(f, p.offset);
     result.add(form_of_vertex(p.vertex, of_vertex.index), of_vertex.sign);
     return result;
   }
@@ -238,69 +363,82 @@ private:
   {
     const std::size_t first = number_of_functionals * vertex;
     const bool has_fixed_sum = number_of_functionals > dimension && m_is_fixed[first + dimension];
+    if(m_is_fixed[first + std::size_t(f)])
+      return m_fixed.at(first + std::size_t(f));
     Form result;
-    if(m_is_fixed[first + std::size_t(f)]) {
-      result.constant = m_fixed[first + std::size_t(f)];
-    } else if(f == 2) {
+    if(f == 2) {
       result.add(form_of_vertex(vertex, 0), 1);
       result.add(form_of_vertex(vertex, 1), 1);
     } else if(has_fixed_sum && (f == 1 || m_is_fixed[first + 1])) {
-      result.constant = m_fixed[first + dimension];
+      result = m_fixed.at(first + dimension);
       result.add(form_of_vertex(vertex, 1 - f), -1);
     } else {
-      result.terms[result.size++] = {dimension * vertex + std::size_t(f), 1};
+      result.terms.emplace_back(dimension * vertex + std::size_t(f), 1.);
     }
     return result;
   }
 
-  Place place(const Halfedge h) const
+  Place place(const std::size_t corner) const
   {
-    const auto found = m_sector_of_corner.find(h);
-    if(found != m_sector_of_corner.end())
-      return m_places[std::size_t(found->second)];
-    return {std::size_t(get(m_vertex_indices, target(h, m_tmesh))), Group::identity(), {}};
+    const auto [vertex, sector] = m_corners[corner];
+    return sector < 0 ? Place{vertex, Group::identity(), {}} : m_places[std::size_t(sector)];
   }
 
-  // 1/2 cot |d - d'|^2 for each edge of each face, the cotangent taken in the domain.
-  void add_energy()
+  // 1/2 weight |d - d'|^2 for each edge.
+  void add_face(const std::size_t face)
   {
-    m_rhs.assign(dimension * num_vertices(m_tmesh), 0);
-    for(const auto f : faces(m_tmesh)) {
-      const Halfedge h = halfedge(f, m_tmesh);
-      for(const Halfedge g : {h, next(h, m_tmesh), prev(h, m_tmesh)}) {
-        const Halfedge a = next(g, m_tmesh), b = prev(g, m_tmesh);
-        const double weight = cotangent(get_uv(m_uv_map, g), get_uv(m_uv_map, a),
-                                        get_uv(m_uv_map, b));
-        const Place p = place(a), q = place(b);
-        for(int k = 0; k < Group::number_of_functionals; ++k) {
-          Form difference = form(p, k);
-          difference.constant += Group::value(k, p.offset) - Group::value(k, q.offset);
-          difference.add(form(q, k), -1);
-          add_square(weight, difference);
-        }
+    for(int k = 0; k < Group::number_of_functionals; ++k) {
+      std::array<Form, 3> forms;
+      for(std::size_t i = 0; i < 3; ++i)
+        forms[i] = form(place(3 * face + i), k);
+      for(std::size_t i = 0; i < 3; ++i) {
+        Form difference = forms[(i + 1) % 3];
+        difference.add(forms[(i + 2) % 3], -1);
+        add_square(m_weights[3 * face + i], difference);
       }
     }
   }
 
-  // The same for faces of either orientation; that of nearly degenerate ones is bounded.
-  static double cotangent(const Uv& p, const Uv& a, const Uv& b)
+  // What the unknowns don't say by themselves: once around a vertex, nothing changes; and chains
+  // have one level.
+  void add_conditions()
   {
-    const Uv u = Group::to_cartesian({a[0] - p[0], a[1] - p[1]}),
-             v = Group::to_cartesian({b[0] - p[0], b[1] - p[1]});
-    const double dot = u[0] * v[0] + u[1] * v[1], cross = std::abs(u[0] * v[1] - u[1] * v[0]);
-    const double squares = u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1];
-    return squares > 0 ? dot / (std::max)(cross, 1e-9 * squares) : 0;
+    for(std::size_t s = 0; s < m_places.size(); ++s)
+      for(const Link& link : m_links[s]) {
+        const Place& there = m_places[std::size_t(link.sector)];
+        if(std::size_t(link.sector) > s || there.vertex != m_places[s].vertex)
+          continue;
+        const Place behind = place_behind(Sector_index(s), link);
+        for(int k = 0; k < Group::number_of_functionals; ++k)
+          add_condition(form(behind, k), form(there, k));
+      }
+    for(std::size_t i = 0; i < m_complex.number_of_chains(); ++i) {
+      const int f = m_complex.functional[i];
+      const auto level = [&](const Sector_index s) {
+        return Group::value(f, m_complex.coordinates[std::size_t(s)]);
+      };
+      const Sector_index first = *m_complex.links_begin(i);
+      for(auto s = m_complex.links_begin(i); s != m_complex.links_end(i) && !m_has_level[i]; ++s)
+        add_condition(form(m_places[std::size_t(*s)], f),
+                      number_and_unknown(level(first) - level(*s), m_first_level + i));
+    }
   }
 
-  // weight / 2 times the square of a form
+  void add_condition(Form a, const Form& b)
+  {
+    a.add(b, -1);
+    add_square(weight_of_conditions, a);
+  }
+
+  // weight / 2 times the square of a form; of the matrix, the half that solvers read.
   void add_square(const double weight, const Form& form)
   {
-    for(std::size_t i = 0; i < form.size; ++i) {
-      const auto [v, s] = form.terms[i];
-      m_rhs[v] -= weight * s * form.constant;
-      for(std::size_t j = 0; j < form.size; ++j)
-        m_triplets.emplace_back(int(v), int(form.terms[j].first),
-                                weight * s * form.terms[j].second);
+    for(const auto& [u, s] : form.terms) {
+      if(form.constant != 0)
+        m_rhs[u] -= weight * s * form.constant;
+      for(const auto& [v, t] : form.terms)
+        if(v <= u)
+          m_triplets.emplace_back(int(u), int(v), weight * s * t);
     }
   }
 
@@ -325,28 +463,35 @@ private:
 
   Vector displacement(const Place& p) const
   {
-    const auto x = [&](const int f) {
-      const Form form = form_of_vertex(p.vertex, f);
-      double result = form.constant;
-      for(std::size_t i = 0; i < form.size; ++i)
-        result += form.terms[i].second * m_solution[Eigen::Index(form.terms[i].first)];
-      return result;
-    };
-    const Vector turned = Group::apply(p.element, Vector{x(0), x(1)});
-    return {turned[0] + p.offset[0], turned[1] + p.offset[1]};
+    Vector result{};
+    for(std::size_t c = 0; c < dimension; ++c) {
+      const Form f = form(p, int(c));
+      result[c] = f.constant;
+      for(const auto& [unknown, factor] : f.terms)
+        result[c] += factor * m_solution[Eigen::Index(unknown)];
+    }
+    return result;
   }
+
+  // Twice the area of a face, relative to the squares of its sides, that weights are bounded by.
+  static constexpr double thinnest = 1e-5;
+  // Relative to edges of faces of good shape.
+  static constexpr double weight_of_conditions = 1e4;
 
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
-  const VertexIndexMap& m_vertex_indices;
   const Cuts& m_cuts;
   const Cut_complex<Group>& m_complex;
+  std::size_t m_first_translation, m_first_level, m_number_of_unknowns; // those of vertices first
+  std::vector<Corner> m_corners;           // of all faces
+  std::vector<double> m_weights;           // per corner
+  std::vector<std::size_t> m_vertex_of_sector;
   std::vector<std::vector<Link> > m_links; // per sector
   std::vector<Place> m_places;             // per sector
-  std::vector<double> m_fixed;             // per functional of each vertex
-  std::vector<char> m_is_fixed;
-  std::unordered_map<Halfedge, Sector_index> m_sector_of_corner;
-  std::vector<Eigen::Triplet<double> > m_triplets;
+  std::vector<char> m_is_fixed;            // per functional of each vertex
+  std::unordered_map<std::size_t, Form> m_fixed;
+  std::vector<char> m_has_level;           // per chain
+  std::vector<Eigen::Triplet<double> > m_triplets, m_free_faces;
   std::vector<double> m_rhs;
   Eigen::VectorXd m_solution;
 };
