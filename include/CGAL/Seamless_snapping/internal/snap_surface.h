@@ -232,6 +232,7 @@ private:
     Choice choice;
     if(!is_refused)
       choice = choose_integers(cuts, roundings);
+    m_timer.finish("choice of integers");
     if(m_charts == Charts::MOVED) {
       m_charts = Charts::CHOSEN;
       if(choice.cost < m_choice.cost) {
@@ -598,10 +599,10 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if(!report)
     return report;
   compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);
-  if(report.lost_faces.size() == report.run.number_of_faces) {
+  if(report.lost_faces.size() + report.remaining_flips.size() == report.run.number_of_faces &&
+     !report.lost_faces.empty()) {
     report.status = Snapping_status::NOT_INTEGER;
-    report.message = "at the nearest integers, no face keeps its orientation; scale the map up by "
-                     "grid_scale";
+    report.message = "at the nearest integers, no face is positive; scale the map up by grid_scale";
     return report;
   }
   report.status = Snapping_status::SNAPPED;
