@@ -39,7 +39,8 @@ void write_mesh(std::ostream& os, const Summary& s)
      << "\n";
   os << s.notes_on_reading;
   if(s.left_out_edges > 0)
-    os << "note: " << s.left_out_edges << " edges are left out, as they lie on no isocurve\n";
+    os << "note: " << counted(s.left_out_edges, "edge") << is_or_are(s.left_out_edges)
+       << "left out: no isocurve is there\n";
 }
 
 nlohmann::json json_of(const CGAL::Seamless_snapping::Seamlessness& s)
@@ -120,12 +121,13 @@ void write_snap(std::ostream& os, const Summary& s)
 {
   const auto& r = s.report;
   write_mesh(os, s);
-  os << r.run.number_of_cut_edges << " cut edges in " << r.run.number_of_cut_branches
-     << " branches, " << r.run.number_of_nodes << " nodes, " << r.run.number_of_singular_vertices
-     << " singular vertices\n";
+  os << counted(r.run.number_of_cut_edges, "cut edge") << " in "
+     << counted(r.run.number_of_cut_branches, "branch") << ", "
+     << counted(r.run.number_of_nodes, "node") << ", "
+     << counted(r.run.number_of_singular_vertices, "singular vertex") << "\n";
   if(s.aligned_edges + s.left_out_edges > 0)
-    os << s.aligned_edges << " edges are kept on isocurves, in " << r.run.number_of_align_branches
-       << " branches\n";
+    os << counted(s.aligned_edges, "edge") << is_or_are(s.aligned_edges)
+       << "kept on isocurves, in " << counted(r.run.number_of_align_branches, "branch") << "\n";
 
   os << '\n';
   write_row(os, "", "before", "after");

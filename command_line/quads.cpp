@@ -142,8 +142,8 @@ SS::Quantization quantize(const Quad_options& options, Model& model)
 // In the words of the command line.
 std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
 {
-  return counted(faces.size(), "face") + " of the integer-grid map " +
-         (faces.size() == 1 ? "is" : "are") + " flipped or degenerate, the first is face " +
+  return counted(faces.size(), "face") + " of the integer-grid map" + is_or_are(faces.size()) +
+         "flipped or degenerate, the first is face " +
          std::to_string(faces.front()) +
          "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
          "or leave out the quads around these faces by --allow-holes";
