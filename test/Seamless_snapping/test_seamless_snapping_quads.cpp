@@ -944,9 +944,9 @@ void test_integers_one_after_another(const std::string& name, const double numbe
 
 void test_integer_grids()
 {
-  test_integers_one_after_another("genus1", 600);
-  test_integers_one_after_another("genus2", 2000);
-  test_integers_one_after_another("genus3", 2000);
+  test_integers_one_after_another("genus1", 400);
+  test_integers_one_after_another("genus2", 500);
+  test_integers_one_after_another("genus3", 800);
   Square_complex box = surfaces::box(1, 2, 1);
   surfaces::mark_creases(box);
   for(const auto& [complex, n] : {std::pair{box, 8}, {surfaces::double_torus(), 4},
