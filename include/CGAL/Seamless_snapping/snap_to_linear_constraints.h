@@ -64,30 +64,33 @@ inline Snapping_report refused(const Snapping_status status, const std::string& 
   return report;
 }
 
-// Weights are a range of positive numbers, or not given.
-inline std::vector<double> read_weights(const CGAL::internal_np::Param_not_found&,
-                                        const std::size_t size)
+// Weights are a range of positive numbers, or not given. Returns what is wrong with them.
+inline std::string read_weights(const CGAL::internal_np::Param_not_found&, const std::size_t size,
+                                std::vector<double>& weights)
 {
-  return std::vector<double>(size, 1.);
-}
-
-template <typename Weights>
-std::vector<double> read_weights(const Weights& range, std::size_t)
-{
-  std::vector<double> weights;
-  read_values(range, weights);
-  return weights;
+  weights.assign(size, 1.);
+  return "";
 }
 
 // Only ratios matter. Their squares must not overflow, so no weight is less than 2^-400 times the
 // largest.
-inline void normalize(std::vector<double>& weights)
+template <typename Weights>
+std::string read_weights(const Weights& range, const std::size_t size,
+                         std::vector<double>& weights)
 {
+  read_values(range, weights);
+  if(weights.size() != size)
+    return "there are " + std::to_string(weights.size()) + " weights for " +
+           std::to_string(size) + " values; give one weight per value";
+  for(std::size_t j = 0; j < size; ++j)
+    if(!(weights[j] > 0) || !std::isfinite(weights[j]))
+      return "weight " + std::to_string(j) + " is not a positive number";
   int exponent = (std::numeric_limits<int>::min)();
   for(const double w : weights)
     exponent = (std::max)(exponent, std::ilogb(w));
   for(double& w : weights)
     w = (std::max)(std::ldexp(w, -exponent), std::ldexp(1., -400));
+  return "";
 }
 
 template <typename Constraints, typename RightHandSide, typename Values, typename NamedParameters>
@@ -108,9 +111,6 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
-  std::vector<double> weights =
-    read_weights(get_parameter_reference(np, CGAL::internal_np::value_weights), x.size());
-
   if(x.size() != number_of_columns(c))
     return refused(Snapping_status::INVALID_ARGUMENT,
                    "there are " + std::to_string(x.size()) + " values, but the constraints have " +
@@ -119,19 +119,11 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
     return refused(Snapping_status::NOT_FINITE,
                    "value " + std::to_string(unbounded) +
                        " is NaN or infinite; only finite values can be snapped");
-  if(weights.size() != x.size())
-    return refused(Snapping_status::INVALID_ARGUMENT,
-                   "there are " + std::to_string(weights.size()) + " weights for " +
-                   std::to_string(x.size()) + " values; give one weight per value");
-  for(std::size_t j = 0; j < weights.size(); ++j)
-    if(!(weights[j] > 0) || !std::isfinite(weights[j]))
-      return refused(Snapping_status::INVALID_ARGUMENT,
-                     "weight " + std::to_string(j) + " is not a positive number");
-  normalize(weights);
-
+  std::vector<double> weights;
+  std::string problem = read_weights(
+    get_parameter_reference(np, CGAL::internal_np::value_weights), x.size(), weights);
   Scaled_system system;
-  std::string problem;
-  if(!read_constraints(c, b, system, problem))
+  if(!problem.empty() || !read_constraints(c, b, system, problem))
     return refused(Snapping_status::INVALID_ARGUMENT, problem);
   report.linear_solver.number_of_unknowns = x.size();
   report.linear_solver.number_of_constraints = number_of_rows(c);

@@ -151,6 +151,8 @@ private:
 // that exceed 2^62 there lose their exact part.
 inline void rescale(Grid_value& v, const int shift)
 {
+  if(shift == 0 && std::abs(v.offset) <= 0.5)
+    return;
   const double size = std::ldexp(to_double(v), -shift);
   const double offset = std::ldexp(v.offset, -shift);
   if(shift > 0 && shift < 62 && std::abs(v.offset) < machine_integer_bound) {

@@ -27,6 +27,7 @@
 
 #include <boost/config.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -183,11 +184,12 @@ inline std::size_t bit_length(const std::int64_t a)
 
 inline BOOST_NOINLINE std::size_t bit_length(const Exact_integer& a)
 {
+  const double size = CGAL::to_double(a);
+  if(std::abs(size) < 9007199254740992.) // 2^53
+    return bit_length(static_cast<std::int64_t>(size));
   std::size_t bits = 0;
   // A power of two that exceeds |a| is found by doubling its exponent, then by bisection.
   const Exact_integer absolute = CGAL::abs(a);
-  if(absolute == 0)
-    return 0;
   std::vector<Exact_integer> powers(1, Exact_integer(2)); // 2^(2^i)
   while(powers.back() <= absolute)
     powers.push_back(Exact_integer(powers.back() * powers.back()));

@@ -52,12 +52,12 @@ struct Component_solution
 class Component_solver
 {
 public:
-  // \param is_representable which columns must be numbers of the format
+  // \param number_of_representable_columns how many of the first must be numbers of the format
   Component_solver(Integer_system system, std::vector<double> weights, const Number_format& format,
-                   std::vector<bool> is_representable, const bool may_be_finer)
+                   const std::size_t number_of_representable_columns, const bool may_be_finer)
     : m_system(std::move(system)), m_weights(std::move(weights)), m_format(format),
-      m_is_representable(std::move(is_representable)), m_may_be_finer(may_be_finer),
-      m_form(eliminate(m_system))
+      m_number_of_representable_columns(number_of_representable_columns),
+      m_may_be_finer(may_be_finer), m_form(eliminate(m_system))
   {
     if(!m_form.rows_in_core.empty())
       m_core = std::make_unique<Core_solver>(
@@ -68,6 +68,7 @@ public:
     if(m_core != nullptr)
       for(const Column_index column : m_core->columns())
         is_free[std::size_t(column)] = false;
+    m_free_columns.reserve(is_free.size());
     for(std::size_t j = 0; j < is_free.size(); ++j)
       if(is_free[j])
         m_free_columns.push_back(Column_index(j));
@@ -277,14 +278,13 @@ private:
     const int shift = optimum.grid.exponent() - values.grid.exponent();
     const double unit =
       std::ldexp(1., solution.grid.exponent() - optimum.grid.exponent());
-    for(std::size_t j = 0; j < solution.x.size(); ++j)
-      if(m_is_representable[j]) {
-        Grid_value v = values.optimum[j];
-        rescale(v, shift);
-        change = (std::max)(change, std::abs(difference(optimum.optimum[j], v)));
-        const double rest = difference(solution.optimum[j], Grid_value{solution.x[j], 0});
-        distance = (std::max)(distance, std::abs(rest) * unit);
-      }
+    for(std::size_t j = 0; j < m_number_of_representable_columns; ++j) {
+      Grid_value v = values.optimum[j];
+      rescale(v, shift);
+      change = (std::max)(change, std::abs(difference(optimum.optimum[j], v)));
+      const double rest = difference(solution.optimum[j], Grid_value{solution.x[j], 0});
+      distance = (std::max)(distance, std::abs(rest) * unit);
+    }
     return distance > 4 * (change + 1 + static_cast<double>(solution.x.size() / 16));
   }
 
@@ -423,8 +423,8 @@ private:
   int excess_of(const Component_solution& solution) const
   {
     int excess = 0;
-    for(std::size_t j = 0; j < m_is_representable.size(); ++j)
-      if(m_is_representable[j] && !solution.grid.is_representable(solution.x[j]))
+    for(std::size_t j = 0; j < m_number_of_representable_columns; ++j)
+      if(!solution.grid.is_representable(solution.x[j]))
         excess = (std::max)({excess, 1, static_cast<int>(bit_length(solution.x[j])) -
                                           m_format.digits});
     return excess;
@@ -475,7 +475,7 @@ private:
   Integer_system m_system;
   std::vector<double> m_weights;
   Number_format m_format;
-  std::vector<bool> m_is_representable;
+  std::size_t m_number_of_representable_columns;
   bool m_may_be_finer;
   Echelon_form m_form;
   std::unique_ptr<Core_solver> m_core; // if there are core rows

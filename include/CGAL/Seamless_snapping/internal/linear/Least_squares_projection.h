@@ -115,6 +115,18 @@ inline double row_violation(const Integer_system& system, const std::size_t row,
   return divided_by_power(sum, exponent + static_cast<long>(down)) + offset;
 }
 
+// Minimum degree on a matrix that is symmetric, which Eigen would make so once more.
+struct Symmetric_ordering
+{
+  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+
+  template <typename Matrix>
+  void operator()(const Matrix& matrix, PermutationType& permutation) const
+  {
+    Eigen::AMDOrdering<int>()(matrix.template selfadjointView<Eigen::Lower>(), permutation);
+  }
+};
+
 // The linear algebra of the projection, for one set of independent rows. Invariant: the normal
 // matrix M^T M of the rows is factorized, where M holds them as columns, or, where unknowns that
 // many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
@@ -293,15 +305,14 @@ private:
   // The shortest y with M^T y = r, up to rounding and what d does.
   Vector solve(const Vector& r) const
   {
-    Vector right_hand_side = r;
-    if(m_is_augmented) {
-      right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
-      right_hand_side.tail(r.size()) = -r;
+    if(!m_is_augmented) {
+      const Vector multipliers = m_factors.solve(r); // a vector: expressions compile slowly
+      return m_rows * multipliers;
     }
-    Vector multipliers = m_factors.solve(right_hand_side); // a vector: expressions compile slowly
-    if(m_is_augmented)
-      multipliers = Vector(multipliers.tail(r.size()));
-    return m_rows * multipliers;
+    Vector right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
+    right_hand_side.tail(r.size()) = -r;
+    const Vector solution = m_factors.solve(right_hand_side);
+    return m_rows * Vector(solution.tail(r.size()));
   }
 
   // The same, refined.
@@ -318,7 +329,7 @@ private:
   Vector m_scales; // 1/sqrt(w)
   Vector m_row_scales;
   Matrix m_rows; // as columns
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> m_factors;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering> m_factors;
   bool m_is_augmented = false;
   bool m_is_ill_conditioned = false;
 };

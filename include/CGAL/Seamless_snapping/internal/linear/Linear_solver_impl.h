@@ -49,12 +49,22 @@ inline int common_number_of_halvings(const Integer_system& system,
   return count.value_or(0);
 }
 
+// The values of one component.
+inline Component_solution part_of(const Linear_target& target, const Component_index c,
+                                  const std::vector<Column_index>& columns)
+{
+  Component_solution part{target.grids[std::size_t(c)], {}, {}};
+  part.optimum.reserve(columns.size());
+  for(const Column_index j : columns)
+    part.optimum.push_back(target.values[std::size_t(j)]);
+  return part;
+}
+
 template <typename Integer>
 void Linear_solver::make_local(Entries<Integer>& row) const
 {
   for(Entry<Integer>& e : row)
-    e.column = m_local_column[std::size_t(e.column)];
-  sort_and_sum(row); // has nothing to sum
+    e.column = m_local_column[std::size_t(e.column)]; // in the same order
 }
 
 CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
@@ -71,14 +81,15 @@ Linear_solver::Linear_solver(const Scaled_system& system, const std::vector<doub
   find_components(system.system);
   m_solvers.reserve(m_columns.size());
   for(std::size_t c = 0; c < m_columns.size(); ++c) {
+    const std::vector<Column_index>& columns = m_columns[c];
     std::vector<double> component_weights;
-    std::vector<bool> is_representable;
-    for(const Column_index j : m_columns[c]) {
+    component_weights.reserve(columns.size());
+    for(const Column_index j : columns)
       component_weights.push_back(weights[std::size_t(j)]);
-      is_representable.push_back(std::size_t(j) < number_of_representable_columns);
-    }
+    const auto end = std::lower_bound(columns.begin(), columns.end(),
+                                      Column_index(number_of_representable_columns));
     m_solvers.emplace_back(subsystem(system.system, c), std::move(component_weights), format,
-                           std::move(is_representable), may_be_finer);
+                           std::size_t(end - columns.begin()), may_be_finer);
     m_solvers.back().add_to(m_figures);
   }
 }
@@ -128,9 +139,7 @@ CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
 bool Linear_solver::solve_component(const Component_index c, const Linear_target& target,
                                     Linear_solution& solution, Step_timer* const timer) const
 {
-  Component_solution part{target.grids[std::size_t(c)], {}, {}};
-  for(const Column_index j : columns(c))
-    part.optimum.push_back(target.values[std::size_t(j)]);
+  Component_solution part = part_of(target, c, columns(c));
   if(!m_solvers[std::size_t(c)].solve(part, timer))
     return false;
   solution.grids[std::size_t(c)] = part.grid;
@@ -147,10 +156,7 @@ std::optional<std::vector<Column_solution> >
 Linear_solver::solve_component_on_many_grids(const Component_index c,
                                              const Linear_target& target) const
 {
-  Component_solution part{target.grids[std::size_t(c)], {}, {}};
-  for(const Column_index j : columns(c))
-    part.optimum.push_back(target.values[std::size_t(j)]);
-  return solve_on_many_grids(m_solvers[std::size_t(c)], part);
+  return solve_on_many_grids(m_solvers[std::size_t(c)], part_of(target, c, columns(c)));
 }
 
 CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
@@ -199,18 +205,14 @@ void Linear_solver::find_components(const Integer_system& system)
       m_columns.emplace_back();
     }
     m_rows[std::size_t(c)].push_back(i);
-    system.for_each_column(i, [&](const Column_index j) {
-      if(m_local_column[std::size_t(j)] >= 0)
-        return;
-      m_component_of_column[std::size_t(j)] = c;
-      m_local_column[std::size_t(j)] = 0;
-      m_columns[std::size_t(c)].push_back(j);
-    });
   }
-  for(std::vector<Column_index>& columns : m_columns) {
-    std::sort(columns.begin(), columns.end());
-    for(std::size_t k = 0; k < columns.size(); ++k)
-      m_local_column[std::size_t(columns[k])] = Column_index(k);
+  for(std::size_t j = 0; j < parent.size(); ++j) {
+    const Component_index c = component_of_set[std::size_t(sets.find_set(int(j)))];
+    m_component_of_column[j] = c;
+    if(c < 0)
+      continue;
+    m_local_column[j] = Column_index(m_columns[std::size_t(c)].size());
+    m_columns[std::size_t(c)].push_back(Column_index(j));
   }
 }
 

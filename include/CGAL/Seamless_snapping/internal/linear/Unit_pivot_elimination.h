@@ -77,7 +77,8 @@ public:
     make_units_in_core();
   }
 
-  Echelon_form echelon_form() const
+  // Call once.
+  Echelon_form take_echelon_form()
   {
     Echelon_form form;
     const std::size_t size = number_of_columns();
@@ -100,9 +101,9 @@ public:
         add_row(Row_index(i), form.core_rows);
         form.rows_in_core.push_back(Row_index(i));
       }
-    form.auxiliary_unknowns = m_auxiliary_unknowns;
-    form.redundant_rows = m_redundant_rows;
-    form.contradictory_rows = m_contradictory_rows;
+    form.auxiliary_unknowns = std::move(m_auxiliary_unknowns);
+    form.redundant_rows = std::move(m_redundant_rows);
+    form.contradictory_rows = std::move(m_contradictory_rows);
     form.number_of_coefficients =
       form.pivot_rows.number_of_entries() + form.core_rows.number_of_entries();
     form.largest_coefficient = Exact_integer(m_largest_coefficient);
@@ -151,6 +152,9 @@ private:
 
   void load(const Integer_system& system)
   {
+    m_columns.reserve(2 * system.number_of_entries()); // most rows grow
+    m_queue.reserve(2 * m_rows.size());
+    m_pivots.reserve(m_rows.size());
     for(std::size_t i = 0; i < m_rows.size(); ++i) {
       load_row(system, i);
       for(const Entry<Integer>& e : m_rows[i])
@@ -328,6 +332,7 @@ private:
     Row& row = m_rows[std::size_t(i)];
     const Integer c = row[first].coefficient;
     Entries<std::int64_t> sum;
+    sum.reserve(m_singles.size());
     int size = 0;
     for(std::size_t k = first; k < row.size(); ++k) {
       if(m_columns.count(row[k].column) != 1 ||
@@ -351,6 +356,7 @@ private:
     m_columns.add_column(column, i);
 
     Row implied; // w - u - q v - ... = 0, with pivot u
+    implied.reserve(sum.size() + 1);
     for(const Entry<std::int64_t>& e : sum)
       implied.push_back({e.column, Integer(-e.coefficient)});
     implied.push_back({column, Integer(1)});

@@ -32,7 +32,7 @@ namespace internal {
 template <typename Integer>
 Echelon_form eliminate_in(const Integer_system& system)
 {
-  return Unit_pivot_elimination<Integer>(system).echelon_form();
+  return Unit_pivot_elimination<Integer>(system).take_echelon_form();
 }
 
 inline Echelon_form eliminate(const Integer_system& system)

@@ -268,7 +268,7 @@ solve_on_many_grids(const Component_solver& solver, const Component_solution& va
     return std::nullopt;
   const Component_solver relative_solver(solver.system(),
                                          relative_weights(solver.weights(), values.optimum),
-                                         values.grid.format(), std::vector<bool>(n, true), true);
+                                         values.grid.format(), n, true);
   std::optional<std::vector<Column_solution> > best;
   double least_distance = 0;
   for(const Component_solver* const other : {&solver, &relative_solver}) {
