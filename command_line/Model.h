@@ -3,6 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -34,6 +35,8 @@ struct Model
   bool is_welded = false;
   bool is_float = false; // whether the coordinates are floats
   std::size_t number_of_points = 0;
+  // the faces, with vertices as in the file but for those that were welded; empty for floats
+  CGAL::Seamless_snapping::internal::Corner_soup<double, double> soup;
   std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0
   std::vector<std::size_t> file_faces;    // the same for faces, where they differ
   std::size_t first_number = 1;           // by which the file counts

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -136,6 +137,9 @@ std::string text_of_file(const std::string& filename)
   if(!is)
     fail(UNREADABLE, "cannot read", filename, reason());
   std::string text;
+  std::error_code error; // of files without a size
+  if(const std::uintmax_t size = fs::file_size(filename, error); !error)
+    text.reserve(std::size_t(size));
   std::vector<char> buffer(std::size_t(1) << 20);
   while(is.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || is.gcount() > 0)
     text.append(buffer.data(), static_cast<std::size_t>(is.gcount()));

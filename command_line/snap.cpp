@@ -123,7 +123,7 @@ void snap(const Arguments& arguments)
   Summary summary(model, alignment);
   summary.reading_time = timer.time();
   summary.before = measure(model, alignment);
-  const Uv_map old_uv_map = copy_of_uv_map(model);
+  const Uv_map old_uv_map = options.picture.empty() ? model.uv_map : copy_of_uv_map(model);
   try {
     snap(options, model, alignment, summary);
     write_results(options, model, old_uv_map, summary);

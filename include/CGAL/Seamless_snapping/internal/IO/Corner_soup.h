@@ -47,6 +47,7 @@ struct Corner_soup
   std::vector<std::array<UVNumber, 2> > uvs;
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;
+  bool is_welded = false; // whether vertices are no longer all those of the file
 };
 
 // Without coordinates, and with faces of any number of corners: plain meshes.

@@ -80,6 +80,7 @@ public:
 
   // The new indices that old statement `k` has become: from `first(k)` to before `first(k + 1)`.
   std::size_t first(std::size_t k) const { return m_first[k]; }
+  bool keeps_indices() const { return m_uvs.size() + 1 == m_first.size(); }
   bool is_used(std::size_t i) const { return m_is_used[i]; }
   const UV& uv(std::size_t i) const { return m_uvs[i]; }
 
@@ -106,7 +107,9 @@ public:
   std::string rewrite()
   {
     m_result.reserve(m_text.size() + m_text.size() / 8);
-    for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
+    const bool keeps_indices = m_layout.keeps_indices() && !m_soup.is_welded;
+    for(std::string_view keyword = m_scanner.next_statement();
+        !keyword.empty() && !(keeps_indices && m_number_of_uvs == m_soup.uvs.size());
         keyword = m_scanner.next_statement()) {
       if(keyword == "v")
         ++m_number_of_points;

@@ -68,8 +68,7 @@ public:
     const std::size_t begin = m_position;
     if(begin < m_text.size() && m_text[begin] == '#')
       return std::string_view();
-    while(m_position < m_text.size() && !is_blank(m_text[m_position])
-          && !is_line_end(m_text[m_position]) && !at_continuation())
+    while(m_position < m_text.size() && !at_end_of_token())
       ++m_position;
     return m_text.substr(begin, m_position - begin);
   }
@@ -94,6 +93,14 @@ public:
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+  bool at_end_of_token() const
+  {
+    const char c = m_text[m_position];
+    if(c > ' ' && c != '\\') // nearly all
+      return false;
+    return is_blank(c) || is_line_end(c) || at_continuation();
+  }
 
   bool at_continuation() const
   {

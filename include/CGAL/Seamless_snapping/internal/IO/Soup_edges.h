@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -54,16 +55,23 @@ public:
   explicit Soup_edges(const std::vector<Triangle>& triangles)
     : m_triangles(&triangles)
   {
-    m_sides.reserve(3 * triangles.size());
+    // by their lower vertices first, as counted: few sides share one
+    std::vector<std::size_t> end;
     for(Side_index s = 0; s < 3 * triangles.size(); ++s) {
-      const std::array<std::size_t, 3>& v = triangles[s / 3].vertices;
-      const std::size_t source = v[s % 3];
-      const std::size_t target = v[next_side(s) % 3];
-      m_sides.push_back(Side{(std::min)(source, target), (std::max)(source, target), s});
+      const std::size_t low = side(s).low;
+      if(low >= end.size())
+        end.resize((std::max)(low + 1, 2 * end.size()), 0);
+      ++end[low];
     }
-    std::sort(m_sides.begin(), m_sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side);
-    });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    m_sides.resize(3 * triangles.size());
+    std::vector<std::size_t> begin(end);
+    for(Side_index s = m_sides.size(); s-- > 0;)
+      m_sides[--begin[side(s).low]] = side(s);
+    for(std::size_t v = 0; v < end.size(); ++v)
+      std::sort(&m_sides[0] + begin[v], &m_sides[0] + end[v], [](const Side& a, const Side& b) {
+        return std::tie(a.high, a.side) < std::tie(b.high, b.side);
+      });
   }
 
   // Throws `File_refusal` unless each edge has one side, or two that run in opposite directions.
@@ -125,6 +133,13 @@ private:
     std::size_t high;
     Side_index side;
   };
+
+  Side side(const Side_index s) const
+  {
+    const std::array<std::size_t, 3>& v = (*m_triangles)[s / 3].vertices;
+    const auto [low, high] = std::minmax(v[s % 3], v[next_side(s) % 3]);
+    return {low, high, s};
+  }
 
   static bool is_same_edge(const Side& a, const Side& b)
   {

@@ -64,7 +64,8 @@ Number parse_number(const Scanner& scanner, const std::string_view token)
   const bool plus = token.substr(0, 1) == "+"; // which `std::from_chars` does not know
   const std::string_view digits = token.substr(minus || plus ? 1 : 0);
   const std::string_view number = plus ? digits : token;
-  if(digits.find_first_of(".0123456789") != 0) // "nan", "inf", "+-1", and words
+  const char first = digits.empty() ? ' ' : digits[0];
+  if(first != '.' && (first < '0' || first > '9')) // "nan", "inf", "+-1", and words
     scanner.refuse(quoted(token) + " is not a finite number");
 
   Number value = 0;

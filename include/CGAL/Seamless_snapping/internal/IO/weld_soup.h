@@ -112,6 +112,7 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
   for(auto& segment : soup.segments)
     for(std::size_t& vertex : segment.vertices)
       vertex = welded[vertex];
+  soup.is_welded = true;
 }
 
 } // namespace internal
