@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
@@ -98,7 +99,7 @@ public:
   explicit operator bool() const { return !m_data.refusal; }
 
   /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`,
-  /// `NOT_SEAMLESS`, or `INVALID_ROTATIONS`; nothing if they could.
+  /// `NOT_SEAMLESS`, `INVALID_ROTATIONS`, or `INEXACT_ARITHMETIC`; nothing if they could.
   std::optional<Snapping_status> failure() const
   {
     return m_data.refusal ? std::optional<Snapping_status>(m_data.refusal->status) : std::nullopt;
@@ -240,8 +241,6 @@ estimate: the topology that explains the coordinates with the smallest residuals
 
 \return the transitions, or the reason why they could not be read; test with `operator bool()`
 
-\throws std::runtime_error if the program was compiled with options like `-ffast-math`
-
 \par Complexity
 One pass over the edges, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose sides differ.
 */
@@ -256,12 +255,15 @@ seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
-  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return Seam_transitions<TriangleMesh, Group::order>(
-      tmesh, uv_map, internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np)));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
+    internal::Transition_data<TriangleMesh> data;
+    data.refusal = internal::inexact_arithmetic();
+    if(!data.refusal)
+      data = internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np));
+    return Seam_transitions<TriangleMesh, Group::order>(tmesh, uv_map, std::move(data));
+  }
 }
 
 } // namespace Seamless_snapping

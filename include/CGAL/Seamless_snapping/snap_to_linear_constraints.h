@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Linear_constraints.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/linear/constraint_input.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
@@ -54,14 +55,6 @@ std::size_t read_values(const Values& values, std::vector<double>& x)
       first = j;
   }
   return first;
-}
-
-inline Snapping_report refused(const Snapping_status status, const std::string& message)
-{
-  Snapping_report report;
-  report.status = status;
-  report.message = message;
-  return report;
 }
 
 // Weights are a range of positive numbers, or not given. Returns what is wrong with them.
@@ -103,8 +96,8 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   using CGAL::parameters::get_parameter_reference;
 
   const Protect_exact_arithmetic protect;
-  if(!is_arithmetic_exact())
-    return refused(Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message());
+  if(const auto refusal = inexact_arithmetic())
+    return report_of(*refusal);
   const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
   Snapping_report report;
   Step_timer timer(report.run, verbose);
@@ -112,19 +105,19 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
   if(x.size() != number_of_columns(c))
-    return refused(Snapping_status::INVALID_ARGUMENT,
-                   "there are " + std::to_string(x.size()) + " values, but the constraints have " +
-                   std::to_string(number_of_columns(c)) + " unknowns");
+    return report_of({Snapping_status::INVALID_ARGUMENT,
+                      "there are " + std::to_string(x.size()) + " values, but the constraints "
+                      "have " + std::to_string(number_of_columns(c)) + " unknowns", {}});
   if(unbounded != x.size())
-    return refused(Snapping_status::NOT_FINITE,
-                   "value " + std::to_string(unbounded) +
-                       " is NaN or infinite; only finite values can be snapped");
+    return report_of({Snapping_status::NOT_FINITE,
+                      "value " + std::to_string(unbounded) +
+                        " is NaN or infinite; only finite values can be snapped", {}});
   std::vector<double> weights;
   std::string problem = read_weights(
     get_parameter_reference(np, CGAL::internal_np::value_weights), x.size(), weights);
   Scaled_system system;
   if(!problem.empty() || !read_constraints(c, b, system, problem))
-    return refused(Snapping_status::INVALID_ARGUMENT, problem);
+    return report_of({Snapping_status::INVALID_ARGUMENT, problem, {}});
   report.linear_solver.number_of_unknowns = x.size();
   report.linear_solver.number_of_constraints = number_of_rows(c);
   if(const std::optional<Refusal> refusal =

@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
@@ -263,12 +264,8 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  if(!internal::is_arithmetic_exact()) {
-    Snapping_report report;
-    report.status = Snapping_status::INEXACT_ARITHMETIC;
-    report.message = internal::inexact_arithmetic_message();
-    return report;
-  }
+  if(const auto refusal = internal::inexact_arithmetic())
+    return internal::report_of(*refusal);
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
   using Is_default_scale =

@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/snap_volume.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -216,12 +217,8 @@ snap_volume_to_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  if(!internal::is_arithmetic_exact()) {
-    Snapping_report report;
-    report.status = Snapping_status::INEXACT_ARITHMETIC;
-    report.message = internal::inexact_arithmetic_message();
-    return report;
-  }
+  if(const auto refusal = internal::inexact_arithmetic())
+    return internal::report_of(*refusal);
   return internal::snap_volume(tetrahedra, uvw_map, internal::strip(np));
 }
 

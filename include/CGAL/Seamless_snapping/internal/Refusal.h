@@ -18,10 +18,12 @@
 // Why a function can't do what it is asked for.
 
 #include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include <CGAL/Exact_integer.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +38,23 @@ struct Refusal
   std::string message;
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate; // see `Snapping_report`
 };
+
+inline Snapping_report report_of(const Refusal& refusal)
+{
+  Snapping_report report;
+  report.status = refusal.status;
+  report.message = refusal.message;
+  report.certificate = refusal.certificate;
+  return report;
+}
+
+// Where the compiler was allowed to calculate inexactly.
+inline std::optional<Refusal> inexact_arithmetic()
+{
+  if(is_arithmetic_exact())
+    return std::nullopt;
+  return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

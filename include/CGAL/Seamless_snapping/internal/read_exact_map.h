@@ -52,8 +52,8 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                                       const HalfedgeUVMap& uv_map, const NamedParameters& np,
                                       Basic_chart_mesh<Group>& mesh)
 {
-  if(!is_arithmetic_exact())
-    return Refusal{Snapping_status::INEXACT_ARITHMETIC, inexact_arithmetic_message(), {}};
+  if(auto refusal = inexact_arithmetic())
+    return refusal;
   if(faces(tmesh).size() == 0)
     return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
   using Seams = decltype(seam_transitions(tmesh, uv_map, np));
@@ -63,10 +63,10 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
   std::optional<Seams> found_seams;
   call_both<ConcurrencyTag>([&] { found_seams = seam_transitions(tmesh, uv_map, np); },
                             [&] {
-                              if(!numbering.defect())
+                              if(!numbering.refusal())
                                 read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
                             });
-  if(mesh.corners.empty() && !numbering.defect())
+  if(mesh.corners.empty() && !numbering.refusal())
     return Refusal{Snapping_status::INVALID_ARGUMENT, "the mesh has no face; was it read?", {}};
   const Seams& seams = *found_seams;
   if(!seams)

@@ -17,6 +17,7 @@
 
 // Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
 
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/parameters.h>
@@ -40,16 +41,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// What keeps a mesh from being a triangulated manifold; faces are counted in the order of
-// faces(tmesh).
-struct Mesh_defect
-{
-  enum Kind { NOT_TRIANGULAR, SEVERAL_FANS };
-
-  Kind kind;
-  std::string message; // the place and the remedy
-};
 
 // How the indices of a flat mesh correspond to the descriptors of the mesh. Invariant: faces and
 // vertices are numbered in the order of the mesh; vertices without a face and border halfedges have
@@ -77,8 +68,8 @@ public:
   const std::vector<Halfedge>& halfedges_of_corners() const { return m_halfedges; }
   const std::vector<Vertex>& vertices_in_order() const { return m_vertices; }
 
-  // The first face that is not a triangle, if there is one.
-  const std::optional<Mesh_defect>& defect() const { return m_defect; }
+  // The first face that is not a triangle, if there is one; counted in the order of faces(tmesh).
+  const std::optional<Refusal>& refusal() const { return m_refusal; }
 
 private:
   void number_corners(const FaceGraph& tmesh)
@@ -96,10 +87,10 @@ private:
         m_halfedges.push_back(h);
         ++degree;
       }
-      if(degree != 3 && !m_defect)
-        m_defect = Mesh_defect{Mesh_defect::NOT_TRIANGULAR,
-                               "face " + std::to_string(index) + " has " + std::to_string(degree) +
-                                 " edges: triangulate the faces of the mesh first"};
+      if(degree != 3 && !m_refusal)
+        m_refusal = Refusal{Snapping_status::NOT_TRIANGULAR,
+                            "face " + std::to_string(index) + " has " + std::to_string(degree) +
+                              " edges: triangulate the faces of the mesh first", {}};
       ++index;
     }
   }
@@ -127,7 +118,7 @@ private:
   Property_map<CGAL::dynamic_vertex_property_t<Flat_vertex_index> > m_vertex;
   std::vector<Halfedge> m_halfedges;
   std::vector<Vertex> m_vertices;
-  std::optional<Mesh_defect> m_defect;
+  std::optional<Refusal> m_refusal;
 };
 
 // Fills the connectivity of `mesh`, and calls add(corner, halfedge) for what else is to be known of
@@ -160,7 +151,7 @@ void read_flat_mesh(const FaceGraph& tmesh, const Flat_numbering<FaceGraph>& num
 
 // The first vertex whose faces form several fans, if there is one.
 template <typename Corner>
-std::optional<Mesh_defect> find_several_fans(const Flat_mesh<Corner>& mesh)
+std::optional<Refusal> find_several_fans(const Flat_mesh<Corner>& mesh)
 {
   std::vector<int> degree(mesh.number_of_vertices(), 0);
   for(const Corner& c : mesh.corners)
@@ -168,11 +159,11 @@ std::optional<Mesh_defect> find_several_fans(const Flat_mesh<Corner>& mesh)
   for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     for_each_corner(mesh, v, [&](Corner_index) { --degree[v]; });
     if(degree[v] != 0)
-      return Mesh_defect{Mesh_defect::SEVERAL_FANS,
-                         "the faces around a vertex of face " +
-                           std::to_string(mesh.face(mesh.corner_at_vertex[v])) +
-                           " form more than one fan: see "
-                           "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()"};
+      return Refusal{Snapping_status::NOT_MANIFOLD,
+                     "the faces around a vertex of face " +
+                       std::to_string(mesh.face(mesh.corner_at_vertex[v])) +
+                       " form more than one fan: see "
+                       "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()", {}};
   }
   return std::nullopt;
 }

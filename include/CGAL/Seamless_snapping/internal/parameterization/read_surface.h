@@ -18,6 +18,7 @@
 // Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated
 // manifold.
 
+#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Failure.h>
 #include <CGAL/Seamless_snapping/internal/parameterization/Triangle_surface.h>
@@ -37,13 +38,13 @@ namespace Seamless_snapping {
 namespace internal {
 namespace parameterization {
 
-inline void refuse(const std::optional<Mesh_defect>& defect)
+inline void refuse(const std::optional<Refusal>& refusal)
 {
-  if(defect)
-    throw Failure{defect->kind == Mesh_defect::NOT_TRIANGULAR
+  if(refusal)
+    throw Failure{refusal->status == Snapping_status::NOT_TRIANGULAR
                     ? Parameterization_status::NOT_TRIANGULAR
                     : Parameterization_status::NOT_MANIFOLD,
-                  defect->message};
+                  refusal->message};
 }
 
 // The connectivity of a mesh, whose indices are those of `numbering`.
@@ -51,7 +52,7 @@ template <typename TriangleMesh>
 Triangle_surface read_connectivity(const TriangleMesh& tmesh,
                                    const Flat_numbering<TriangleMesh>& numbering)
 {
-  refuse(numbering.defect());
+  refuse(numbering.refusal());
   Triangle_surface surface;
   read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface,
                                        [](Flat_corner&, const auto&) { });

@@ -152,7 +152,7 @@ void add_transition(Basic_chart_mesh<Group>& mesh, const Corner_index h,
 
 // The connectivity and the coordinates. Vertices with several fans of faces do no harm here: the
 // border keeps their fans apart.
-// \pre `numbering` has no defect
+// \pre `numbering` refuses nothing
 template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap, typename Group>
 void read_charts(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                  const HalfedgeUVMap& uv_map, Basic_chart_mesh<Group>& mesh)
