@@ -6,6 +6,7 @@
 
 #include "Polyhedron_copy.h"
 
+#include <CGAL/Seamless_snapping/snap_soup_to_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
 #include <CGAL/FPU.h>
@@ -19,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -193,6 +195,93 @@ void add_garbage(Mesh& mesh)
   CHECK(mesh.has_garbage() && mesh.number_of_removed_faces() > 0);
 }
 
+// A soup has no mesh: triples of vertices, and an array of points, three for each.
+struct Soup
+{
+  explicit Soup(Named_mesh<Kernel> named)
+  {
+    const Mesh& mesh = named.mesh;
+    const auto uv = test_meshes::uv_map(named.mesh);
+    const auto features = test_meshes::feature_map(named.mesh);
+    for(const auto f : mesh.faces()) {
+      triangles.emplace_back();
+      for(const auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+        triangles.back().push_back(int(mesh.target(h)));
+        points.push_back(uv[h]);
+      }
+    }
+    for(const auto e : mesh.edges())
+      if(features[e])
+        feature_edges.push_back({{mesh.vertex(e, 0), mesh.vertex(e, 1)}});
+  }
+
+  auto map() const
+  {
+    return boost::make_iterator_property_map(points.begin(),
+                                             boost::typed_identity_property_map<std::size_t>());
+  }
+  auto map()
+  {
+    return boost::make_iterator_property_map(points.begin(),
+                                             boost::typed_identity_property_map<std::size_t>());
+  }
+
+  std::vector<std::vector<int> > triangles;
+  std::vector<Point_2> points;
+  std::vector<std::array<std::size_t, 2> > feature_edges;
+};
+
+void test_soup(const Named_mesh<Kernel>& input, const Named_mesh<Kernel>& expected,
+               const std::string& context)
+{
+  Soup soup(input);
+  const Soup expected_soup(expected);
+  const auto np =
+    SS::parameters::feature_edges(soup.feature_edges).align_border(input.align_border);
+  const SS::Snapping_report report = SS::snap_soup_to_seamless(soup.triangles, soup.map(), np);
+  CHECK_IN(context, bool(report));
+  CHECK_IN(context, SS::is_soup_seamless(soup.triangles, expected_soup.map(), np));
+  std::size_t different = 0;
+  for(std::size_t c = 0; c < soup.points.size(); ++c) {
+    const Point_2 &p = soup.points[c], &q = expected_soup.points[c];
+    different += bits(p.x()) != bits(q.x()) || bits(p.y()) != bits(q.y()) ? 1 : 0;
+  }
+  CHECK_IN(context, different == 0);
+  soup.points[0] = Point_2(soup.points[0].x() + 1, soup.points[0].y());
+  CHECK_IN(context, !SS::is_soup_seamless(soup.triangles, soup.map(), np));
+}
+
+void test_refused_soups()
+{
+  std::vector<Point_2> points(9, Point_2(0, 0));
+  const auto map = boost::make_iterator_property_map(
+    points.begin(), boost::typed_identity_property_map<std::size_t>());
+  const auto status = [&map](const std::vector<std::vector<int> >& triangles,
+                             const std::vector<std::vector<int> >& edges = {}) {
+    const auto np = SS::parameters::feature_edges(edges);
+    const SS::Snapping_report report = SS::snap_soup_to_seamless(triangles, map, np);
+    bool is_refused = false;
+    try {
+      SS::is_soup_seamless(triangles, map, np);
+    } catch(const std::invalid_argument& e) {
+      is_refused = report.message == e.what();
+    }
+    CHECK(bool(report) != is_refused);
+    return report.status;
+  };
+  using Status = SS::Snapping_status;
+  CHECK(status({{0, 1, 2}}) == Status::ALREADY_EXACT);
+  CHECK(status({{0, 1, 2}}, {{1, 2}}) == Status::ALREADY_EXACT);
+  CHECK(status({{0, 1, 2}, {0, 1}}) == Status::NOT_TRIANGULAR);
+  CHECK(status({{0, 1, 2}, {0, 1, 2, 3}}) == Status::NOT_TRIANGULAR);
+  CHECK(status({{0, 1, 1}}) == Status::INVALID_ARGUMENT);
+  CHECK(status({{0, 1, -1}}) == Status::INVALID_ARGUMENT);
+  CHECK(status({{0, 1, 2}, {0, 1, 3}}) == Status::NOT_MANIFOLD);
+  CHECK(status({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}) == Status::NOT_MANIFOLD);
+  CHECK(status({{0, 1, 2}}, {{1, 3}}) == Status::INVALID_ARGUMENT);
+  CHECK(status({{0, 1, 2}}, {{1}}) == Status::INVALID_ARGUMENT);
+}
+
 void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
 {
   const std::string context = original.name + ", seed " + std::to_string(seed);
@@ -228,6 +317,7 @@ void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
     expect_same(input, expected, mesh, pairs, dynamic_uv(mesh),
                 context + ", shuffled " + std::to_string(k));
   }
+  test_soup(input, expected, context + ", soup");
 }
 
 // --- modes of the processor ----------------------------------------------------------------------
@@ -402,6 +492,7 @@ int main()
   const Floating_point_traps traps; // for all functions that are called
   std::cout.precision(3);
   unsigned int seed = 0;
+  test_refused_soups();
   for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
     for(int round = 0; round < 20; ++round)
       test_data_structures(named, ++seed);

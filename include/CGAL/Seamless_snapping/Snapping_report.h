@@ -45,7 +45,9 @@ enum class Snapping_status
   FLIPS_REMAIN,
   INVALID_ARGUMENT,   ///< sizes that do not match, a weight that is not positive, and the like
   NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
-  NOT_MANIFOLD,       ///< a facet of a volume belongs to more than two cells
+  /// a facet of a volume belongs to more than two cells; or the faces of a soup are no oriented
+  /// surface
+  NOT_MANIFOLD,
   NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
   NOT_SEAMLESS,       ///< the sides of an edge differ by more than the tolerance
   /// an edge that is to lie on an isocurve is farther from one than the tolerance

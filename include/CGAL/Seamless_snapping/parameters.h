@@ -216,7 +216,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
- * - `feature_facets`, `feature_edges`: facets and edges of a volume that are to be aligned
+ * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
+ *   to be aligned
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known

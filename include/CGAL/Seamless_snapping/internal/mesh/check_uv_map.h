@@ -83,8 +83,9 @@ constexpr bool check_map_of_corners()
     constexpr bool has_halfedges = std::is_convertible_v<Halfedge, typename Traits::key_type>;
     constexpr bool has_points = Has_two_coordinates<typename Traits::value_type>::value;
     static_assert(has_halfedges,
-                  "the keys of the uv map must be halfedges of the mesh: each corner has "
-                  "coordinates of its own, those of the halfedge that points to it in its face");
+                  "the keys of the uv map must be halfedges of the mesh, or integers for a soup: "
+                  "each corner has coordinates of its own, those of the halfedge that points to it "
+                  "in its face");
     static_assert(!has_halfedges || has_points,
                   "the values of the uv map must be two-dimensional points of a kernel, such as "
                   "CGAL::Simple_cartesian<double>::Point_2: no Point_3, and no containers");

@@ -1,0 +1,139 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SNAP_SOUP_TO_SEAMLESS_H
+#define CGAL_SEAMLESS_SNAPPING_SNAP_SOUP_TO_SEAMLESS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The surface function, and its check, for triangle soups: arrays of vertex indices, without a mesh
+// data structure.
+
+#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/soup_surface.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <stdexcept>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgSeamlessSnappingRef
+
+does what `snap_to_seamless()` does, for a parametrization of a triangle soup.
+
+The faces become a surface by their vertex indices: two faces are neighbors where they share two
+vertices. Where the faces around a vertex form several fans, each counts as a vertex of its own;
+messages number the further ones after all other vertices.
+
+\tparam TriangleRange a range whose elements are ranges of 3 vertex indices:
+        `std::vector<std::array<int, 3> >`, for instance
+\tparam CornerUVMap a model of `ReadWritePropertyMap` with `std::size_t` as key type and as value
+        type a two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`,
+        which can be constructed from two of them
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param triangles the faces: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. Memory is
+       proportional to the largest of them.
+\param uv_map the coordinates of each corner: that of key `3 * i + k` belongs to vertex `k` of face
+       `i`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `align_border`,
+       `rotational_symmetry`, `tolerance`, `repair_flips`, `number_of_untangling_iterations`,
+       `integer_grid`, `grid_scale`, `rounding_tolerance`, and `verbose` of `snap_to_seamless()`,
+       and the one listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{feature_edges}
+    \cgalParamDescription{edges that are to lie on isocurves: along each, the coordinate that
+                          changes less in the input is made constant}
+    \cgalParamType{a range of ranges of 2 vertex indices}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return what `snap_to_seamless()` returns; in addition, `Snapping_report::status` is
+        - `NOT_MANIFOLD`: an edge belongs to more than two faces, or two of its faces are not
+          oriented consistently;
+        - `INVALID_ARGUMENT`: a face has a vertex twice or an index out of range, or a feature is no
+          edge of a face.
+
+\par Complexity
+That of `snap_to_seamless()`; a face graph with the same vertices and faces is made first and takes
+about as long as reading a file of them into a mesh does.
+
+\sa `is_soup_seamless()`
+\sa `snap_to_seamless()`
+\sa `snap_volume_to_seamless()`
+*/
+template <typename TriangleRange, typename CornerUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
+                                      const NamedParameters& np =
+                                        CGAL::parameters::default_values())
+{
+  if constexpr(internal::check_map_of_corners<CornerUVMap, std::size_t>()) {
+    const auto& plain_np = internal::strip(np);
+    const auto& feature_edges = CGAL::parameters::get_parameter_reference(
+      plain_np, CGAL::internal_np::feature_edges);
+    internal::Soup_surface surface;
+    if(const auto refusal = surface.read(triangles, feature_edges))
+      return internal::report_of(*refusal);
+    return snap_to_seamless(surface.mesh(),
+                            internal::Soup_uv_map<CornerUVMap>{surface.corner(), uv_map},
+                            plain_np.edge_is_constrained_map(surface.is_feature()));
+  }
+}
+
+/*!
+\ingroup PkgSeamlessSnappingVerifying
+
+decides whether a parametrization of a triangle soup is exactly seamless and aligned, as
+`is_seamless()` does. Parameters are those of `snap_soup_to_seamless()`; the map need be a model of
+`ReadablePropertyMap` only.
+
+\throws std::invalid_argument if the faces or features are not what `snap_soup_to_seamless()` asks
+        for; the message names the place
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+\pre all coordinates are finite
+*/
+template <typename TriangleRange, typename CornerUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+bool is_soup_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
+  if constexpr(internal::check_map_of_corners<CornerUVMap, std::size_t>()) {
+    const auto& plain_np = internal::strip(np);
+    const auto& feature_edges = CGAL::parameters::get_parameter_reference(
+      plain_np, CGAL::internal_np::feature_edges);
+    internal::Soup_surface surface;
+    if(const auto refusal = surface.read(triangles, feature_edges))
+      throw std::invalid_argument(refusal->message);
+    const internal::Soup_uv_map<CornerUVMap> uv{surface.corner(), uv_map};
+    return internal::is_seamless(surface.mesh(), uv,
+                                 plain_np.edge_is_constrained_map(surface.is_feature()));
+  }
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_SNAP_SOUP_TO_SEAMLESS_H
