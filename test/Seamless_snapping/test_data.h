@@ -75,7 +75,8 @@ inline std::vector<std::filesystem::path> third_of_further_files(const std::stri
   for(std::size_t i = 0; i < files.size(); i += 3)
     result.push_back(files[i]);
   if(result.size() < files.size())
-    checking::skip("two of three files of " + part + ", as SEAMLESS_SNAPPING_LONG_TESTS is not set");
+    checking::skip("two of three files of " + part +
+                   ", as SEAMLESS_SNAPPING_LONG_TESTS is not set");
   return result;
 }
 
