@@ -103,21 +103,24 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
   if(size > largest_number_of_tetrahedra)
     return invalid_cells("the mesh has more than " + std::to_string(largest_number_of_tetrahedra) +
                          " cells; divide it");
-  result.vertices.reserve(4 * size);
+  result.vertices.resize(4 * size);
+  std::size_t first = 0;
   for(const auto& cell : tetrahedra) {
-    const auto name = [&] { return "cell " + std::to_string(result.number_of_cells()); };
+    const auto name = [&] { return "cell " + std::to_string(first / 4); };
     if(cell.size() != 4)
       return invalid_cells(name() + " has " + std::to_string(cell.size()) +
                            " vertices in place of 4");
+    std::size_t i = first;
     for(const auto v : cell) {
       if(!is_index_below(v, largest_vertex_index + 1))
         return invalid_cells(name() + " has a vertex whose index is negative or too large");
-      const auto cell_begin = result.vertices.end() - std::ptrdiff_t(result.vertices.size() % 4);
-      if(std::find(cell_begin, result.vertices.end(), std::int32_t(v)) != result.vertices.end())
-        return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice");
-      result.vertices.push_back(static_cast<std::int32_t>(v));
+      for(std::size_t j = first; j < i; ++j)
+        if(result.vertices[j] == static_cast<std::int32_t>(v))
+          return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice");
+      result.vertices[i++] = static_cast<std::int32_t>(v);
       result.number_of_vertices = (std::max)(result.number_of_vertices, std::size_t(v) + 1);
     }
+    first = i;
   }
   renumber_vertices(result);
   return std::nullopt;
@@ -148,6 +151,10 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
   const std::size_t size = tetrahedra.number_of_cells();
   if(static_cast<std::size_t>(neighbors.size()) != size)
     return invalid_cells("cell_neighbors is not of the size of the range of cells");
+  const auto one_sided = [](const Corner_index c, const Corner_index d) {
+    return invalid_cells("cell_neighbors: cell " + std::to_string(c) + " has the neighbor " +
+                         std::to_string(d) + ", but not the other way round");
+  };
   tetrahedra.opposite.assign(4 * size, no_facet);
   Corner_index facet = 0;
   for(const auto& cell : neighbors) {
@@ -155,23 +162,24 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
     if(cell.size() != 4)
       return invalid_cells(name() + "there must be 4");
     for(const auto d : cell) {
-      if(d < 0) {
-        ++facet;
-        continue;
+      Corner_index& here = tetrahedra.opposite[std::size_t(facet)]; // known from an earlier cell
+      const bool is_cell = is_index_below(d, size);
+      if(is_cell ? here < 0 || here / 4 != static_cast<Corner_index>(d) : here >= 0 || !(d < 0)) {
+        const Corner_index c = facet / 4;
+        const Corner_index other =
+          is_cell ? facet_of_cell(tetrahedra, static_cast<Corner_index>(d), facet) : no_facet;
+        if(!(d < 0) && (other < 0 || other / 4 == c))
+          return invalid_cells(name() + std::to_string(d) + " is no cell with the facet opposite "
+                               "to vertex " + std::to_string(facet % 4));
+        if(here >= 0)
+          return one_sided(here / 4, c);
+        if(other / 4 < c || tetrahedra.opposite[std::size_t(other)] >= 0)
+          return one_sided(c, other / 4);
+        here = other;
+        tetrahedra.opposite[std::size_t(other)] = facet;
       }
-      const Corner_index other = is_index_below(d, size)
-        ? facet_of_cell(tetrahedra, static_cast<Corner_index>(d), facet) : no_facet;
-      if(other < 0 || other / 4 == facet / 4)
-        return invalid_cells(name() + std::to_string(d) + " is no cell with the facet opposite to "
-                             "vertex " + std::to_string(facet % 4));
-      tetrahedra.opposite[std::size_t(facet++)] = other;
+      ++facet;
     }
-  }
-  for(std::size_t f = 0; f < 4 * size; ++f) {
-    const Corner_index other = tetrahedra.opposite[f];
-    if(other >= 0 && tetrahedra.opposite[std::size_t(other)] != Corner_index(f))
-      return invalid_cells("cell_neighbors: cell " + std::to_string(f / 4) + " has the neighbor " +
-                           std::to_string(other / 4) + ", but not the other way round");
   }
   return std::nullopt;
 }

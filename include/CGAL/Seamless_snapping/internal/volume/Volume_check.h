@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Calls f(corner, c) for coordinates at which a facet or edge is inexact; for transitions, in the
-// chart of the cell on the other side.
+// Calls f(corner, c) for coordinates at which an open or aligned facet or an aligned edge is
+// inexact; for transitions, in the chart of the cell on the other side. In the input, that is all.
 template <typename F>
 void for_each_inexact_coordinate(const Flat_volume& volume, const Volume_transitions& transitions,
                                  const Volume_alignment& alignment, const std::vector<Uvw>& u,
@@ -40,23 +40,20 @@ void for_each_inexact_coordinate(const Flat_volume& volume, const Volume_transit
       f(b, c);
     }
   };
-  std::vector<char> is_cut(volume.opposite.size(), 0);
   for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
     const Corner_index facet = volume.open_facets[i];
-    if(transitions.is_cut[i] == 0)
+    if(transitions.is_cut[i] == 0) {
+      for(const Corner_index corner : corners_of_facet(facet))
+        for(std::size_t c = 0; c < 3; ++c)
+          compare(corner, volume.across(facet, corner), c);
       continue;
-    is_cut[std::size_t(facet)] = is_cut[std::size_t(volume.opposite[std::size_t(facet)])] = 1;
+    }
     const Facet_vectors vectors(volume.sides(facet, u));
     for(std::size_t c = 0; c < 3; ++c)
       if(!vectors.match(transitions.element[i], c))
         for(const Corner_index corner : corners_of_facet(facet))
           f(volume.across(facet, corner), c);
   }
-  for(std::size_t i = 0; i < volume.opposite.size(); ++i)
-    if(volume.opposite[i] > Corner_index(i) && is_cut[i] == 0)
-      for(const Corner_index corner : corners_of_facet(Corner_index(i)))
-        for(std::size_t c = 0; c < 3; ++c)
-          compare(corner, volume.across(Corner_index(i), corner), c);
   for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i) {
     const auto corners = corners_of_facet(volume.aligned_facets[i]);
     for(std::size_t j = 1; j < 3; ++j)
@@ -74,6 +71,12 @@ inline bool is_exact(const Flat_volume& volume, const Volume_transitions& transi
   bool result = true;
   for_each_inexact_coordinate(volume, transitions, alignment, u,
                               [&](Corner_index, std::size_t) { result = false; });
+  std::vector<char> is_open(volume.opposite.size(), 0);
+  for(const Corner_index facet : volume.open_facets)
+    is_open[std::size_t(facet)] = is_open[std::size_t(volume.opposite[std::size_t(facet)])] = 1;
+  for(std::size_t i = 0; i < volume.opposite.size() && result; ++i)
+    if(volume.opposite[i] > Corner_index(i) && is_open[i] == 0)
+      result = volume.sides(Corner_index(i), u).are_identical();
   return result;
 }
 

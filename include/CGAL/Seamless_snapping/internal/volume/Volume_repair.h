@@ -52,17 +52,11 @@ public:
                 const Place_solver& solver, const double largest_change,
                 std::vector<Uvw>& coordinates)
     : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
-      m_largest_change(largest_change), m_coordinates(coordinates),
-      m_place(sectors.number_of_sectors())
+      m_largest_change(largest_change), m_coordinates(coordinates)
   {
     int exponent = 0;
     std::frexp(input.extent, &exponent);
     m_scale = std::ldexp(1., -exponent); // keeps determinants in range
-    for(std::size_t p = 0; p < places.places.size(); ++p) {
-      const Place& place = places.places[p];
-      for(std::size_t i = 0; i < place.members.size(); ++i)
-        m_place[std::size_t(place.members[i])] = {p, i / place.number_of_slots};
-    }
     double surplus = 0; // of positive cells; files may list corners in the other order
     for(std::size_t c = 0; c < input.number_of_cells(); ++c)
       surplus += volume(input.coordinates, c) < 0 ? -1 : 1;
@@ -82,6 +76,12 @@ public:
   // Tries each vertex of each cell once, as long as the work for programs lasts.
   void run(const std::vector<std::size_t>& lost)
   {
+    m_place.resize(m_sectors.number_of_sectors());
+    for(std::size_t p = 0; p < m_places.places.size(); ++p) {
+      const Place& place = m_places.places[p];
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        m_place[std::size_t(place.members[i])] = {p, i / place.number_of_slots};
+    }
     for(const std::size_t c : lost)
       for(std::size_t i = 4 * c; i < 4 * c + 4 && is_lost(c); ++i)
         if(m_sectors.sector[i] >= 0)

@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -136,22 +137,34 @@ private:
   // By vertex, then by the first corner of the sector.
   void sort_corners(Signed_union_find& classes)
   {
-    std::vector<Corner_index>& corners = m_result.corners;
+    std::vector<Corner_index> end(m_volume.number_of_vertices() + 1, 0); // per vertex, and 1 more
     for(std::size_t i = 0; i < m_volume.vertices.size(); ++i)
       if(!is_fixed(Corner_index(i)))
-        corners.push_back(Corner_index(i));
-    std::vector<Corner_index> first(m_volume.vertices.size(), -1); // of the class
-    for(const Corner_index c : corners)
-      first[std::size_t(c)] = Corner_index(classes.root(std::size_t(c)));
-    std::sort(corners.begin(), corners.end(), [&](const Corner_index a, const Corner_index b) {
-      return std::make_tuple(m_volume.vertex(a), first[std::size_t(a)], a) <
-             std::make_tuple(m_volume.vertex(b), first[std::size_t(b)], b);
-    });
-    m_result.sector.assign(m_volume.vertices.size(), -1);
-    for(std::size_t i = 0; i < corners.size(); ++i) {
-      if(i == 0 || first[std::size_t(corners[i])] != first[std::size_t(corners[i - 1])])
-        m_result.first_corner.push_back(i);
-      m_result.sector[std::size_t(corners[i])] = Sector_number(m_result.first_corner.size()) - 1;
+        ++end[std::size_t(m_volume.vertices[i]) + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Corner_index>& corners = m_result.corners;
+    corners.resize(std::size_t(end.back()));
+    std::vector<Corner_index>& first = m_result.sector; // of the class, until it has a number
+    first.assign(m_volume.vertices.size(), -1);
+    for(std::size_t i = 0; i < first.size(); ++i)
+      if(!is_fixed(Corner_index(i))) {
+        first[i] = Corner_index(classes.root(i));
+        corners[std::size_t(end[std::size_t(m_volume.vertices[i])]++)] = Corner_index(i);
+      }
+    const auto is_before = [&](const Corner_index a, const Corner_index b) {
+      return std::make_pair(first[std::size_t(a)], a) < std::make_pair(first[std::size_t(b)], b);
+    };
+    Corner_index i = 0;
+    for(std::size_t v = 0; v < m_volume.number_of_vertices(); ++v) {
+      if(!std::is_sorted(corners.begin() + i, corners.begin() + end[v], is_before))
+        std::sort(corners.begin() + i, corners.begin() + end[v], is_before);
+      for(Corner_index former = -1; i < end[v]; ++i) {
+        Sector_number& sector = m_result.sector[std::size_t(corners[std::size_t(i)])];
+        if(sector != former)
+          m_result.first_corner.push_back(std::size_t(i));
+        former = sector;
+        sector = Sector_number(m_result.first_corner.size()) - 1;
+      }
     }
     m_result.first_corner.push_back(corners.size());
   }

@@ -68,7 +68,8 @@ public:
     m_timer.finish("alignment");
     if(alignment.violation > m_tolerance)
       return not_aligned(alignment);
-    if(is_exact(m_volume, transitions, alignment, m_volume.coordinates))
+    const std::vector<char> is_inexact = inexact_coordinates(transitions, alignment);
+    if(is_inexact.empty())
       return std::nullopt;
     m_timer.finish("verification of the input");
 
@@ -86,8 +87,7 @@ public:
     fill_in(sectors, places);
     m_timer.finish("places");
     Place_solver solver(m_volume, joined.charts, sectors, places,
-                        inexact_coordinates(transitions, alignment, joined.charts, sectors,
-                                            places), m_format);
+                        inexact_columns(is_inexact, joined.charts, sectors, places), m_format);
     m_report.linear_solver = solver.linear_solver().figures();
     m_report.run.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
@@ -97,14 +97,15 @@ public:
                      "scale the map down", {}};
     m_timer.finish("solution");
 
-    repair(joined.charts, sectors, places, solver, snapped);
+    const Largest_change change = repair(joined.charts, sectors, places, solver, snapped);
     m_timer.finish("orientation");
-    if(const auto refusal = guard_against_collapse(snapped))
-      return refusal;
+    if(change.size > largest_plausible_change())
+      return collapsed(change);
     if(!is_exact(m_volume, transitions, alignment, snapped))
       return Refusal{Snapping_status::INTERNAL_ERROR,
                      "the result failed its exact verification and was discarded; please report "
                      "this", {}};
+    m_report.largest_change = change.size;
     fill_in_changes(sectors, snapped);
     m_timer.finish("verification");
     m_report.status = Snapping_status::SNAPPED;
@@ -112,6 +113,12 @@ public:
   }
 
 private:
+  struct Largest_change // of a coordinate
+  {
+    double size = 0;
+    std::size_t corner = 0;
+  };
+
   void fill_in(const Volume_transitions& transitions)
   {
     m_report.violation_before = transitions.violation;
@@ -137,15 +144,17 @@ private:
     for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
       const auto begin = sectors.corners_begin(Sector_number(s));
       const auto end = sectors.corners_end(Sector_number(s));
+      double sum_here = 0, squares_here = 0;
       for(auto i = begin; i != end; ++i)
         for(std::size_t c = 0; c < 3; ++c) {
           const double change = std::abs(snapped[std::size_t(*i)][c] - m_volume.uvw(*i)[c]) / unit;
-          sum += change / static_cast<double>(end - begin);
-          squares += change * change / static_cast<double>(end - begin);
+          sum_here += change;
+          squares_here += change * change;
         }
+      sum += sum_here / static_cast<double>(end - begin);
+      squares += squares_here / static_cast<double>(end - begin);
     }
     const double size = 3 * static_cast<double>(sectors.number_of_sectors());
-    m_report.largest_change = largest_change(snapped).first;
     m_report.mean_change = sum / size * unit;
     m_report.rms_change = std::sqrt(squares / size) * unit;
   }
@@ -168,32 +177,35 @@ private:
               "facets of the boundary, pass align_boundary(false)", {}};
   }
 
-  void repair(const Volume_charts& charts, const Volume_sectors& sectors,
-              const Volume_places& places, const Place_solver& solver, std::vector<Uvw>& snapped)
+  Largest_change repair(const Volume_charts& charts, const Volume_sectors& sectors,
+                        const Volume_places& places, const Place_solver& solver,
+                        std::vector<Uvw>& snapped)
   {
     Volume_repair repair(m_volume, charts, sectors, places, solver, largest_plausible_change(),
                          snapped);
     std::vector<std::size_t> lost = repair.lost_cells();
     m_report.run.number_of_lost_faces = lost.size();
-    m_report.run.largest_change_before_repair = largest_change(snapped).first;
+    Largest_change change = largest_change(snapped);
+    m_report.run.largest_change_before_repair = change.size;
     if(!lost.empty()) {
       repair.run(lost);
       lost = repair.lost_cells();
+      change = largest_change(snapped);
     }
     m_report.run.number_of_faces_repaired_by_moves =
       m_report.run.number_of_lost_faces - lost.size();
     for(const std::size_t c : lost)
       m_report.lost_faces.push_back(std::size_t(m_volume.cell_names[c]));
+    return change;
   }
 
-  // The largest change of a coordinate, and at which corner it is.
-  std::pair<double, std::size_t> largest_change(const std::vector<Uvw>& snapped) const
+  Largest_change largest_change(const std::vector<Uvw>& snapped) const
   {
-    std::pair<double, std::size_t> result(0, 0);
+    Largest_change result;
     for(std::size_t i = 0; i < snapped.size(); ++i)
       for(std::size_t c = 0; c < 3; ++c) {
         const double change = std::abs(snapped[i][c] - m_volume.coordinates[i][c]);
-        if(change > result.first)
+        if(change > result.size)
           result = {change, i};
       }
     return result;
@@ -206,37 +218,43 @@ private:
   }
 
   // A wrong rotation can make an exact map in which a part of the volume has collapsed.
-  std::optional<Refusal> guard_against_collapse(const std::vector<Uvw>& snapped) const
+  Refusal collapsed(const Largest_change& change) const
   {
-    const auto [largest, place] = largest_change(snapped);
-    if(largest <= largest_plausible_change())
-      return std::nullopt;
-    return Refusal{Snapping_status::NOT_SEAMLESS,
-                   "an exact map would have to move vertex " +
-                     std::to_string(m_volume.vertex_names[std::size_t(m_volume.vertices[place])]) +
-                     " by " + short_number(largest) + ", which is more than the inaccuracy of " +
-                     short_number(m_report.violation_before) + " explains: the transitions around "
-                     "it do not fit together, or the cells there are thinner than the inaccuracy; "
-                     "correct the map there, or raise the tolerance", {}};
+    const std::size_t v = std::size_t(m_volume.vertices[change.corner]);
+    return {Snapping_status::NOT_SEAMLESS,
+            "an exact map would have to move vertex " + std::to_string(m_volume.vertex_names[v]) +
+              " by " + short_number(change.size) + ", which is more than the inaccuracy of " +
+              short_number(m_report.violation_before) + " explains: the transitions around it do "
+              "not fit together, or the cells there are thinner than the inaccuracy; correct the "
+              "map there, or raise the tolerance", {}};
   }
 
+  // Per coordinate of a corner, whether a constraint on it does not hold; empty if all hold.
   std::vector<char> inexact_coordinates(const Volume_transitions& transitions,
-                                        const Volume_alignment& alignment,
-                                        const Volume_charts& charts,
-                                        const Volume_sectors& sectors,
-                                        const Volume_places& places) const
+                                        const Volume_alignment& alignment) const
+  {
+    std::vector<char> result;
+    for_each_inexact_coordinate(m_volume, transitions, alignment, m_volume.coordinates,
+                                [&](const Corner_index corner, const std::size_t c) {
+      result.resize(3 * m_volume.vertices.size());
+      result[3 * std::size_t(corner) + c] = 1;
+    });
+    return result;
+  }
+
+  // The same per coordinate of a slot.
+  std::vector<char> inexact_columns(const std::vector<char>& is_inexact,
+                                    const Volume_charts& charts, const Volume_sectors& sectors,
+                                    const Volume_places& places) const
   {
     std::vector<std::size_t> slot(sectors.number_of_sectors());
     for(const Volume_places::Place& place : places.places)
       for(std::size_t i = 0; i < place.members.size(); ++i)
         slot[std::size_t(place.members[i])] = place.first_slot + i % place.number_of_slots;
     std::vector<char> result(3 * places.number_of_slots, 0);
-    for_each_inexact_coordinate(
-      m_volume, transitions, alignment, m_volume.coordinates,
-      [&](const Corner_index corner, const std::size_t c) {
-        result[3 * slot[std::size_t(sectors.sector[std::size_t(corner)])] +
-               charts.column(std::size_t(corner), c)] = 1;
-      });
+    for(std::size_t j = 0; j < is_inexact.size(); ++j)
+      if(is_inexact[j] != 0)
+        result[3 * slot[std::size_t(sectors.sector[j / 3])] + charts.column(j / 3, j % 3)] = 1;
     if(!charts.are_given())
       spread_over_joined_charts(charts, sectors, slot, result);
     return result;
