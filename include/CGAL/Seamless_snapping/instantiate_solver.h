@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
 #include <CGAL/Seamless_snapping/internal/separate_complex_solver.h>
+#include <CGAL/Seamless_snapping/internal/volume/volume_snappers_impl.h>
 
 /*!
   \file CGAL/Seamless_snapping/instantiate_solver.h

@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
-#include <CGAL/Seamless_snapping/internal/volume/snap_whole_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
 #include <CGAL/Seamless_snapping/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -206,7 +206,7 @@ std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const Corne
     }
     read_coordinates(uvw_map, volume);
     const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
-    if(auto refusal = Flat_volume_snapper(volume, tolerance, format, report, timer).run(snapped))
+    if(auto refusal = snap_flat_volume(volume, tolerance, format, report, timer, snapped))
       return refusal;
     further_vertices = free_vertices_of_lost_cells(volume, report.lost_faces);
     if(is_again || further_vertices.empty())
@@ -231,7 +231,7 @@ std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const Corne
     return refusal;
   read_coordinates(uvw_map, volume);
   const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
-  return Whole_volume_snapper(volume, options, format, report, timer).run(snapped);
+  return snap_whole_volume(volume, options, format, report, timer, snapped);
 }
 
 template <typename NamedParameters>

@@ -18,10 +18,10 @@
 // Snapping of volumes where it may change cells away from cuts and boundary, too: to integer-grid
 // maps, and with repairs of cells that are not positive. An exactly seamless map comes first.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_rounder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,22 +34,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-struct Volume_options
-{
-  double tolerance; // relative to the extent
-  bool rounds;      // to an integer-grid map
-  double grid_scale;
-  double rounding_tolerance;
-  Flip_repair flip_repair;
-  std::size_t number_of_untangling_iterations;
-
-  // Whether cells away from constraints are looked at.
-  bool is_about_all_cells() const
-  {
-    return rounds || grid_scale != 1 || flip_repair != Flip_repair::NONE;
-  }
-};
 
 class Whole_volume_snapper
 {
