@@ -20,7 +20,7 @@
 #include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/Layout_status.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/layout/Layout_maker.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 

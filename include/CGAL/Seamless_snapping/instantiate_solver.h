@@ -18,8 +18,11 @@
 // Compiles the solver, for programs in which only one source shall do that.
 
 #include <CGAL/Seamless_snapping/internal/complex/Free_unknowns_impl.h>
+#include <CGAL/Seamless_snapping/internal/layout/Refined_faces_impl.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_layout_impl.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
+#include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
 #include <CGAL/Seamless_snapping/internal/separate_complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers_impl.h>
 

@@ -112,7 +112,7 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
     { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
-  return Surface_quantizer(mesh, is_feature, options, vertex_name).run();
+  return quantize_surface(mesh, is_feature, options, vertex_name);
 }
 
 // \param leave_out_folded_cells whether cells that are folded around a point of one edge are left

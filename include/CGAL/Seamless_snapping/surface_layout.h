@@ -133,27 +133,28 @@ Race_options race_options(const TriangleMesh& tmesh, const Flat_numbering<Triang
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-void make_layout(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
-                 const HalfedgeUVMap& uv_map, const NamedParameters& np, Layout_data& data)
+void read_and_make_layout(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                          const HalfedgeUVMap& uv_map, const NamedParameters& np, Layout_data& data)
 {
   const Protect_exact_arithmetic protect;
-  Chart_mesh mesh;
-  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
+  Layout_input input;
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, input.mesh)) {
     data.status = input_status<Layout_status>(refusal->status);
     data.message = refusal->message;
     return;
   }
+  input.is_feature = feature_corners(tmesh, numbering, np);
+  input.is_given = constrained_vertices(numbering, np);
+  input.align_border = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::align_border), false);
+  input.options = race_options(tmesh, numbering, data, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto vertex_name = [&](const std::size_t v) {
+  input.vertex_name = [&](const std::size_t v) {
     const Corner_index h = data.domain.mesh.corner_at_vertex[v];
     return std::to_string(
       get(vertex_indices, target(numbering.halfedges_of_corners()[std::size_t(h)], tmesh)));
   };
-  const Race_options options = race_options(tmesh, numbering, data, np);
-  const bool align_border = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::align_border), false);
-  Layout_maker(std::move(mesh), feature_corners(tmesh, numbering, np), align_border,
-               constrained_vertices(numbering, np), options, vertex_name, data).run();
+  make_layout(std::move(input), data);
 }
 
 } // namespace internal
@@ -260,7 +261,7 @@ motorcycle_graph(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
     const auto numbering = std::make_shared<internal::Flat_numbering<TriangleMesh> >(tmesh);
     const auto data = std::make_shared<internal::Layout_data>();
-    internal::make_layout(tmesh, *numbering, uv_map, internal::strip(np), *data);
+    internal::read_and_make_layout(tmesh, *numbering, uv_map, internal::strip(np), *data);
     return Motorcycle_graph<TriangleMesh>(tmesh, numbering, data);
   }
 }

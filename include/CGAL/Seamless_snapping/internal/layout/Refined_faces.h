@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/Points_on_edges.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
+#include <CGAL/Seamless_snapping/internal/separate_solver.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
 #include <CGAL/Exact_rational.h>
@@ -55,16 +56,7 @@ struct Arc_step
 class Refined_faces
 {
 public:
-  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout)
-    : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())
-  {
-    mark_inner_points();
-    add_edges();
-    for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
-      cut_face(f);
-    link_border();
-    m_is_covered = spread_patches();
-  }
+  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout);
 
   // Whether all cells belong to a patch, as they must.
   bool is_covered() const { return m_is_covered; }
@@ -463,5 +455,9 @@ private:
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#include <CGAL/Seamless_snapping/internal/layout/Refined_faces_impl.h>
+#endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_REFINED_FACES_H

@@ -10,18 +10,15 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_MAKE_LAYOUT_IMPL_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_MAKE_LAYOUT_IMPL_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // From a chart mesh to its layout, step by step, with all checks. Nothing here depends on the mesh
 // data structure.
 
-#include <CGAL/Seamless_snapping/Layout_status.h>
-#include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
-#include <CGAL/Seamless_snapping/internal/layout/Layout.h>
-#include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
 #include <CGAL/Seamless_snapping/internal/layout/build_layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/make_patches.h>
@@ -40,30 +37,15 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What a layout refers to. It stays where it is.
-struct Layout_data
-{
-  Layout_domain domain;
-  std::unique_ptr<Curve_race> race; // none unless the status is PARTITIONED
-  Layout layout;
-  Layout_status status = Layout_status::PARTITIONED;
-  std::string message;
-  std::vector<std::size_t> nonpositive_faces;
-};
-
 class Layout_maker
 {
 public:
-  // `is_feature` and `is_given` tell of corners and vertices; or are empty. Whether the border has
-  // to lie on isocurves, is `align_border`. `vertex_name` is for messages.
-  Layout_maker(Chart_mesh&& mesh, std::vector<char>&& is_feature, const bool align_border,
-               std::vector<char>&& is_given, const Race_options& options,
-               const std::function<std::string(std::size_t)>& vertex_name, Layout_data& data)
-    : m_is_feature(std::move(is_feature)), m_align_border(align_border),
-      m_is_given(std::move(is_given)), m_options(options), m_vertex_name(vertex_name),
-      m_data(data), m_domain(data.domain)
+  Layout_maker(Layout_input&& input, Layout_data& data)
+    : m_is_feature(std::move(input.is_feature)), m_align_border(input.align_border),
+      m_is_given(std::move(input.is_given)), m_options(input.options),
+      m_vertex_name(input.vertex_name), m_data(data), m_domain(data.domain)
   {
-    m_domain.mesh = std::move(mesh);
+    m_domain.mesh = std::move(input.mesh);
   }
 
   void run()
@@ -188,14 +170,18 @@ private:
   std::vector<char> m_is_feature;
   bool m_align_border;
   std::vector<char> m_is_given;
-  const Race_options& m_options;
+  Race_options m_options;
   std::function<std::string(std::size_t)> m_vertex_name;
   Layout_data& m_data;
   Layout_domain& m_domain;
 };
 
+CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+void make_layout(Layout_input&& input, Layout_data& data)
+{ Layout_maker(std::move(input), data).run(); }
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_LAYOUT_MAKER_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LAYOUT_MAKE_LAYOUT_IMPL_H
