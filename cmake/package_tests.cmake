@@ -8,10 +8,10 @@ set_tests_properties(build PROPERTIES LABELS package RUN_SERIAL ON)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include" include/*.h)
 set(public_headers ${headers})
 list(FILTER public_headers EXCLUDE REGEX "/internal/")
-# All programs have what this one compiles.
-set(instantiates CGAL/Seamless_snapping/instantiate_solver.h)
-list(REMOVE_ITEM public_headers "${instantiates}")
-list(REMOVE_ITEM headers "${instantiates}")
+# The library has what these compile.
+foreach(list IN ITEMS headers public_headers)
+  list(FILTER ${list} EXCLUDE REGEX "(/compiled|_impl)\\.h$")
+endforeach()
 if(NOT SEAMLESS_SNAPPING_CHECK_ALL_HEADERS)
   set(headers ${public_headers})
 endif()
@@ -37,6 +37,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(definitions "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_COMPILE_DEFINITIONS>")
   set(header_options
     -std=c++17 -fsyntax-only -Wall -Wextra -pedantic -Wshadow -Wconversion -Werror
+    -DCGAL_SEAMLESS_SNAPPING_COMPILED
     ${option_for_speed} "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
     "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
   # What most of them include from elsewhere is precompiled, unless all headers are tested: then

@@ -1,14 +1,17 @@
 # What most programs include, precompiled; and compiled once, what is the same in most of them: the
-# mesh, readers of files, solvers, and the functions on surfaces for the types that most use.
+# mesh, readers of files, what does not depend on types, and the functions on surfaces for the types
+# that most use.
 
-add_library(seamless_snapping_precompiled OBJECT
+# Of the library's sources, remeshing.cpp stands in for that of quads.
+set(library_sources ${Seamless_snapping_compiled_SOURCES})
+list(FILTER library_sources EXCLUDE REGEX "/quads\\.cpp$")
+add_library(seamless_snapping_precompiled OBJECT ${library_sources}
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/solver.cpp"
   "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
 seamless_snapping_options(seamless_snapping_precompiled)
 target_compile_definitions(seamless_snapping_precompiled
-  PUBLIC CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER)
+  PUBLIC CGAL_SEAMLESS_SNAPPING_COMPILED)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)

@@ -2,6 +2,9 @@
 
 #include "remeshing.h"
 
+#include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
+#include <CGAL/Seamless_snapping/quad_remesh_impl.h>
+
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {

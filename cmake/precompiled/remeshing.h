@@ -6,6 +6,7 @@
 
 #include "mesh.h"
 
+#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 
 namespace seamless_snapping_precompiled {
@@ -27,7 +28,6 @@ using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal:
   PREFIX template Quantization quantize_map(                                                       \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     const seamless_snapping_precompiled::Features_of_map&, const Quantization_options&);           \
-  PREFIX template bool Quad_remesher::parametrize(Surface_to_remesh&);                             \
   SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, CGAL::Sequential_tag)                           \
   SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, CGAL::Parallel_if_available_tag)
 

@@ -9,6 +9,11 @@
 #include "test_surfaces.h"
 
 #include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
+#include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
+#include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
+#include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
+#include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -843,8 +848,6 @@ struct Flat_quads
   // The least scaled Jacobian before, and after; and the number of vertices that were removed.
   std::tuple<double, double, std::size_t> improve()
   {
-    using Point_map = Mesh::Property_map<Vertex, Point_3>;
-    using Smoother = SS::internal::Quad_smoother<Mesh, Point_map>;
     using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
     const Feature_map is_feature =
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
@@ -853,10 +856,9 @@ struct Flat_quads
     const SS::internal::Surface_to_remesh surface(
       square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
     scale_quads(1 / surface.unscaled(1)); // as large as the copy
-    Smoother smoother(quads, quads.points(), surface.mesh());
+    SS::internal::Quad_smoother smoother(quads, surface.mesh());
     const SS::internal::Feature_lines lines(surface);
-    SS::internal::Quad_improver<Mesh, Feature_map, Smoother> improver(quads, is_feature, lines,
-                                                                      smoother);
+    SS::internal::Quad_improver improver(quads, is_feature, lines, smoother);
     const double before = smoother.measure_shape()[0];
     improver.move_vertices();
     const std::size_t removed = improver.remove_vertices_of_two_edges();
@@ -914,8 +916,6 @@ void test_improvement()
 // A quad whose sides at a corner are a straight line, or turn by more, as features may hold them.
 void test_division()
 {
-  using Point_map = Mesh::Property_map<Vertex, Point_3>;
-  using Smoother = SS::internal::Quad_smoother<Mesh, Point_map>;
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   for(const double y : {0., 0.4, 3.}) { // the last one is inverted, and can't be helped
     Mesh surface_mesh, quads;
@@ -933,9 +933,9 @@ void test_division()
     const SS::internal::Surface_to_remesh surface(
       surface_mesh, surface_mesh.points(),
       CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
-    Smoother smoother(quads, quads.points(), surface.mesh());
+    SS::internal::Quad_smoother smoother(quads, surface.mesh());
     CHECK(smoother.measure_shape()[0] <= 0);
-    SS::internal::Quad_divider<Mesh, Feature_map, Smoother> divider(quads, is_feature, smoother);
+    SS::internal::Quad_divider divider(quads, is_feature, smoother);
     const bool is_helped = y < 1;
     CHECK_EQUAL(divider.run(), is_helped ? 1u : 0u);
     CHECK_EQUAL(faces(quads).size(), is_helped ? 5u : 1u);

@@ -17,30 +17,18 @@
 
 // From any triangle mesh to a quad mesh of about the number of quads wanted.
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
-#include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/inverted_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
-#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 #include <CGAL/Seamless_snapping/quantize.h>
-#include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -148,10 +136,12 @@ struct Remeshing_options
   double curvature_alignment;
   std::size_t number_of_smoothing_rounds;
   bool verbose;
+  bool has_single_precision; // the points of the quads
 };
 
 template <typename TriangleMesh, typename NamedParameters>
-Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np)
+Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np,
+                                    const bool has_single_precision)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -162,7 +152,8 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
             choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.)),
           static_cast<std::size_t>(
             choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5)),
-          choose_parameter(get_parameter(np, internal_np::verbose), false)};
+          choose_parameter(get_parameter(np, internal_np::verbose), false),
+          has_single_precision};
 }
 
 template <typename TriangleMesh, typename NamedParameters>
@@ -179,192 +170,37 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
                      CGAL::Static_boolean_property_map<Edge, false>()));
 }
 
-// Invariant: `m_report` tells why the last step failed, if it did.
-class Quad_remesher
+// Makes the quads, as large as the input. The surface gets its map, and loses features that are
+// released.
+// \param is_feature of the edges of `quads`
+Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
+                        Surface_to_remesh::Mesh& quads,
+                        const Surface_to_remesh::Feature_map& is_feature);
+
+template <typename QuadMesh, typename NamedParameters>
+auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
 {
-  using Mesh = Surface_to_remesh::Mesh;
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_property_map(CGAL::vertex_point, quads));
+}
 
-public:
-  template <typename TriangleMesh, typename NamedParameters>
-  Quad_remesher(const TriangleMesh& tmesh, const NamedParameters& np)
-    : m_surface(surface_to_remesh(tmesh, np)), m_options(remeshing_options(tmesh, np)),
-      m_timer(m_report, m_options.verbose)
-  { }
-
-  // Adds the quads to the mesh, if all steps succeed.
-  template <typename QuadMesh, typename NamedParameters>
-  Remeshing_report run(QuadMesh& quads, const NamedParameters& np)
-  {
-    QuadMesh result;
-    const auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), result);
-    if(parametrize(m_surface) && extract(result, is_feature)) {
-      smooth(result, is_feature);
-      restore_size(result);
-      write(result, is_feature, quads, np);
-    }
-    return m_report;
-  }
-
-private:
-  bool fail(const Remeshing_status status, const std::string& message)
-  {
-    m_report.status = status;
-    m_report.message = message;
-    return false;
-  }
-
-  const Mesh& mesh() const { return m_surface.mesh(); }
-
-  auto features() const { return parameters::edge_is_constrained_map(m_surface.is_feature()); }
-
-  // From here on, edges that no field can follow without flips are not features.
-  template <typename Edges>
-  void release(const Edges& released)
-  {
-    for(const auto& [v, w] : released)
-      m_surface.is_feature()[mesh().edge(mesh().halfedge(v, w))] = false;
-    m_report.number_of_released_edges = released.size();
-  }
-
-  // An exactly seamless map without flips. A template: only programs that call it compile it.
-  template <typename Surface>
-  bool parametrize(Surface& surface);
-
-  template <typename QuadMesh, typename FeatureMap>
-  bool extract(QuadMesh& quads, const FeatureMap& is_feature)
-  {
-    const Quantization quantization =
-      quantize_map(mesh(), m_surface.uv_map(), strip(features()), m_options.quantization);
-    m_timer.finish("quantization");
-    if(!quantization)
-      return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
-    const Extraction_report extracted = extract_quad_mesh(
-      quantization, mesh(), quads, CGAL::parameters::default_values(),
-      parameters::edge_is_constrained_map(is_feature));
-    m_timer.finish("extraction");
-    if(!extracted)
-      return fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
-    m_report.message = quantization.message;
-    return true;
-  }
-
-  // Vertices on features and borders are held.
-  template <typename QuadMesh, typename FeatureMap>
-  void smooth(QuadMesh& quads, const FeatureMap& is_feature)
-  {
-    using Vertex = typename boost::graph_traits<QuadMesh>::vertex_descriptor;
-    const auto point_map = CGAL::get_property_map(CGAL::vertex_point, quads);
-    const auto is_held = [&](const Vertex v) {
-      for(const auto h : CGAL::halfedges_around_target(v, quads))
-        if(get(is_feature, edge(h, quads)))
-          return true;
-      return false;
-    };
-    using Smoother = Quad_smoother<QuadMesh, std::decay_t<decltype(point_map)> >;
-    Smoother smoother(quads, point_map, mesh());
-    smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
-    if(m_options.number_of_smoothing_rounds > 0) {
-      const Feature_lines lines(m_surface);
-      Quad_improver<QuadMesh, FeatureMap, Smoother> improver(quads, is_feature, lines, smoother);
-      improver.move_vertices();
-      if(improver.remove_vertices_of_two_edges() > 0)
-        improver.move_vertices();
-      if(Quad_divider<QuadMesh, FeatureMap, Smoother>(quads, is_feature, smoother).run() > 0)
-        improver.move_vertices();
-    }
-    m_timer.finish("smoothing");
-    count(quads);
-    std::size_t i = 0;
-    for(const auto f : faces(quads))
-      count_if_inverted(smoother.quad(f), i++, m_report);
-    const std::array<double, 2> shape = smoother.measure_shape();
-    m_report.least_scaled_jacobian = shape[0];
-    m_report.mean_scaled_jacobian = shape[1];
-    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
-    m_timer.finish("measurement");
-  }
-
-  template <typename QuadMesh>
-  void restore_size(QuadMesh& quads) const
-  {
-    const auto point_map = CGAL::get_property_map(CGAL::vertex_point, quads);
-    using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
-    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    const auto unscaled = [&](const auto& x)
-                          { return FT(m_surface.unscaled(CGAL::to_double(x))); };
-    for(const auto v : vertices(quads)) {
-      const Point p = get(point_map, v);
-      put(point_map, v, Point(unscaled(p.x()), unscaled(p.y()), unscaled(p.z())));
-    }
-  }
-
-  template <typename QuadMesh, typename FeatureMap, typename NamedParameters>
-  static void write(const QuadMesh& result, const FeatureMap& is_feature, QuadMesh& quads,
-                    const NamedParameters& np)
-  {
-    using CGAL::parameters::get_parameter;
-    const auto feature_map = get_parameter(np, CGAL::internal_np::edge_is_constrained);
-    const auto write_feature = [&](const auto& halfedges) {
-      if constexpr(is_given_parameter(feature_map))
-        put(feature_map, edge(halfedges.second, quads),
-            get(is_feature, edge(halfedges.first, result)));
-    };
-    CGAL::copy_face_graph(
-      result, quads,
-      CGAL::parameters::halfedge_to_halfedge_output_iterator(
-        boost::make_function_output_iterator(write_feature)),
-      CGAL::parameters::vertex_point_map(CGAL::parameters::choose_parameter(
-        get_parameter(np, CGAL::internal_np::vertex_point),
-        CGAL::get_property_map(CGAL::vertex_point, quads))));
-  }
-
-  template <typename QuadMesh>
-  void count(const QuadMesh& quads)
-  {
-    m_report.number_of_quads = faces(quads).size(); // num_faces() counts removed ones, too
-    m_report.number_of_vertices = vertices(quads).size();
-    for(const auto v : vertices(quads))
-      if(!CGAL::is_border(v, quads) && degree(v, quads) != 4)
-        ++m_report.number_of_cones;
-  }
-
-  static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
-
-  Surface_to_remesh m_surface;
-  Remeshing_options m_options;
-  Remeshing_report m_report;
-  Step_timer m_timer;
-};
-
-// Outside of the class, so that programs that share a library can share this, too.
-template <typename Surface>
-bool Quad_remesher::parametrize(Surface& surface)
+template <typename QuadMesh, typename PointMap, typename NamedParameters>
+void add_copy(const Surface_to_remesh::Mesh& result,
+              const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads,
+              const PointMap& point_map, const NamedParameters& np)
 {
-  const auto made = approximate_seamless_parameterization(
-    surface.mesh(), surface.uv_map(),
-    features().align_border(true).curvature_alignment(m_options.curvature_alignment)
-              .release_alignment(true).largest_cone_index(largest_cone_index));
-  m_timer.finish("parametrization");
-  if(!made)
-    return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
-  release(made.released_edges);
-  m_report.number_of_flipped_faces = made.number_of_flipped_faces;
-  const auto snapped =
-    snap_to_seamless(surface.mesh(), surface.uv_map(),
-                     features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
-  m_timer.finish("snapping");
-  if(!snapped)
-    return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
-  m_report.remaining_flips = snapped.remaining_flips;
-  m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
-                                  snapped.lost_faces.end());
-  for(std::size_t& face : m_report.remaining_flips)
-    face = surface.original(face);
-  if(!m_report.remaining_flips.empty())
-    return fail(Remeshing_status::NOT_POSITIVE,
-                name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
-                  "; mark fewer features, or remesh the input there");
-  return true;
+  const auto feature_map =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+  const auto write_feature = [&](const auto& halfedges) {
+    if constexpr(is_given_parameter(feature_map))
+      put(feature_map, edge(halfedges.second, quads),
+          bool(is_feature[result.edge(halfedges.first)]));
+  };
+  CGAL::copy_face_graph(result, quads,
+                        CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                          boost::make_function_output_iterator(write_feature)),
+                        CGAL::parameters::vertex_point_map(point_map));
 }
 
 } // namespace internal
@@ -399,8 +235,7 @@ around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
-\tparam QuadMesh a model of `MutableFaceGraph` that is default constructible and has an internal
-        property map for `CGAL::vertex_point_t`
+\tparam QuadMesh a model of `MutableFaceGraph`
 \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -489,11 +324,28 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1 = CGAL::parameters::default_values(),
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  return internal::Quad_remesher(tmesh, internal::strip(np1)).run(quads, internal::strip(np2));
+  using namespace internal;
+  using Mesh = Surface_to_remesh::Mesh;
+  const Protect_exact_arithmetic protect;
+  const auto point_map = point_map_of_quads(quads, strip(np2));
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  Surface_to_remesh surface = surface_to_remesh(tmesh, strip(np1));
+  Mesh result;
+  const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
+  const Remeshing_report report =
+    remesh(surface, remeshing_options(tmesh, strip(np1), std::is_same<FT, float>::value), result,
+           is_feature);
+  if(report)
+    add_copy(result, is_feature, quads, point_map, strip(np2));
+  return report;
 }
 
 } // namespace Seamless_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
+#include <CGAL/Seamless_snapping/quad_remesh_impl.h>
+#endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_QUAD_REMESH_H

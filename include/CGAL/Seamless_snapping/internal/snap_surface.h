@@ -55,8 +55,8 @@
 #include <utility>
 #include <vector>
 
-#ifdef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
-#include <CGAL/Seamless_snapping/internal/separate_complex_solver.h>
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+#include <CGAL/Seamless_snapping/internal/surface_solvers.h>
 #endif
 
 namespace CGAL {

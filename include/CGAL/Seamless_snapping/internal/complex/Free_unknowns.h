@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 
 #include <cstddef>
 #include <vector>
@@ -52,7 +52,7 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/complex/Free_unknowns_impl.h>
 #endif
 

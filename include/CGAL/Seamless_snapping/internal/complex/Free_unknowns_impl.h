@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Free_unknowns::Free_unknowns(const Integer_system& system)
 {
   const Echelon_form form = eliminate(system);
@@ -49,7 +49,7 @@ Free_unknowns::Free_unknowns(const Integer_system& system)
 }
 
 // What pivots of 1 and -1 leave: a basis of its lattice of solutions spans all of them.
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Free_unknowns::add_core(const Integer_system& rows, std::vector<char>& is_implied)
 {
   std::vector<Column_index> columns;
@@ -78,7 +78,7 @@ void Free_unknowns::add_core(const Integer_system& rows, std::vector<char>& is_i
   }
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Free_unknowns::substitute_back(const Entries<Exact_integer>& row, const Column_index pivot)
 {
   Sparse_row& result = m_sums[std::size_t(pivot)];

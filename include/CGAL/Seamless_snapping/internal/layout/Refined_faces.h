@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/Points_on_edges.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
 #include <CGAL/Exact_rational.h>
@@ -456,7 +456,7 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/layout/Refined_faces_impl.h>
 #endif
 

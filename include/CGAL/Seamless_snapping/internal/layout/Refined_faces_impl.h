@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Refined_faces::Refined_faces(const Chart_mesh& mesh, const Curve_set& curves,
                              const Layout& layout)
   : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())

@@ -21,7 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 
 #include <cstddef>
 #include <functional>
@@ -61,7 +61,7 @@ void make_layout(Layout_input&& input, Layout_data& data);
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/layout/make_layout_impl.h>
 #endif
 

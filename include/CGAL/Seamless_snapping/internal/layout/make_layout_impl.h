@@ -176,7 +176,7 @@ private:
   Layout_domain& m_domain;
 };
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void make_layout(Layout_input&& input, Layout_data& data)
 { Layout_maker(std::move(input), data).run(); }
 

@@ -22,7 +22,7 @@
 #include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -113,7 +113,7 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
 #endif
 

@@ -67,7 +67,7 @@ void Linear_solver::make_local(Entries<Integer>& row) const
     e.column = m_local_column[std::size_t(e.column)]; // in the same order
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Linear_solver::Linear_solver(const Scaled_system& system, const std::vector<double>& weights,
                              const Number_format& format,
                              const std::size_t number_of_representable_columns,
@@ -94,16 +94,16 @@ Linear_solver::Linear_solver(const Scaled_system& system, const std::vector<doub
   }
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Linear_solver::~Linear_solver() = default;
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 const Integer_system& Linear_solver::system(const Component_index c) const
 {
   return m_solvers[std::size_t(c)].system();
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Certificate Linear_solver::certificate() const
 {
   std::vector<std::pair<std::size_t, Exact_rational> > multipliers;
@@ -122,7 +122,7 @@ Certificate Linear_solver::certificate() const
   return to_integer_multipliers(multipliers);
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Component_index Linear_solver::solve(const Linear_target& target, Linear_solution& solution,
                                      Step_timer* const timer) const
 {
@@ -135,7 +135,7 @@ Component_index Linear_solver::solve(const Linear_target& target, Linear_solutio
   return -1;
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 bool Linear_solver::solve_component(const Component_index c, const Linear_target& target,
                                     Linear_solution& solution, Step_timer* const timer) const
 {
@@ -151,7 +151,7 @@ bool Linear_solver::solve_component(const Component_index c, const Linear_target
   return true;
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<std::vector<Column_solution> >
 Linear_solver::solve_component_on_many_grids(const Component_index c,
                                              const Linear_target& target) const
@@ -159,7 +159,7 @@ Linear_solver::solve_component_on_many_grids(const Component_index c,
   return solve_on_many_grids(m_solvers[std::size_t(c)], part_of(target, c, columns(c)));
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::vector<double> Linear_solver::displacements(const std::vector<double>& shifts) const
 {
   std::vector<double> result(shifts);
@@ -177,7 +177,7 @@ std::vector<double> Linear_solver::displacements(const std::vector<double>& shif
 }
 
 // In the order of their first rows; rows and columns of each in the system's order.
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Linear_solver::find_components(const Integer_system& system)
 {
   std::vector<int> parent(system.number_of_columns()), rank(system.number_of_columns(), 0);
@@ -216,7 +216,7 @@ void Linear_solver::find_components(const Integer_system& system)
   }
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Linear_solver::add_empty_row(const Integer_system& system, const std::size_t row)
 {
   if(!system.has_right_hand_side(row))
@@ -226,7 +226,7 @@ void Linear_solver::add_empty_row(const Integer_system& system, const std::size_
 }
 
 // The rows of a component, with right-hand sides on a scale of their own.
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Integer_system Linear_solver::subsystem(const Integer_system& system, const std::size_t c) const
 {
   Integer_system result(m_columns[c].size());
@@ -251,7 +251,7 @@ Integer_system Linear_solver::subsystem(const Integer_system& system, const std:
   return result;
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<std::size_t> Linear_solver::first_contradictory_component() const
 {
   for(std::size_t c = 0; c < m_solvers.size(); ++c)

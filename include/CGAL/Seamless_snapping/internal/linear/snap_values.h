@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 
 #include <optional>
 #include <vector>
@@ -42,7 +42,7 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vecto
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
 #endif
 

@@ -319,7 +319,7 @@ private:
   Component_index m_farthest = -1;
 };
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<Refusal> snap_values(const Scaled_system& scaled,
                                    const std::vector<double>& weights,
                                    const Number_format& format, std::vector<double>& x,

@@ -24,8 +24,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -37,17 +35,17 @@ namespace internal {
 
 // Invariant: vertices and edges that are there stay, and what they are. New vertices are on the
 // surface, new edges are no features.
-template <typename QuadMesh, typename FeatureMap, typename Smoother>
 class Quad_divider
 {
-  using Graph_traits = boost::graph_traits<QuadMesh>;
-  using Halfedge = typename Graph_traits::halfedge_descriptor;
-  using Vertex = typename Graph_traits::vertex_descriptor;
-  using Face = typename Graph_traits::face_descriptor;
-  using Quad = typename Smoother::Quad;
+  using Mesh = Surface_to_remesh::Mesh;
+  using Halfedge = Mesh::Halfedge_index;
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Quad = Quad_smoother::Quad;
 
 public:
-  Quad_divider(QuadMesh& quads, const FeatureMap& is_feature, Smoother& smoother)
+  Quad_divider(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother)
     : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother)
   { }
 
@@ -155,9 +153,9 @@ private:
 
   static constexpr double flat = 0.01; // as a scaled Jacobian
 
-  QuadMesh& m_quads;
-  const FeatureMap& m_is_feature;
-  Smoother& m_smoother;
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  Quad_smoother& m_smoother;
 };
 
 } // namespace internal

@@ -26,8 +26,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,19 +41,19 @@ namespace internal {
 
 // Invariant: vertices stay on the surface, and on the features and borders where they are; they do
 // not move at all where these turn or meet.
-// \tparam FeatureMap whether an edge is a feature or border
-template <typename QuadMesh, typename FeatureMap, typename Smoother>
 class Quad_improver
 {
-  using Graph_traits = boost::graph_traits<QuadMesh>;
-  using Vertex = typename Graph_traits::vertex_descriptor;
-  using Halfedge = typename Graph_traits::halfedge_descriptor;
-  using Face = typename Graph_traits::face_descriptor;
-  using Quad = typename Smoother::Quad;
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Halfedge = Mesh::Halfedge_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Quad = Quad_smoother::Quad;
 
 public:
-  Quad_improver(QuadMesh& quads, const FeatureMap& is_feature, const Feature_lines& lines,
-                Smoother& smoother)
+  // \param is_feature whether an edge is a feature or border
+  Quad_improver(Mesh& quads, const Feature_map& is_feature, const Feature_lines& lines,
+                Quad_smoother& smoother)
     : m_quads(quads), m_is_feature(is_feature), m_lines(lines), m_smoother(smoother)
   { }
 
@@ -122,7 +120,6 @@ private:
       collect_star(v);
       order.emplace_back(badness(), v);
     }
-    // not by vertices, which some meshes order by their addresses
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::transform(order.begin(), order.end(), result.begin(),
@@ -282,10 +279,10 @@ private:
   static constexpr double steepness = 8;
   static constexpr std::size_t largest_number_of_rounds = 10;
 
-  QuadMesh& m_quads;
-  const FeatureMap& m_is_feature;
+  Mesh& m_quads;
+  Feature_map m_is_feature;
   const Feature_lines& m_lines;
-  Smoother& m_smoother;
+  Quad_smoother& m_smoother;
   std::map<Face, Space_vector> m_upper_side;
   // scratch: of the vertex that moves
   std::vector<Face> m_star;

@@ -22,12 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -77,22 +72,19 @@ inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_
 }
 
 // Invariant: vertices that are held stay where they are, all others on the surface.
-template <typename QuadMesh, typename VertexPointMap>
 class Quad_smoother
 {
-  using Graph_traits = boost::graph_traits<QuadMesh>;
-  using Vertex = typename Graph_traits::vertex_descriptor;
-  using Face = typename Graph_traits::face_descriptor;
-  using Surface_kernel = Surface_to_remesh::Kernel;
-  using Surface_point = Surface_kernel::Point_3;
-  using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Surface_to_remesh::Mesh> >;
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+  using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Mesh> >;
 
 public:
   using Quad = std::array<Space_vector, 4>;
 
-  Quad_smoother(const QuadMesh& quads, const VertexPointMap& point_map,
-                const Surface_to_remesh::Mesh& surface)
-    : m_quads(quads), m_point_map(point_map), m_surface(surface),
+  Quad_smoother(Mesh& quads, const Mesh& surface)
+    : m_quads(quads), m_surface(surface),
       m_tree(faces(surface).begin(), faces(surface).end(), surface)
   {
     m_tree.accelerate_distance_queries();
@@ -145,16 +137,12 @@ public:
 
   Space_vector point(const Vertex v) const
   {
-    const auto& p = get(m_point_map, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    const Point& p = m_quads.point(v);
+    return {p.x(), p.y(), p.z()};
   }
 
   void set_point(const Vertex v, const Space_vector& p)
-  {
-    using Point = typename boost::property_traits<VertexPointMap>::value_type;
-    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-    put(m_point_map, v, Point(FT(p[0]), FT(p[1]), FT(p[2])));
-  }
+  { m_quads.point(v) = Point(p[0], p[1], p[2]); }
 
   Quad quad(const Face f) const
   {
@@ -168,8 +156,8 @@ public:
   // The nearest point of the surface. The search begins at another one of its points.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   {
-    const Surface_point q = m_tree.closest_point(Surface_point(p[0], p[1], p[2]),
-                                                 Surface_point(near_by[0], near_by[1], near_by[2]));
+    const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]),
+                                         Point(near_by[0], near_by[1], near_by[2]));
     return {q.x(), q.y(), q.z()};
   }
 
@@ -180,12 +168,12 @@ public:
     for(const Space_vector& p : q)
       for(std::size_t c = 0; c < 3; ++c)
         middle[c] += p[c] / 4;
-    const auto f =
-      m_tree.closest_point_and_primitive(Surface_point(middle[0], middle[1], middle[2])).second;
+    const Face f =
+      m_tree.closest_point_and_primitive(Point(middle[0], middle[1], middle[2])).second;
     std::array<Space_vector, 3> t;
     std::size_t i = 0;
     for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {
-      const Surface_point& p = m_surface.point(v);
+      const Point& p = m_surface.point(v);
       t[i++] = {p.x(), p.y(), p.z()};
     }
     return outer_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
@@ -225,9 +213,8 @@ private:
     }
   }
 
-  const QuadMesh& m_quads;
-  VertexPointMap m_point_map;
-  const Surface_to_remesh::Mesh& m_surface;
+  Mesh& m_quads;
+  const Mesh& m_surface;
   Tree m_tree;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces

@@ -18,7 +18,7 @@
 // From the faces of a map to its quantization.
 
 #include <CGAL/Seamless_snapping/Quantization.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
 #include <cstddef>
@@ -47,7 +47,7 @@ Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& i
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
 #endif
 

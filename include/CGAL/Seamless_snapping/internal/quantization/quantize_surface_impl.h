@@ -208,7 +208,7 @@ private:
   Quantized_surface m_surface;
 };
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
                               const Quantization_options& options,
                               const std::function<std::string(std::size_t)>& vertex_name)

@@ -22,7 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
-#include <CGAL/Seamless_snapping/internal/separate_solver.h>
+#include <CGAL/Seamless_snapping/internal/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 
 #include <cstddef>
@@ -66,7 +66,7 @@ std::optional<Refusal> snap_whole_volume(const Flat_volume& volume, const Volume
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#ifndef CGAL_SEAMLESS_SNAPPING_SEPARATE_SOLVER
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers_impl.h>
 #endif
 

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const double tolerance,
                                         const Number_format& format, Snapping_report& report,
                                         Step_timer& timer, std::vector<Uvw>& snapped)
@@ -31,7 +31,7 @@ std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const double 
   return Flat_volume_snapper(volume, tolerance, format, report, timer).run(snapped);
 }
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<Refusal> snap_whole_volume(const Flat_volume& volume, const Volume_options& options,
                                          const Number_format& format, Snapping_report& report,
                                          Step_timer& timer, std::vector<Uvw>& snapped)

@@ -10,13 +10,13 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SEPARATE_COMPLEX_SOLVER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SEPARATE_COMPLEX_SOLVER_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SOLVERS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SOLVERS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
 // The solver of cut complexes, and what changes its solutions: neither knows the mesh. What
-// `instantiate_solver.h` compiles once is declared here, for all groups of transitions.
+// `compiled.h` compiles once is declared here, for all groups of transitions.
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
@@ -41,7 +41,7 @@
     const Movable_points<Rotation_group<4> >&, const Complex_solver<Rotation_group<4> >&,          \
     Uv_state&, std::size_t&, std::size_t&);
 
-#define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_SOLVER(PREFIX)                                  \
+#define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(PREFIX)                                  \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<2>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                            \
@@ -59,10 +59,10 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_SOLVER(extern)
+CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(extern)
 
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SEPARATE_COMPLEX_SOLVER_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SURFACE_SOLVERS_H

@@ -1,0 +1,29 @@
+# The target Seamless_snapping::compiled, a library of what does not depend on the types of meshes
+# and coordinates: programs that link it compile the rest only. It is built where it is linked.
+# The linker takes what a program calls: each line here is a source of its own.
+
+set(linear internal/linear/Linear_solver internal/linear/snap_values)
+set(surfaces internal/complex/Free_unknowns internal/surface_solvers)
+set(volumes internal/volume/volume_snappers)
+set(layouts internal/layout/Refined_faces internal/layout/make_layout)
+set(quads internal/quantization/quantize_surface quad_remesh)
+
+if(NOT TARGET Seamless_snapping_compiled)
+  set(Seamless_snapping_compiled_SOURCES "")
+  foreach(part IN ITEMS linear surfaces volumes layouts quads)
+    list(TRANSFORM ${part} REPLACE
+      "(.+)" "#include <CGAL/Seamless_snapping/\\1_impl.h>\n" OUTPUT_VARIABLE includes)
+    list(JOIN includes "" includes)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/Seamless_snapping_compiled/${part}.cpp")
+    file(GENERATE OUTPUT "${source}" CONTENT "${includes}")
+    list(APPEND Seamless_snapping_compiled_SOURCES "${source}")
+  endforeach()
+  add_library(Seamless_snapping_compiled STATIC EXCLUDE_FROM_ALL
+    ${Seamless_snapping_compiled_SOURCES})
+  add_library(Seamless_snapping::compiled ALIAS Seamless_snapping_compiled)
+  target_link_libraries(Seamless_snapping_compiled PUBLIC Seamless_snapping::Seamless_snapping)
+  if(TARGET Seamless_snapping::SuiteSparse_support)
+    target_link_libraries(Seamless_snapping_compiled PUBLIC Seamless_snapping::SuiteSparse_support)
+  endif()
+  target_compile_definitions(Seamless_snapping_compiled PUBLIC CGAL_SEAMLESS_SNAPPING_COMPILED)
+endif()
