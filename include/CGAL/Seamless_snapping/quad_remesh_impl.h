@@ -191,7 +191,7 @@ private:
   Step_timer m_timer;
 };
 
-CGAL_SEAMLESS_SNAPPING_SOLVER_FUNCTION
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)

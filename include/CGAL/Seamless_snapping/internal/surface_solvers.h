@@ -41,7 +41,7 @@
     const Movable_points<Rotation_group<4> >&, const Complex_solver<Rotation_group<4> >&,          \
     Uv_state&, std::size_t&, std::size_t&);
 
-#define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(PREFIX)                                  \
+#define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(PREFIX)                                 \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<2>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                            \
