@@ -28,8 +28,8 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-# Each header compiles alone, without a warning. The compiler's own folder must not be named again:
-# <cstdlib> and its like would not be found any more.
+# Each header compiles alone, without a warning, but for what the library holds. The compiler's own
+# folder must not be named again: <cstdlib> and its like would not be found any more.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(include_dirs "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_INCLUDE_DIRECTORIES>")
   set(include_dirs
@@ -37,7 +37,6 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(definitions "$<TARGET_PROPERTY:Seamless_snapping,INTERFACE_COMPILE_DEFINITIONS>")
   set(header_options
     -std=c++17 -fsyntax-only -Wall -Wextra -pedantic -Wshadow -Wconversion -Werror
-    -DCGAL_SEAMLESS_SNAPPING_COMPILED
     ${option_for_speed} "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
     "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>")
   # What most of them include from elsewhere is precompiled, unless all headers are tested: then
@@ -68,7 +67,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
     add_test(NAME "${name}"
       COMMAND "${CMAKE_CXX_COMPILER}" "${header_options}" -I "${PROJECT_SOURCE_DIR}/include"
-        "${after_elsewhere}" "${source}" COMMAND_EXPAND_LISTS)
+        -DCGAL_SEAMLESS_SNAPPING_COMPILED "${after_elsewhere}" "${source}" COMMAND_EXPAND_LISTS)
     set_tests_properties("${name}" PROPERTIES LABELS headers)
     if(after_elsewhere)
       set_tests_properties("${name}" PROPERTIES FIXTURES_REQUIRED headers_from_elsewhere)
@@ -79,7 +78,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     COMMAND "${CMAKE_COMMAND}"
       "-DSOURCE=${PROJECT_SOURCE_DIR}/test/Seamless_snapping/refused_types/refused_types.cpp"
       "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include;${after_elsewhere}"
+      "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include;${after_elsewhere};\
+-DCGAL_SEAMLESS_SNAPPING_COMPILED"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_refused_types.cmake")
   set_tests_properties(refused_types PROPERTIES LABELS headers)
   if(after_elsewhere)
@@ -164,8 +164,9 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   endforeach()
 endif()
 
-# Two translation units that include all public headers twice go into one program: nothing is
-# defined twice. As both are the same, one is a copy of the other one's object.
+# Two translation units that include all public headers twice, and do without the library, go into
+# one program: nothing is defined twice. As both are the same, one is a copy of the other one's
+# object.
 list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
 list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN public_headers "" includes)
@@ -174,14 +175,13 @@ file(GENERATE OUTPUT "${unit}.cpp" CONTENT "${includes}${includes}")
 file(GENERATE OUTPUT "${unit}_main.cpp" CONTENT "int main() { return 0; }\n")
 add_library(seamless_snapping_all_headers OBJECT "${unit}.cpp")
 seamless_snapping_options(seamless_snapping_all_headers)
-seamless_snapping_use_precompiled(seamless_snapping_all_headers)
 set(copy "${unit}_copy${CMAKE_CXX_OUTPUT_EXTENSION}")
 add_custom_command(OUTPUT "${copy}" DEPENDS $<TARGET_OBJECTS:seamless_snapping_all_headers>
   COMMAND "${CMAKE_COMMAND}" -E copy $<TARGET_OBJECTS:seamless_snapping_all_headers> "${copy}")
 set_source_files_properties("${copy}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
 add_executable(test_seamless_snapping_two_units "${unit}_main.cpp" "${copy}"
   $<TARGET_OBJECTS:seamless_snapping_all_headers>)
-target_link_libraries(test_seamless_snapping_two_units PRIVATE seamless_snapping_precompiled)
+seamless_snapping_options(test_seamless_snapping_two_units)
 add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
 set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
 

@@ -70,6 +70,7 @@ set(package "${cgal}/Seamless_snapping")
 into_cgal("${cgal}")
 file(GLOB headers RELATIVE "${package}/include" "${package}/include/CGAL/Seamless_snapping/*.h"
   "${package}/include/CGAL/Seamless_snapping/IO/*.h")
+list(FILTER headers EXCLUDE REGEX "/compiled\\.h$")
 set(source "")
 foreach(header IN LISTS headers)
   string(APPEND source "#include <${header}>\n")

@@ -115,7 +115,7 @@ inline void test_file(const File& original,
 
 inline void test_files()
 {
-  const auto paths = test_data::third_of_further_files("uv", ".obj");
+  const auto paths = test_data::fifth_of_further_files("uv", ".obj");
   const std::vector<double> noises = { 0, 1e-8, 1e-6 };
   std::vector<Tally> tallies(noises.size());
   for(const auto& path : paths) {

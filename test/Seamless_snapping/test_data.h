@@ -64,18 +64,18 @@ inline std::vector<std::filesystem::path> further_files(const std::string& part,
   return files;
 }
 
-// For tests that take long: every third of them, unless the environment asks for all.
-inline std::vector<std::filesystem::path> third_of_further_files(const std::string& part,
+// For tests that take long: every fifth of them, unless the environment asks for all.
+inline std::vector<std::filesystem::path> fifth_of_further_files(const std::string& part,
                                                                  const std::string& suffix)
 {
   const auto files = further_files(part, suffix);
   if(std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") != nullptr)
     return files;
   std::vector<std::filesystem::path> result;
-  for(std::size_t i = 0; i < files.size(); i += 3)
+  for(std::size_t i = 0; i < files.size(); i += 5)
     result.push_back(files[i]);
   if(result.size() < files.size())
-    checking::skip("two of three files of " + part +
+    checking::skip("four of five files of " + part +
                    ", as SEAMLESS_SNAPPING_LONG_TESTS is not set");
   return result;
 }

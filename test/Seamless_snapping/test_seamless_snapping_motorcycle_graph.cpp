@@ -731,7 +731,7 @@ void test_files()
     for(const bool with_features : {false, true})
       test_file(path.string(), with_features);
   std::map<Division, std::size_t> numbers;
-  for(const auto& path : test_data::third_of_further_files("uv", ".obj"))
+  for(const auto& path : test_data::fifth_of_further_files("uv", ".obj"))
     for(const bool with_features : {false, true})
       ++numbers[test_file(path.string(), with_features)];
   std::cout << numbers[Division::RECTANGLES] << " maps divided into rectangles, "

@@ -309,6 +309,6 @@ int main()
   // that much is there to be tested
   CHECK(totals.connections.possible >= 900 && totals.cycles.possible >= 45);
   CHECK(totals.connections.failed_naively >= 850 && totals.cycles.failed_naively >= 45);
-  test_files(test_data::third_of_further_files("uv", ".obj"));
+  test_files(test_data::fifth_of_further_files("uv", ".obj"));
   return report_checks();
 }

@@ -35,8 +35,8 @@
   package.
 
   It is not needed: each source that calls a function of this package compiles for itself what this
-  function needs. In a program where that takes too long, link the \cmake target
-  `Seamless_snapping::compiled`. Without \cmake, define the macro `CGAL_SEAMLESS_SNAPPING_COMPILED`
+  function needs. In a program where that takes too long, link the CMake target
+  `Seamless_snapping::compiled`. Without CMake, define the macro `CGAL_SEAMLESS_SNAPPING_COMPILED`
   for all sources, and include this header in one of them. The linker misses functions where no
   source, or more than one, does so.
 
