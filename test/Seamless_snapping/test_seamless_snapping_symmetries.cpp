@@ -759,7 +759,7 @@ template <int N>
 void test_borders_on_lattice(const Mesh& closed, const std::string& name)
 {
   std::size_t number_flipped = 0;
-  for(unsigned int seed = 1; seed <= 40; ++seed) {
+  for(unsigned int seed = 1; seed <= 15; ++seed) {
     std::mt19937 random(seed);
     std::vector<char> is_cut;
     for(const auto e : closed.edges())
