@@ -75,7 +75,7 @@ void print_row(const std::string& filename,
             << std::scientific << std::setprecision(1) << report.violation / report.extent << " | "
             << report.number_of_flipped_faces << " | "
             << std::fixed << std::setprecision(2) << seconds << " | " << report.seconds_in_solvers
-            << " | " << std::setprecision(3) << snapping << " | "
+            << " | " << std::setprecision(5) << snapping << " | "
             << (is_snapped && SS::is_seamless(mesh, uv, alignment) ? "yes" : "NO") << " |"
             << std::endl;
 }
