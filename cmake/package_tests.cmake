@@ -164,9 +164,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   endforeach()
 endif()
 
-# Two translation units that include all public headers twice, and do without the library, go into
-# one program: nothing is defined twice. As both are the same, one is a copy of the other one's
-# object.
+# Two translation units that include all public headers twice go into one program: nothing is
+# defined twice. As both are the same, one is a copy of the other one's object.
 list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
 list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN public_headers "" includes)
@@ -175,13 +174,14 @@ file(GENERATE OUTPUT "${unit}.cpp" CONTENT "${includes}${includes}")
 file(GENERATE OUTPUT "${unit}_main.cpp" CONTENT "int main() { return 0; }\n")
 add_library(seamless_snapping_all_headers OBJECT "${unit}.cpp")
 seamless_snapping_options(seamless_snapping_all_headers)
+seamless_snapping_use_precompiled(seamless_snapping_all_headers)
 set(copy "${unit}_copy${CMAKE_CXX_OUTPUT_EXTENSION}")
 add_custom_command(OUTPUT "${copy}" DEPENDS $<TARGET_OBJECTS:seamless_snapping_all_headers>
   COMMAND "${CMAKE_COMMAND}" -E copy $<TARGET_OBJECTS:seamless_snapping_all_headers> "${copy}")
 set_source_files_properties("${copy}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
 add_executable(test_seamless_snapping_two_units "${unit}_main.cpp" "${copy}"
   $<TARGET_OBJECTS:seamless_snapping_all_headers>)
-seamless_snapping_options(test_seamless_snapping_two_units)
+target_link_libraries(test_seamless_snapping_two_units PRIVATE seamless_snapping_precompiled)
 add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
 set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
 
