@@ -126,7 +126,7 @@ seamless_snapping_benchmark_table(dataset_statistics 0
 seamless_snapping_benchmark_table(connection_growth 0 "" "${data}/genus2.obj" --repeats 1)
 seamless_snapping_benchmark_table(exact_comparison 0 "bits" "${data}/genus0.obj"
   --time-limit 2)
-seamless_snapping_benchmark_table(parameterization_table 0 "genus;borders;aligned;flips"
+seamless_snapping_benchmark_table(parametrization_table 0 "genus;borders;aligned;flips"
   "${data}/genus0.obj" "${data}/genus2_border.obj" --align-border)
 seamless_snapping_benchmark_table(quad_comparison 0 "released" "${data}/genus2.obj" --quads 1000)
 seamless_snapping_benchmark_table(tracing_speed 7 "" "${data}" --runs 1)

@@ -6,7 +6,7 @@
 #include "measures.h"
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <cstddef>
 #include <iosfwd>

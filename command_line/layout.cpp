@@ -65,7 +65,7 @@ void snap(const Layout_options& options, Model& model, const Alignment& alignmen
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
   const SS::Snapping_report report = snap_in_double(model, alignment, options.seams);
-  if(!report || report.status == SS::Snapping_status::FLIPS_REMAIN)
+  if(!report || report.status == SS::Outcome::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 

@@ -6,8 +6,8 @@
 #include "Model.h"
 #include "Options.h"
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 
 #include <cstddef>
 

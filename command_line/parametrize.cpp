@@ -12,7 +12,7 @@
 #include "plain_meshes.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -78,7 +78,7 @@ struct Parametrize_options
 struct Outcome
 {
   Repairs repairs;
-  SS::Parameterization_report<Mesh::Vertex_index> made;
+  SS::Parametrization_report<Mesh::Vertex_index> made;
   SS::Snapping_report snapped;
   bool is_exact = false;
 
@@ -123,7 +123,7 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   const std::string faces = counted(model.mesh.number_of_faces(), "face");
   {
     const Progress progress("parametrizing " + faces, options.verbose);
-    outcome.made = SS::approximate_seamless_parameterization(
+    outcome.made = SS::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
       alignment.curvature_alignment(options.curvature).release_alignment(true));
   }

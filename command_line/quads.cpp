@@ -14,7 +14,7 @@
 #include "snap_model.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -154,7 +154,7 @@ void check_report(const Quad_options& options, const Model& model,
 {
   if(report)
     return;
-  const bool has_flips = report.status == SS::Extraction_status::NOT_POSITIVE;
+  const bool has_flips = report.status == SS::Outcome::NOT_POSITIVE;
   const std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
                                     : to_string(report.status) + (": " + report.message);
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));

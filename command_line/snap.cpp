@@ -100,7 +100,7 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
     os << "note: what " << options.input << " holds besides the mesh, its coordinates and its "
           "features is not in " << options.output << ", which is of another format\n";
   write_snap(os, summary);
-  if(summary.report.status == SS::Snapping_status::SNAPPED && !summary.report.message.empty())
+  if(summary.report.status == SS::Outcome::SNAPPED && !summary.report.message.empty())
     os << "note: " << in_words_of_user(summary.report.message, model) << std::endl;
 }
 
@@ -127,7 +127,7 @@ void snap(const Arguments& arguments)
   try {
     snap(options, model, alignment, summary);
     write_results(options, model, old_uv_map, summary);
-    if(summary.report.status == SS::Snapping_status::FLIPS_REMAIN)
+    if(summary.report.status == SS::Outcome::FLIPS_REMAIN)
       throw Failure(STILL_FLIPPED,
                     options.input + ": " + in_words_of_user(to_text(summary.report), model));
   } catch(const Failure& failure) {

@@ -13,7 +13,6 @@
 #include "tracing_overview.h"
 #include "tracing_types.h"
 
-#include <CGAL/Seamless_snapping/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/trace_isocurve.h>
 

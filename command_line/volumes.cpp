@@ -6,7 +6,6 @@
 #include "files.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
-#include <CGAL/Seamless_snapping/is_volume_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
 
@@ -223,6 +222,6 @@ void snap_volume(const Arguments& arguments)
   }
   if(report.run.number_of_repaired_flips > 0)
     summary << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
-  if(report.status == Snapping::Snapping_status::FLIPS_REMAIN)
+  if(report.status == Snapping::Outcome::FLIPS_REMAIN)
     throw Failure(STILL_FLIPPED, input + ": " + report.message);
 }

@@ -17,6 +17,7 @@
 #include "../../test/Seamless_snapping/reduced_seamless_system.h"
 #include "../../test/Seamless_snapping/textbook_method.h"
 
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <algorithm>

@@ -6,8 +6,9 @@
 #include "naive_extraction.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -31,8 +32,8 @@ using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 
 SS::internal::Chart_mesh chart_mesh(const Mesh& mesh, const UV_map& uv)
 {
-  return SS::internal::build_chart_mesh(mesh, SS::internal::Flat_numbering<Mesh>(mesh), uv,
-                                        SS::seam_transitions(mesh, uv));
+  return SS::internal::build_chart_mesh<SS::internal::Quarter_turns>(
+    mesh, SS::internal::Flat_numbering<Mesh>(mesh), uv, SS::seam_transitions(mesh, uv).data());
 }
 
 // Each sector moves by itself, by up to `gap` times the extent: its corners between two cuts.

@@ -7,7 +7,7 @@
 
 #include "command_line.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 
@@ -47,7 +47,7 @@ struct Totals
 void try_unsnapped(Mesh& mesh, const Feature_map& is_feature, Totals& totals)
 {
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  if(!SS::approximate_seamless_parameterization(
+  if(!SS::approximate_seamless_parametrization(
        mesh, uv, SS::parameters::align_border(true).edge_is_constrained_map(is_feature)))
     return;
   ++totals.parametrized;

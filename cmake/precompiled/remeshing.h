@@ -6,7 +6,7 @@
 
 #include "mesh.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 
 namespace seamless_snapping_precompiled {
@@ -21,10 +21,10 @@ using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal:
   PREFIX template bool Cell_extractor<Quarter_turns>::find_cells<TAG>();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(PREFIX)                                            \
-  PREFIX template parameterization::Parameterization_result                                        \
-  parameterization::parameterize<parameterization::Default_solver, double>(                        \
-    parameterization::Triangle_surface&, const parameterization::Parameterization_options&,        \
-    Parameterization_report<SM_Vertex_index>&);                                                    \
+  PREFIX template parametrization::Parametrization_result                                        \
+  parametrization::parametrize<parametrization::Default_solver, double>(                        \
+    parametrization::Triangle_surface&, const parametrization::Parametrization_options&,        \
+    Parametrization_report<SM_Vertex_index>&);                                                    \
   PREFIX template Quantization quantize_map(                                                       \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     const seamless_snapping_precompiled::Features_of_map&, const Quantization_options&);           \

@@ -4,10 +4,10 @@
 // from one of them. Writes them as OBJ and OFF files to a folder, if one is given.
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
-#include <CGAL/Seamless_snapping/extract_triangle_mesh.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -61,7 +61,7 @@ Mesh make_sphere()
 }
 
 // Parametrizes `mesh`, cut along shortest paths between the cones; one coordinate pair per corner.
-bool parameterize(Mesh& mesh, const std::vector<Vertex>& cones, SMP::Orbifold_type type,
+bool parametrize(Mesh& mesh, const std::vector<Vertex>& cones, SMP::Orbifold_type type,
                   UV_map corner_uv_map)
 {
   Seam_edge_map seam_edges = mesh.add_property_map<Edge, bool>("e:on_seam", false).first;
@@ -82,9 +82,9 @@ bool parameterize(Mesh& mesh, const std::vector<Vertex>& cones, SMP::Orbifold_ty
   UV_map seam_uv_map = mesh.add_property_map<Halfedge, Point_2>("h:seam_uv").first;
   const Seam_halfedge border =
     CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
-  SMP::Orbifold_Tutte_parameterizer_3<Seam_mesh> parameterizer(type);
+  SMP::Orbifold_Tutte_parameterizer_3<Seam_mesh> parametrizer(type);
   const SMP::Error_code error =
-    parameterizer.parameterize(seam_mesh, border, cone_types, seam_uv_map,
+    parametrizer.parameterize(seam_mesh, border, cone_types, seam_uv_map,
                                boost::make_assoc_property_map(indices));
 
   // A vertex of the seam mesh is one of the halfedges of a sector: all corners get its value.
@@ -163,16 +163,16 @@ int main(int argc, char* argv[])
   };
 
   std::cout << "Square, with three cones" << std::endl;
-  bool all = parameterize(mesh, three, SMP::Square, uv_map) && snap<4>(mesh, uv_map) &&
+  bool all = parametrize(mesh, three, SMP::Square, uv_map) && snap<4>(mesh, uv_map) &&
              write("square");
   std::cout << "Diamond, with three cones" << std::endl;
-  all = parameterize(mesh, three, SMP::Diamond, uv_map) && snap<3>(mesh, uv_map) &&
+  all = parametrize(mesh, three, SMP::Diamond, uv_map) && snap<3>(mesh, uv_map) &&
         write("diamond") && all;
   std::cout << "Triangle, with three cones" << std::endl;
-  all = parameterize(mesh, three, SMP::Triangle, uv_map) && snap<6>(mesh, uv_map) &&
+  all = parametrize(mesh, three, SMP::Triangle, uv_map) && snap<6>(mesh, uv_map) &&
         write("triangle") && all;
   std::cout << "Parallelogram, with four cones" << std::endl;
-  all = parameterize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) &&
+  all = parametrize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) &&
         write("parallelogram") && all;
 
   // Rotations by 180 degrees are some of those by 60 degrees.

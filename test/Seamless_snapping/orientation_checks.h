@@ -108,7 +108,7 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   }
   const bool is_told = report.message.find("counted from 0") != std::string::npos;
   CHECK_IN(context, is_told == !(report.lost_faces.empty() && report.remaining_flips.empty()));
-  CHECK_IN(context, (report.status == SS::Snapping_status::FLIPS_REMAIN) ==
+  CHECK_IN(context, (report.status == SS::Outcome::FLIPS_REMAIN) ==
                       (repair != 0 && is_told));
   const double change = largest_difference(bits_before, all_bits(g, uv));
   CHECK_IN(context, std::abs(report.largest_change - change) <= 1e-12 * change);

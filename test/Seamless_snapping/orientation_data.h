@@ -9,6 +9,7 @@
 #include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -141,11 +141,11 @@ inline void test_flips_of_exact_map()
   snap(mesh, uv, np, exact_check::No_edge_aligned(), context, false);
   CHECK_IN(context, all_bits(mesh, uv) == bits);
   const auto report = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
   CHECK_IN(context, report.run.number_of_repaired_flips > 0);
   CHECK_IN(context, report.remaining_flips.empty() && are_all_positive(signs(mesh, uv)));
   const auto again = snap(mesh, uv, np, exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, again.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(context, again.status == SS::Outcome::ALREADY_EXACT);
 
 }
 
@@ -160,7 +160,7 @@ inline void test_mirrored_map()
   const Bits mirrored = all_bits(mesh, uv);
   const auto report = snap(mesh, uv, SS::parameters::default_values(),
                            exact_check::No_edge_aligned(), context, true);
-  CHECK_IN(context, report.status == SS::Snapping_status::FLIPS_REMAIN);
+  CHECK_IN(context, report.status == SS::Outcome::FLIPS_REMAIN);
   CHECK_IN(context, report.remaining_flips.size() == mesh.number_of_faces());
   CHECK_IN(context, report.message.find(std::to_string(mesh.number_of_faces()) + " faces") == 0);
   CHECK_IN(context, all_bits(mesh, uv) == mirrored);
@@ -213,7 +213,7 @@ inline void test_far_vertex()
       CHECK_IN(context, !are_all_positive(signs(mesh, uv)));
       const auto report = snap(mesh, uv, SS::parameters::default_values(),
                                exact_check::No_edge_aligned(), context, true);
-      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
       CHECK_IN(context, are_all_positive(signs(mesh, uv)));
       for(const auto h : mesh.halfedges())
         CHECK_IN(context, mesh.target(h) == v || uv[h] == before[std::size_t(h)]);
@@ -236,7 +236,7 @@ inline void test_bound_of_search()
         named.name + ", " + std::to_string(iterations) + " iterations: " + report.message;
       CHECK_IN(context, report.run.number_of_untangling_iterations <= iterations);
       const bool is_told = report.message.find("raise it") != std::string::npos;
-      CHECK_IN(context, !is_told || report.status == SS::Snapping_status::FLIPS_REMAIN);
+      CHECK_IN(context, !is_told || report.status == SS::Outcome::FLIPS_REMAIN);
       ended += iterations < 400 && is_told ? 1 : 0;
       CHECK_IN(context, iterations < 400 || !is_told);
     }
@@ -257,7 +257,7 @@ inline void test_face_without_area()
   const auto np = SS::parameters::align_border(true).tolerance(0.1);
   const auto is_aligned = [](auto) { return true; };
   const auto first = snap(mesh, uv, np, is_aligned, context, 2);
-  CHECK_IN(context, first.status == SS::Snapping_status::FLIPS_REMAIN);
+  CHECK_IN(context, first.status == SS::Outcome::FLIPS_REMAIN);
   CHECK_IN(context, first.lost_faces == std::vector<std::size_t>{ 0 });
   const auto second = snap(mesh, uv, np, is_aligned, context + ", again", 2);
   CHECK_IN(context, second.remaining_flips == std::vector<std::size_t>{ 0 });

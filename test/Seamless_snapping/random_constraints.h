@@ -8,7 +8,7 @@
 #include "exact_seamless_check.h"
 
 #include <CGAL/Seamless_snapping/seam_transitions.h>
-#include <CGAL/Seamless_snapping/surface_constraints.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <boost/graph/graph_traits.hpp>
 

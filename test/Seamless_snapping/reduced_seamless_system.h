@@ -7,9 +7,9 @@
 #include "exact_reference.h"
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Snapping_options.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/snapping/Snapping_options.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <cstddef>
 #include <optional>

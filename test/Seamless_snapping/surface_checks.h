@@ -267,15 +267,15 @@ Snapped<K> snap_and_check(test_meshes::Named_mesh<K>& named, const std::string& 
   CHECK_IN(context, SS::is_seamless(mesh, uv, np));
   CHECK_IN(context, SS::measure_seamlessness(mesh, uv, np).is_exact());
   const bool merges = result.report.run.number_of_merged_edges > 0;
-  CHECK_IN(context, (result.report.status == SS::Snapping_status::ALREADY_EXACT)
+  CHECK_IN(context, (result.report.status == SS::Outcome::ALREADY_EXACT)
                       == (was_exact && !merges));
-  CHECK_IN(context, result.report.status == SS::Snapping_status::SNAPPED
+  CHECK_IN(context, result.report.status == SS::Outcome::SNAPPED
                       || result.before == result.after);
   const double change = largest_difference(result.before, result.after);
   CHECK_IN(context, std::abs(result.report.largest_change - change) <= 1e-12 * change);
 
   CHECK_IN(context, SS::snap_to_seamless(mesh, uv, np).status
-                      == SS::Snapping_status::ALREADY_EXACT);
+                      == SS::Outcome::ALREADY_EXACT);
   CHECK_IN(context, all_bits(mesh, uv) == result.after);
   return result;
 }

@@ -444,11 +444,11 @@ void test_planted_problems(const std::string& name, const Make& make, const std:
     const Planted_problem p = make(random);
     Values x(p.x);
     const CS::Snapping_report report = CS::snap_to_linear_constraints(p.constraints, x);
-    if(report.status == CS::Snapping_status::ALREADY_EXACT)
+    if(report.status == CS::Outcome::ALREADY_EXACT)
       continue;
     ++changed;
     if(!report) {
-      CHECK_EQUAL(report.status, CS::Snapping_status::NOT_REPRESENTABLE);
+      CHECK_EQUAL(report.status, CS::Outcome::NOT_REPRESENTABLE);
       ++refused;
       continue;
     }

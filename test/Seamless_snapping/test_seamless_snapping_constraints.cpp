@@ -12,6 +12,7 @@
 
 #include <CGAL/Seamless_snapping/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -69,7 +70,7 @@ void check_left_alone(Model& model, const NamedParameters& np)
   CHECK(CS::is_seamless(model.mesh, model.uv, np));
   const auto values = model.values();
   CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status ==
-        CS::Snapping_status::ALREADY_EXACT);
+        CS::Outcome::ALREADY_EXACT);
   CHECK(model.values() == values);
 }
 
@@ -106,7 +107,7 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
   const bool is_seamless = CS::is_seamless(model.mesh, model.uv, np);
   CHECK(is_seamless || model.has_cut_of_no_length());
   CHECK_EQUAL(is_seamless, CS::snap_to_seamless(model.mesh, model.uv, np).status
-                             == CS::Snapping_status::ALREADY_EXACT);
+                             == CS::Outcome::ALREADY_EXACT);
   std::cout << name << ", seed " << seed << ": largest change "
             << report.largest_change / report.extent << " of the extent, redundant "
             << report.linear_solver.number_of_redundant_constraints << ", non-unit pivots "
@@ -125,7 +126,7 @@ double rounded_to_sixteenths(double x)
   return std::round(16 * x) / 16;
 }
 
-void check_refused(Model& model, const std::vector<Corner>& constraints, CS::Snapping_status status,
+void check_refused(Model& model, const std::vector<Corner>& constraints, CS::Outcome status,
                    const std::string& message)
 {
   const auto values = model.values();
@@ -160,11 +161,11 @@ void test_corner_constraints(const std::string& name)
 
   Corner contradiction = pin_a;
   contradiction.right_hand_side += 1;
-  check_refused(model, { pin_a, spacing, contradiction }, CS::Snapping_status::INCONSISTENT,
+  check_refused(model, { pin_a, spacing, contradiction }, CS::Outcome::INCONSISTENT,
                 "corner constraint 0, corner constraint 2");
   check_refused(model, {pin(b, 1, Rational(1), Rational(3))},
-                CS::Snapping_status::NOT_REPRESENTABLE, "right-hand sides");
-  check_refused(model, {pin(a, 2, Rational(0))}, CS::Snapping_status::INVALID_ARGUMENT,
+                CS::Outcome::NOT_REPRESENTABLE, "right-hand sides");
+  check_refused(model, {pin(a, 2, Rational(0))}, CS::Outcome::INVALID_ARGUMENT,
                 "component 2");
 
   const std::vector<Corner> constraints = { pin_a, spacing, pin_a };
@@ -232,7 +233,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
   const auto values = model.values();
   const auto reduced = reduced_system::reduced_seamless_system(model.mesh, model.uv, np);
   const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
-  CHECK(report.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(report.status == CS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(reduced.system, report.certificate));
   for(const std::string constraint : { "connection constraint 0", "cycle constraint 0",
                                        "corner constraint 0", "the alignment of " })
@@ -360,7 +361,7 @@ void test_distances(const std::string& name, std::uint64_t seed)
   const auto values = model.values();
   const auto check = [&](const CS::Snapping_report& report, const bool is_refused) {
     CHECK(std::abs(report.connection_violation_before - largest) <= 1e-9 * largest);
-    CHECK_EQUAL(report.status == CS::Snapping_status::NOT_CONNECTED, is_refused);
+    CHECK_EQUAL(report.status == CS::Outcome::NOT_CONNECTED, is_refused);
     CHECK_EQUAL(bool(report), !is_refused);
     if(!is_refused)
       return;
@@ -376,7 +377,7 @@ void test_distances(const std::string& name, std::uint64_t seed)
         false);
   for(const double invalid : { -1., std::numeric_limits<double>::quiet_NaN() })
     CHECK(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(invalid)).status ==
-          CS::Snapping_status::INVALID_ARGUMENT);
+          CS::Outcome::INVALID_ARGUMENT);
 }
 
 // Five by five vertices on isocurves, with a hole in the middle. Connections from the left to the
@@ -414,7 +415,7 @@ void test_interception(const bool is_inside)
   }
   const auto report =
     CS::snap_to_seamless(mesh, uv, parameters::connection_constraints(connections));
-  CHECK(report.status == CS::Snapping_status::SNAPPED);
+  CHECK(report.status == CS::Outcome::SNAPPED);
   std::vector<std::size_t> found;
   for(const auto& connection :
       CS::intercepted_connections(CS::Isocurve_tracer(mesh, uv), connections)) {

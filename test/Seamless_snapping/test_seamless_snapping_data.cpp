@@ -7,6 +7,7 @@
 #include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Timer.h>
@@ -123,7 +124,7 @@ void test_file(const std::filesystem::path& path, const Row& row)
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, exact_check::check_edges(file.mesh, file.uv).is_exact());
   CHECK_IN(name, SS::is_seamless(file.mesh, file.uv));
-  CHECK_IN(name, (report.status == SS::Snapping_status::ALREADY_EXACT)
+  CHECK_IN(name, (report.status == SS::Outcome::ALREADY_EXACT)
                    == (row.inexact == 0 && row.nearly_identity == 0));
   CHECK_EQUAL(report.run.number_of_cut_edges, row.cut);
   CHECK_EQUAL(report.run.number_of_merged_edges, row.nearly_identity);
@@ -137,7 +138,7 @@ void test_file(const std::filesystem::path& path, const Row& row)
   CHECK_IN(name, losses == 0);
   const Bits after = all_bits(file.mesh, file.uv);
   CHECK_IN(name, SS::snap_to_seamless(file.mesh, file.uv).status
-                   == SS::Snapping_status::ALREADY_EXACT);
+                   == SS::Outcome::ALREADY_EXACT);
   CHECK_IN(name, all_bits(file.mesh, file.uv) == after);
 
   std::cout << std::left << std::setw(40) << name << std::right << std::setw(10) << violation
@@ -197,7 +198,7 @@ void test_refused_file(const std::filesystem::path& path)
   const Bits before = all_bits(mesh, uv);
   const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv);
   CHECK_IN(name, !report);
-  CHECK_IN(name, report.status == SS::Snapping_status::NOT_SEAMLESS);
+  CHECK_IN(name, report.status == SS::Outcome::NOT_SEAMLESS);
   CHECK_IN(name, !report.message.empty());
   CHECK_IN(name, all_bits(mesh, uv) == before);
   std::cout << name << ": " << report << std::endl;

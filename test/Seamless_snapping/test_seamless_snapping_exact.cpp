@@ -3,6 +3,9 @@
 // orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds
 // of number types.
 
+#include <CGAL/Seamless_snapping/internal/cells/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/cells/points_in_triangle.h>
+#include <CGAL/Seamless_snapping/internal/charts/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/exact/checked_integer.h>
@@ -10,9 +13,6 @@
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
-#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
-#include <CGAL/Seamless_snapping/internal/quads/points_in_triangle.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 

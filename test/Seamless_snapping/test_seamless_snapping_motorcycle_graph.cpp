@@ -14,6 +14,7 @@
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 #include <CGAL/Seamless_snapping/IO/layout.h>
 #include <CGAL/Seamless_snapping/integer_arc_lengths.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
@@ -38,7 +39,7 @@ using square_complex::Square_complex;
 namespace surfaces = test_meshes;
 namespace parameters = SS::parameters;
 using SS::Layout_node;
-using SS::Layout_status;
+using SS::Outcome;
 using Graph = SS::Motorcycle_graph<Mesh>;
 using Meeting = SS::Curve_meeting<Mesh>;
 using Vertex_set = Mesh::Property_map<Mesh::Vertex_index, bool>;
@@ -599,7 +600,7 @@ void test_numbering()
 
 // --- what is refused -----------------------------------------------------------------------------
 
-void check_refusal(const Graph& graph, const Layout_status status, const std::string& word)
+void check_refusal(const Graph& graph, const Outcome status, const std::string& word)
 {
   CHECK_EQUAL(graph.status(), status);
   CHECK_IN(graph.message(), graph.message().find(word) != std::string::npos);
@@ -613,13 +614,13 @@ void test_refusals()
   const auto h = *box.mesh.halfedges().begin();
   const Point_2 good = box.uv[h];
   box.uv[h] = Point_2(std::nextafter(good.x(), 100), good.y());
-  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Layout_status::NOT_SEAMLESS,
+  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_SEAMLESS,
                 "snap_to_seamless");
   box.uv[h] = Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
-  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Layout_status::NOT_FINITE, "face");
+  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_FINITE, "face");
   box.uv[h] = good;
   check_refusal(SS::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20)),
-                Layout_status::TOO_LARGE, "maximum_number");
+                Outcome::TOO_LARGE, "maximum_number");
   CHECK(bool(SS::motorcycle_graph(box.mesh, box.uv)));
 
   Grid_map disc(surfaces::disc(2, 2), 4, 4);
@@ -627,7 +628,7 @@ void test_refusals()
   const auto inner = disc.mesh.halfedge(vertex_at(disc, 3, 3));
   disc.move_vertex(seams, inner, Kernel::Vector_2(1.5, 0.25));
   const Graph flipped = SS::motorcycle_graph(disc.mesh, disc.uv);
-  check_refusal(flipped, Layout_status::NOT_POSITIVE, "repair_flips");
+  check_refusal(flipped, Outcome::NOT_POSITIVE, "repair_flips");
   CHECK(!flipped.nonpositive_faces().empty());
   for(const std::size_t f : flipped.nonpositive_faces()) {
     const auto g = disc.mesh.halfedge(Mesh::Face_index(unsigned(f)));
@@ -639,12 +640,12 @@ void test_refusals()
     if(!bent.mesh.is_border(g) && bent.uv[g] == Point_2(8, 3))
       bent.uv[g] = Point_2(8.25, 3);
   check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv, parameters::align_border(true)),
-                Layout_status::NOT_ALIGNED, "align_border");
+                Outcome::NOT_ALIGNED, "align_border");
   for(const auto e : bent.mesh.edges())
     bent.is_feature[e] = bent.mesh.is_border(e);
   check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv,
                                      parameters::edge_is_constrained_map(bent.is_feature)),
-                Layout_status::NOT_ALIGNED, "on the border");
+                Outcome::NOT_ALIGNED, "on the border");
   Grid_map diagonal(surfaces::disc(2, 2), 4, 4);
   for(const auto e : diagonal.mesh.edges()) {
     auto g = diagonal.mesh.halfedge(e);
@@ -657,7 +658,7 @@ void test_refusals()
   }
   const Graph misaligned = SS::motorcycle_graph(
     diagonal.mesh, diagonal.uv, parameters::edge_is_constrained_map(diagonal.is_feature));
-  check_refusal(misaligned, Layout_status::NOT_ALIGNED, "edge_is_constrained_map");
+  check_refusal(misaligned, Outcome::NOT_ALIGNED, "edge_is_constrained_map");
   CHECK(misaligned.message().find("1 border or feature edge does not") == 0);
 
   Mesh quad;
@@ -666,7 +667,7 @@ void test_refusals()
   for(int i = 0; i < 4; ++i)
     corners.push_back(quad.add_vertex(Kernel::Point_3(i, i * i, 0)));
   quad.add_face(corners);
-  check_refusal(SS::motorcycle_graph(quad, uv), Layout_status::NOT_TRIANGULAR, "face 0");
+  check_refusal(SS::motorcycle_graph(quad, uv), Outcome::NOT_TRIANGULAR, "face 0");
 }
 
 // --- parametrizations that solvers made ----------------------------------------------------------
@@ -697,15 +698,15 @@ Division test_file(const std::string& path, const bool with_features)
   const auto np = parameters::edge_is_constrained_map(file.is_feature);
   const auto options = np.repair_flips(SS::Flip_repair::UNTANGLE);
   auto report = SS::snap_to_seamless(file.mesh, file.uv, options.align_border(true));
-  const bool is_aligned = report.status != SS::Snapping_status::NOT_ALIGNED;
+  const bool is_aligned = report.status != SS::Outcome::NOT_ALIGNED;
   if(!is_aligned)
     report = SS::snap_to_seamless(file.mesh, file.uv, options);
-  if(report.status == SS::Snapping_status::NOT_ALIGNED)
+  if(report.status == SS::Outcome::NOT_ALIGNED)
     return Division::REFUSED; // features on that border
   CHECK_IN(path, bool(report));
   const Graph graph = SS::motorcycle_graph(file.mesh, file.uv, np);
   if(!report.remaining_flips.empty()) {
-    CHECK_IN(path, graph.status() == Layout_status::NOT_POSITIVE);
+    CHECK_IN(path, graph.status() == Outcome::NOT_POSITIVE);
     CHECK_EQUAL(graph.nonpositive_faces().size(), report.remaining_flips.size());
     if(with_features)
       std::cout << path << ": " << graph.message() << std::endl;

@@ -297,7 +297,7 @@ std::size_t test_forgetful_map(unsigned int seed)
     if(before[std::size_t(h)] == after[std::size_t(h)])
       continue;
     const auto report = SS::snap_to_seamless(mesh, Forgetful_map{ uv, h }, np);
-    CHECK_IN(context, report.status == SS::Snapping_status::INTERNAL_ERROR);
+    CHECK_IN(context, report.status == SS::Outcome::INTERNAL_ERROR);
     CHECK_IN(context, all_bits(mesh, uv) == bits);
     const auto around = CGAL::halfedges_around_target(mesh.target(h), mesh);
     const bool is_on_cut = std::any_of(around.begin(), around.end(), [&](const auto g) {

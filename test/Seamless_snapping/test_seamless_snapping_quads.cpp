@@ -12,10 +12,11 @@
 #include "test_surfaces.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/repair_integer_grid.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Exact_rational.h>
@@ -40,7 +41,7 @@ using namespace quad_reference;
 namespace surfaces = test_meshes;
 namespace internal = SS::internal;
 namespace parameters = SS::parameters;
-using Status = SS::Extraction_status;
+using Status = SS::Outcome;
 using CGAL::Exact_rational;
 
 // --- inverted quads ------------------------------------------------------------------------------
@@ -137,7 +138,7 @@ void test_reports_on_inverted_quads()
 // The same in other words: is it the expected mesh, up to the numbering?
 void check_quads(const Mesh& quads, const SS::Extraction_report& report, const Mesh& expected)
 {
-  CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+  CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
   CHECK_EQUAL(report.message, std::string());
   CHECK(CGAL::is_valid_polygon_mesh(quads));
   CHECK_EQUAL(report.number_of_faces, std::size_t(expected.number_of_faces()));
@@ -293,10 +294,10 @@ void test_loops()
   };
   CHECK(status(surfaces::torus(1, 1), 1, 1) == Status::NO_FACE_GRAPH); // two loops at one vertex
   CHECK(status(surfaces::torus(1, 1), 2, 4) == Status::NO_FACE_GRAPH); // double edges
-  CHECK(status(surfaces::torus(1, 1), 3, 9) == Status::EXTRACTED);
+  CHECK(status(surfaces::torus(1, 1), 3, 9) == Status::SUCCESS);
   CHECK(status(surfaces::cone_ring(1), 1, 3) == Status::NO_FACE_GRAPH);
-  CHECK(status(surfaces::cylinder(1, 1), 3, 9) == Status::EXTRACTED);
-  CHECK(status(surfaces::tetrahedron(), 1, 2) == Status::EXTRACTED); // a pillow of two quads
+  CHECK(status(surfaces::cylinder(1, 1), 3, 9) == Status::SUCCESS);
+  CHECK(status(surfaces::tetrahedron(), 1, 2) == Status::SUCCESS); // a pillow of two quads
 }
 
 // --- borders beside the grid, holes, and faces that are not positive -----------------------------
@@ -459,7 +460,7 @@ void test_flips()
     const auto without_holes = extracted_cells(map, false, report);
     CHECK(expected_faces == report.nonpositive_faces);
     CHECK_EQUAL(without_holes.empty(), !expected_faces.empty());
-    CHECK(report.status == (expected_faces.empty() ? Status::EXTRACTED : Status::NOT_POSITIVE));
+    CHECK(report.status == (expected_faces.empty() ? Status::SUCCESS : Status::NOT_POSITIVE));
     const auto cells = extracted_cells(map, true, report);
     CHECK(bool(report));
     flips += expected_faces.size();
@@ -574,7 +575,7 @@ void test_untangling()
       CHECK_IN(repair.message, bool(repair));
       CHECK_EQUAL(repair.run.number_of_repaired_flips, map.flips);
       const auto report = SS::extract_quad_soup(mesh, uv, points, soup);
-      CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+      CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
       CHECK_EQUAL(report.number_of_faces, map.quads);
       CHECK_EQUAL(report.number_of_other_polygons, std::size_t(0));
     }
@@ -834,7 +835,7 @@ void test_refusals()
   map->shift(0, 1e15);
   check_refusal(*map, Status::TOO_LARGE, "2^46", none);
   const auto snapped = SS::snap_to_seamless(map->mesh, map->uv, parameters::integer_grid(true));
-  CHECK(snapped.status == SS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(snapped.status == SS::Outcome::NOT_REPRESENTABLE);
   CHECK(snapped.message.find("beyond 2^46") != std::string::npos);
 
   Grid_map pillow(surfaces::tetrahedron(), 1, 4); // too small for a quad
@@ -904,7 +905,7 @@ void test_large_roundings(const Square_complex& complex, const int side, const i
     const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
     const auto refusal = SS::snap_to_seamless(map.mesh, map.uv,
                                               parameters::integer_grid(true).align_border(true));
-    CHECK(refusal.status == SS::Snapping_status::NOT_INTEGER);
+    CHECK(refusal.status == SS::Outcome::NOT_INTEGER);
     CHECK(refusal.message.find("vert") != std::string::npos);
     CHECK(refusal.message.find("rounding_tolerance") != std::string::npos);
     CHECK(refusal.largest_rounding > 0.01);
@@ -935,7 +936,7 @@ void test_integers_one_after_another(const std::string& name, const double numbe
   const double scale = std::sqrt(number_of_quads / SS::measure_integer_grid(mesh, uv).area);
   const auto report = SS::snap_to_seamless(
     mesh, uv, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.));
-  CHECK_EQUAL(report.status, SS::Snapping_status::SNAPPED);
+  CHECK_EQUAL(report.status, SS::Outcome::SNAPPED);
   CHECK_EQUAL(report.lost_faces.size(), std::size_t(0));
   const auto measure = SS::measure_integer_grid(mesh, uv);
   CHECK_EQUAL(measure.number_of_nonpositive_faces, std::size_t(0));
@@ -960,7 +961,7 @@ void test_integer_grids()
   map.shift(0.5, 0.5);
   const auto refusal = SS::snap_to_seamless(
     map.mesh, map.uv, parameters::integer_grid(true).rounding_tolerance(0.)); // nothing is moved
-  CHECK(refusal.status == SS::Snapping_status::NOT_INTEGER);
+  CHECK(refusal.status == SS::Outcome::NOT_INTEGER);
   CHECK(refusal.largest_rounding >= 0.5);
   CHECK(refusal.message.find("grid_scale") != std::string::npos);
   const auto report = SS::snap_to_seamless(map.mesh, map.uv,
@@ -972,7 +973,7 @@ void test_integer_grids()
   const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
   check_quads(quads, extraction, expected_quads(surfaces::box(1, 1, 1), 6));
   const auto bad = SS::snap_to_seamless(map.mesh, map.uv, parameters::grid_scale(-1));
-  CHECK(bad.status == SS::Snapping_status::INVALID_ARGUMENT);
+  CHECK(bad.status == SS::Outcome::INVALID_ARGUMENT);
 }
 
 int main()

@@ -8,15 +8,16 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
-#include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/divide_quads.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/improve_quads.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/surface_layout.h>
 
@@ -45,7 +46,7 @@ using internal::Corner_index;
 using internal::Grid_vector;
 using internal::Intrinsic_complex;
 using internal::Intrinsic_corner;
-using Status = SS::Quantization_status;
+using Status = SS::Outcome;
 
 constexpr internal::Edge_vector vectors = &Intrinsic_corner::vector;
 constexpr internal::Edge_vector units = &Intrinsic_corner::units;
@@ -55,7 +56,8 @@ internal::Integer_mesh read_integers(const Mesh_& mesh, const UV& uv, const Is_f
 {
   const internal::Flat_numbering<Mesh_> numbering(mesh);
   const auto charts =
-    internal::build_chart_mesh(mesh, numbering, uv, SS::seam_transitions(mesh, uv));
+    internal::build_chart_mesh<internal::Quarter_turns>(mesh, numbering, uv,
+                                                        SS::seam_transitions(mesh, uv).data());
   std::vector<char> features;
   for(const auto h : numbering.halfedges_of_corners())
     features.push_back(is_feature[mesh.edge(h)]);
@@ -235,12 +237,12 @@ void test_known_quads(const Square_complex& complex, const int side, const bool 
         SS::quantize(map.mesh, map.uv,
                      parameters::target_number_of_quads(number)
                        .edge_is_constrained_map(map.is_feature));
-      CHECK_EQUAL(SS::to_string(quantization.status), std::string("quantized"));
+      CHECK_EQUAL(SS::to_string(quantization.status), std::string("success"));
       CHECK_EQUAL(quantization.message, std::string());
       CHECK_EQUAL(quantization.number_of_quads, number);
       Mesh quads;
       const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads);
-      CHECK_EQUAL(SS::to_string(report.status), std::string("extracted"));
+      CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
       CHECK_EQUAL(report.message, std::string());
       CHECK(CGAL::is_valid_polygon_mesh(quads));
       const Mesh expected = expected_quads(complex, side * factor);
@@ -544,13 +546,14 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
   CHECK_IN(name + ": " + quantization.message, bool(quantization));
   internal::Quantized_surface surface = quantization.surface();
   internal::refine(4, surface.complex);
-  quantization.set_surface(std::move(surface));
+  quantization.set_surface(
+    std::make_shared<const internal::Quantized_surface>(std::move(surface)));
   quantization.number_of_quads *= 16;
   Mesh quads;
   const auto defaults = parameters::default_values();
   const auto report = internal::extract_cells_of<CGAL::Sequential_tag>(
     quantization, model.mesh, defaults, true,
-    internal::quad_mesh_output(model.mesh, quads, defaults));
+    internal::cell_mesh_output(model.mesh, quads, defaults));
   CHECK_IN(name + ": " + report.message, bool(report));
   const std::size_t number_of_folds = internal::close_folds(quads);
   quads.collect_garbage();
@@ -574,7 +577,7 @@ void check_mesh(const Parametrized_model& model, const SS::Quantization& quantiz
   const auto report = SS::extract_quad_mesh(quantization, model.mesh, quads,
                                             parameters::default_values(),
                                             parameters::vertex_location_map(location));
-  if(report.status == SS::Extraction_status::NO_FACE_GRAPH)
+  if(report.status == SS::Outcome::NO_FACE_GRAPH)
     return check_divided(model, number, name, sizes); // all checks of the cells held before
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, report.number_of_faces == quantization.number_of_quads);
@@ -673,7 +676,7 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
   const auto defaults = parameters::default_values();
   const auto report = internal::extract_cells_of<CGAL::Sequential_tag>(
     quantization, map.mesh, defaults, true,
-    internal::quad_mesh_output(map.mesh, quads, defaults));
+    internal::cell_mesh_output(map.mesh, quads, defaults));
   CHECK_IN(report.message, bool(report));
   CHECK_EQUAL(internal::close_folds(quads), sides.size());
   quads.collect_garbage();
@@ -742,17 +745,17 @@ void test_empty_mesh()
     CHECK_EQUAL(message, std::string("the mesh has no face; was it read?"));
   };
   const auto snapped = SS::snap_to_seamless(empty, uv);
-  check(snapped.status, SS::Snapping_status::INVALID_ARGUMENT, snapped.message);
-  const auto made = SS::approximate_seamless_parameterization(empty, uv);
-  check(made.status, SS::Parameterization_status::INVALID_ARGUMENT, made.message);
+  check(snapped.status, SS::Outcome::INVALID_ARGUMENT, snapped.message);
+  const auto made = SS::approximate_seamless_parametrization(empty, uv);
+  check(made.status, SS::Outcome::INVALID_ARGUMENT, made.message);
   const auto extracted = SS::extract_quad_mesh(empty, uv, quads);
-  check(extracted.status, SS::Extraction_status::INVALID_ARGUMENT, extracted.message);
+  check(extracted.status, SS::Outcome::INVALID_ARGUMENT, extracted.message);
   const auto quantization = SS::quantize(empty, uv);
   check(quantization.status, Status::INVALID_ARGUMENT, quantization.message);
   const auto graph = SS::motorcycle_graph(empty, uv);
-  check(graph.status(), SS::Layout_status::INVALID_ARGUMENT, graph.message());
+  check(graph.status(), SS::Outcome::INVALID_ARGUMENT, graph.message());
   const auto remeshed = SS::quad_remesh(empty, quads);
-  check(remeshed.status, SS::Remeshing_status::NOT_PARAMETRIZED, remeshed.message);
+  check(remeshed.status, SS::Outcome::INVALID_ARGUMENT, remeshed.message);
 }
 
 void test_remeshing()
@@ -765,11 +768,11 @@ void test_remeshing()
     corners = {mesh->add_vertex(Point_3(0, 0, 0)), mesh->add_vertex(Point_3(1, 0, 0)),
                mesh->add_vertex(Point_3(1, 1, 0)), mesh->add_vertex(Point_3(0, 1, 0))};
   one_quad.add_face(corners);
-  CHECK(SS::quad_remesh(one_quad, quads).status == SS::Remeshing_status::NOT_PARAMETRIZED);
+  CHECK(SS::quad_remesh(one_quad, quads).status == SS::Outcome::NOT_TRIANGULAR);
   square.add_face(corners[0], corners[1], corners[2]);
   square.add_face(corners[2], corners[3], corners[0]);
   CHECK(SS::quad_remesh(square, quads, parameters::target_number_of_quads(0)).status ==
-        SS::Remeshing_status::NOT_QUANTIZED);
+        SS::Outcome::INVALID_ARGUMENT);
   CHECK(quads.is_empty());
   CHECK(bool(SS::quad_remesh(square, quads, parameters::target_number_of_quads(100))));
   CHECK_EQUAL(quads.number_of_faces(), 100u);
@@ -1026,7 +1029,7 @@ void check_refusal(const Grid_map& map, const Status status, const std::string& 
   CHECK_IN(quantization.message, quantization.message.find(word) != std::string::npos);
   Mesh quads;
   CHECK(SS::extract_quad_mesh(quantization, map.mesh, quads).status ==
-        SS::Extraction_status::INVALID_ARGUMENT);
+        SS::Outcome::INVALID_ARGUMENT);
   CHECK(quads.is_empty());
 }
 
@@ -1044,7 +1047,7 @@ void test_refusals()
   Mesh quads;
   const Grid_map other(surfaces::box(1, 1, 1), 4, 2);
   CHECK(SS::extract_quad_mesh(by_length, other.mesh, quads).status ==
-        SS::Extraction_status::INVALID_ARGUMENT);
+        SS::Outcome::INVALID_ARGUMENT);
   const Halfedge h = *map.mesh.halfedges().begin();
   const Point_2 good = map.uv[h];
   map.at(h) = Point_2(good.x(), std::nextafter(good.y(), 9));

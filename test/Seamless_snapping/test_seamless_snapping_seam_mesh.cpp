@@ -6,6 +6,7 @@
 #include "surface_checks.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
@@ -115,7 +116,7 @@ void test_orbifold(SMP::Orbifold_type type, std::size_t number_of_cones, unsigne
 
   test_meshes::Named_mesh<Kernel> named{ context, false, mesh };
   const auto snapped = snap_and_check(named, context);
-  CHECK_IN(context, snapped.report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context, snapped.report.status == SS::Outcome::SNAPPED);
   CHECK_IN(context, snapped.report.largest_change <= 1e-12 * snapped.report.extent);
   std::cout << context << ": violation " << snapped.report.violation_before << ", change "
             << snapped.report.largest_change << std::endl;

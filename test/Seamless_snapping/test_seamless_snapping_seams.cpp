@@ -104,7 +104,7 @@ void test_small_triangles()
       CHECK_IN(context, transitions.cut_halfedges().empty());
       CHECK_IN(context, transitions.singular_vertices().empty());
       const auto report = SS::snap_to_seamless(mesh, uv);
-      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
       CHECK_IN(context, report.largest_change <= 2 * ratio * h);
     }
   std::cout << "small triangles: seeds 1 to " << seeds << std::endl;
@@ -134,7 +134,7 @@ void test_exact_part()
       }
       const Bits before = surface_checks::all_bits(mesh, uv);
       const auto report = SS::snap_to_seamless(mesh, uv);
-      CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+      CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
       CHECK_IN(context, SS::is_seamless(mesh, uv));
       const Bits after = surface_checks::all_bits(mesh, uv);
       bool is_kept = true;
@@ -163,7 +163,7 @@ void test_cut_open_mesh()
   CHECK(SS::snap_to_seamless(mesh, uv).message.empty());
   add(2, 1, 3);
   const auto report = SS::snap_to_seamless(mesh, uv);
-  CHECK(report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK(report.status == SS::Outcome::ALREADY_EXACT);
   CHECK(report.message.find("2 border edges coincide") != std::string::npos);
 }
 
@@ -195,7 +195,7 @@ void test_cone(const std::filesystem::path& folder)
     CHECK_EQUAL(found.rotation(h), expected.rotation(h));
   CHECK(found.singular_vertices() == expected.singular_vertices());
   const auto report = SS::snap_to_seamless(noisy.mesh, noisy.uv, np);
-  CHECK(report.status == SS::Snapping_status::SNAPPED);
+  CHECK(report.status == SS::Outcome::SNAPPED);
   CHECK(report.largest_change <= report.violation_before);
 }
 
@@ -207,7 +207,7 @@ void test_corner_noise(const std::filesystem::path& folder)
   CHECK(transitions.singular_vertices().empty());
   const auto report =
     SS::snap_to_seamless(file.mesh, file.uv, SS::parameters::repair_flips(true));
-  CHECK(report.status == SS::Snapping_status::SNAPPED);
+  CHECK(report.status == SS::Outcome::SNAPPED);
   CHECK(report.remaining_flips.empty());
   CHECK(report.lost_faces.empty());
 }
@@ -279,7 +279,7 @@ void test_noise_on_file(const std::filesystem::path& path, const uv_noise::Noise
   for(const auto h : mesh.halfedges())
     CHECK_IN(context, found.rotation(h) == clean.rotation(h));
   const auto report = SS::snap_to_seamless(mesh, file.uv);
-  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED && report.lost_faces.empty());
+  CHECK_IN(context, report.status == SS::Outcome::SNAPPED && report.lost_faces.empty());
   ++runs;
 }
 

@@ -7,6 +7,7 @@
 #include "exact_reference.h"
 #include "full_seamless_system.h"
 
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Timer.h>
 
@@ -358,7 +359,7 @@ void test_shared_places()
   map.places[mesh.halfedge(a)] = map.places[mesh.halfedge(b)];
   const Bits before = all_bits(mesh, map);
   const auto np = SS::parameters::default_values();
-  CHECK(SS::snap_to_seamless(mesh, map, np).status == SS::Snapping_status::INTERNAL_ERROR);
+  CHECK(SS::snap_to_seamless(mesh, map, np).status == SS::Outcome::INTERNAL_ERROR);
   CHECK(all_bits(mesh, map) == before);
 
   // nothing remains of what was written before something is thrown
@@ -411,7 +412,7 @@ double snap_vertex_at_origin(double ratio, std::size_t closest)
     sum += uv[h].x();
   }
   const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv);
-  CHECK_IN(context, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
   CHECK_IN(context, SS::is_seamless(mesh, uv));
   const Point_2 p = uv[mesh.halfedge(v)];
   CHECK_IN(context, std::abs(p.x() - sum / double(i)) <= 1e-24 && p.y() == 0);

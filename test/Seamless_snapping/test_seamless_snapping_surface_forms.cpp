@@ -269,7 +269,7 @@ void test_refused_soups()
     CHECK(bool(report) != is_refused);
     return report.status;
   };
-  using Status = SS::Snapping_status;
+  using Status = SS::Outcome;
   CHECK(status({{0, 1, 2}}) == Status::ALREADY_EXACT);
   CHECK(status({{0, 1, 2}}, {{1, 2}}) == Status::ALREADY_EXACT);
   CHECK(status({{0, 1, 2}, {0, 1}}) == Status::NOT_TRIANGULAR);
@@ -418,7 +418,7 @@ void test_flushing_to_zero(const Named_mesh<Kernel>& original, unsigned int seed
   const SS::Snapping_report report = SS::snap_to_linear_constraints(constraints, x);
   const bool restored = is_restored();
   reset();
-  CHECK(report.status == SS::Snapping_status::SNAPPED && x[0] == 0 && restored);
+  CHECK(report.status == SS::Outcome::SNAPPED && x[0] == 0 && restored);
 #else
   checking::skip("flushing to zero, as it is not known how to set it on this processor");
 #endif
@@ -483,7 +483,7 @@ void test_exact_input(const Named_mesh<Kernel>& original, unsigned int seed)
   Named_mesh<Kernel> named = original;
   test_meshes::warp(named, seed);
   const auto result = snap_and_check(named, named.name + ", exact");
-  CHECK_IN(named.name, result.report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(named.name, result.report.status == SS::Outcome::ALREADY_EXACT);
   CHECK_IN(named.name, result.before == result.after);
 }
 

@@ -3,12 +3,13 @@
 
 #include "surface_checks.h"
 
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <limits>
 #include <random>
 #include <set>
 
 using namespace surface_checks;
-using SS::Snapping_status;
+using SS::Outcome;
 using test_meshes::Named_mesh;
 using uv_noise::Noise;
 
@@ -32,7 +33,7 @@ Named_mesh<Kernel> named_mesh(const std::string& name, unsigned int seed)
 
 // Must be refused for this reason, with a message that has these words, and without a trace.
 template <typename Graph, typename UV, typename NP>
-void expect_refusal(const Graph& mesh, UV uv, const NP& np, Snapping_status status,
+void expect_refusal(const Graph& mesh, UV uv, const NP& np, Outcome status,
                     const std::vector<std::string>& words, const std::string& context)
 {
   const Bits before = all_bits(mesh, uv);
@@ -108,7 +109,7 @@ void test_right_transitions(const Named_mesh<Kernel>& original, unsigned int see
     CHECK_IN(context, exact_check::check_edges(copy.mesh, copy_uv, exact_check::No_edge_aligned(),
                                                rotation).is_exact());
     CHECK_IN(context, SS::snap_to_seamless(copy.mesh, copy_uv, np).status
-                        == Snapping_status::ALREADY_EXACT);
+                        == Outcome::ALREADY_EXACT);
     return all_bits(copy.mesh, copy_uv);
   };
   const Bits read = try_with(SS::parameters::default_values(), named.name + ", read");
@@ -147,22 +148,22 @@ void test_wrong_transitions()
     if(!is_exact)
       uv_noise::perturb(mesh, uv, 1e-9 * known.extent, 1);
     given.rotation[cut] += 1;
-    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
+    expect_refusal(mesh, uv, np, Outcome::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
                    context + ", rotations of one edge that are not inverse");
     CHECK_IN(context, !SS::seam_transitions(mesh, uv, np));
     given.rotation[mesh.opposite(cut)] -= 1;
-    expect_refusal(mesh, uv, np, Snapping_status::NOT_SEAMLESS, { vertex_name(mesh, cut) },
+    expect_refusal(mesh, uv, np, Outcome::NOT_SEAMLESS, { vertex_name(mesh, cut) },
                    context + ", a wrong rotation");
     CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
     given.rotation[cut] -= 1;
     given.rotation[mesh.opposite(cut)] += 1;
 
     given.is_cut[mesh.edge(cut)] = false;
-    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
+    expect_refusal(mesh, uv, np, Outcome::INVALID_ROTATIONS, { vertex_name(mesh, cut) },
                    context + ", a rotation without a cut");
     CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
     const auto cuts_only = SS::parameters::edge_is_cut_map(given.is_cut);
-    expect_refusal(mesh, uv, cuts_only, Snapping_status::NOT_SEAMLESS, { vertex_name(mesh, cut) },
+    expect_refusal(mesh, uv, cuts_only, Outcome::NOT_SEAMLESS, { vertex_name(mesh, cut) },
                    context + ", a cut that is said to be none");
     CHECK_IN(context, !SS::is_seamless(mesh, uv, cuts_only));
     given.is_cut[mesh.edge(cut)] = true;
@@ -170,7 +171,7 @@ void test_wrong_transitions()
     // whichever of both halfedges has the rotation
     for(const Halfedge h : { uncut, mesh.opposite(uncut) }) {
       given.rotation[h] += 1;
-      expect_refusal(mesh, uv, rotations_only, Snapping_status::INVALID_ROTATIONS,
+      expect_refusal(mesh, uv, rotations_only, Outcome::INVALID_ROTATIONS,
                      { vertex_name(mesh, h) }, context + ", one halfedge of no cut turned");
       CHECK_IN(context, !SS::is_seamless(mesh, uv, rotations_only));
       CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
@@ -178,7 +179,7 @@ void test_wrong_transitions()
     }
     given.rotation[uncut] += 1;
     given.rotation[mesh.opposite(uncut)] -= 1;
-    expect_refusal(mesh, uv, rotations_only, Snapping_status::NOT_SEAMLESS,
+    expect_refusal(mesh, uv, rotations_only, Outcome::NOT_SEAMLESS,
                    { vertex_name(mesh, uncut) }, context + ", no cut turned");
     given.rotation[uncut] -= 1;
     given.rotation[mesh.opposite(uncut)] += 1;
@@ -378,10 +379,10 @@ void test_bad_numbers()
       const UV_map uv = test_meshes::uv_map(named.mesh);
       const Halfedge h = named.mesh.halfedge(Mesh::Face_index(17));
       uv[h] = second ? Point_2(uv[h].x(), bad) : Point_2(bad, uv[h].y());
-      expect_refusal(named.mesh, uv, SS::parameters::default_values(), Snapping_status::NOT_FINITE,
+      expect_refusal(named.mesh, uv, SS::parameters::default_values(), Outcome::NOT_FINITE,
                      { "face 17", "vertex " + vertex_name(named.mesh, h) },
                      "coordinate " + std::to_string(bad));
-      CHECK(SS::seam_transitions(named.mesh, uv).failure() == Snapping_status::NOT_FINITE);
+      CHECK(SS::seam_transitions(named.mesh, uv).failure() == Outcome::NOT_FINITE);
       if(std::abs(bad) > 1e308 || std::isnan(bad))
         CHECK(!SS::is_seamless(named.mesh, uv));
     }
@@ -393,7 +394,7 @@ void test_bad_numbers()
   const UV_map triangle_uv = test_meshes::uv_map(triangle);
   for(const double bad : { std::nan(""), infinity, 1.1e300 }) {
     triangle_uv[corner] = Point_2(bad, 0);
-    CHECK(SS::snap_to_seamless(triangle, triangle_uv).status == Snapping_status::NOT_FINITE);
+    CHECK(SS::snap_to_seamless(triangle, triangle_uv).status == Outcome::NOT_FINITE);
   }
   // not read on the border
   Named_mesh<Kernel> named = named_mesh("box with three holes", 1);
@@ -436,7 +437,7 @@ void test_quads()
   mesh.add_face(v[1], v[2], v[3]);
   mesh.add_face(v[2], v[4], v[5], v[3]);
   expect_refusal(mesh, test_meshes::uv_map(mesh), SS::parameters::align_border(true),
-                 Snapping_status::NOT_TRIANGULAR, { "face 2", "4" }, "a quad");
+                 Outcome::NOT_TRIANGULAR, { "face 2", "4" }, "a quad");
 
   // as many corners as triangles would have, if removed ones counted
   Mesh quads;
@@ -449,7 +450,7 @@ void test_quads()
   const auto removed = quads.add_face(quads.add_vertex(), quads.add_vertex(), quads.add_vertex());
   CGAL::Euler::remove_face(quads.halfedge(removed), quads);
   expect_refusal(quads, test_meshes::uv_map(quads), SS::parameters::default_values(),
-                 Snapping_status::NOT_TRIANGULAR, { "face 0", "4" }, "quads beside garbage");
+                 Outcome::NOT_TRIANGULAR, { "face 0", "4" }, "quads beside garbage");
 }
 
 // A digon and a quad: on average, they have three corners. The quad folds round an edge to a vertex
@@ -475,7 +476,7 @@ void test_digon()
   link(quad, { mesh.opposite(back), out, in, mesh.opposite(there) });
   CHECK(mesh.is_valid(false));
   expect_refusal(mesh, test_meshes::uv_map(mesh), SS::parameters::default_values(),
-                 Snapping_status::NOT_TRIANGULAR, { "face 0", "2 corners" }, "a digon and a quad");
+                 Outcome::NOT_TRIANGULAR, { "face 0", "2 corners" }, "a digon and a quad");
 }
 
 #ifdef NDEBUG // else CGAL asserts that the indices are as they should
@@ -491,9 +492,9 @@ void test_bad_indices()
   const auto refuse_with = [&](const std::string& context, const auto& index_of) {
     for(const auto v : mesh.vertices())
       put(indices, v, index_of(std::size_t(v)));
-    expect_refusal(mesh, uv, np, Snapping_status::INVALID_ARGUMENT, {"vertex_index_map"}, context);
+    expect_refusal(mesh, uv, np, Outcome::INVALID_ARGUMENT, {"vertex_index_map"}, context);
     CHECK_IN(context,
-             SS::seam_transitions(mesh, uv, np).failure() == Snapping_status::INVALID_ARGUMENT);
+             SS::seam_transitions(mesh, uv, np).failure() == Outcome::INVALID_ARGUMENT);
   };
   refuse_with("indices that were not set", [](std::size_t) { return std::size_t(-1); });
   refuse_with("no different indices", [](std::size_t) { return std::size_t(0); });
@@ -516,16 +517,16 @@ void test_not_seamless()
       uv[h] = Point_2(uv[h].x() + 1.01 * error * known.extent, uv[h].y());
       const std::string context = name + ", off by " + std::to_string(error);
       expect_refusal(named.mesh, uv, SS::parameters::default_values(),
-                     Snapping_status::NOT_SEAMLESS, { vertex_name(named.mesh, h), "tolerance" },
+                     Outcome::NOT_SEAMLESS, { vertex_name(named.mesh, h), "tolerance" },
                      context);
       CHECK_IN(context, !SS::is_seamless(named.mesh, uv));
       CHECK_IN(context,
                SS::snap_to_seamless(named.mesh, uv).violation_before >= error * known.extent);
       expect_refusal(named.mesh, uv, SS::parameters::tolerance(error / 2).verbose(false),
-                     Snapping_status::NOT_SEAMLESS, {}, context + ", tolerance / 2");
+                     Outcome::NOT_SEAMLESS, {}, context + ", tolerance / 2");
       for(const double nonsense : { -1., std::numeric_limits<double>::quiet_NaN() })
         expect_refusal(named.mesh, uv, SS::parameters::tolerance(nonsense),
-                       Snapping_status::INVALID_ARGUMENT, { "tolerance" }, context);
+                       Outcome::INVALID_ARGUMENT, { "tolerance" }, context);
       if(error < 1e-3) {
         CHECK_IN(context, bool(SS::snap_to_seamless(named.mesh, uv,
                                                     SS::parameters::tolerance(4 * error))));
@@ -556,7 +557,7 @@ void test_not_aligned()
   CHECK(!SS::is_seamless(named.mesh, uv, np));
   for(const double noise : { 0., 1e-9 }) {
     uv_noise::perturb(named.mesh, uv, noise, 1);
-    expect_refusal(named.mesh, uv, np, Snapping_status::NOT_ALIGNED,
+    expect_refusal(named.mesh, uv, np, Outcome::NOT_ALIGNED,
                    { vertex_name(named.mesh, worst),
                      vertex_name(named.mesh, named.mesh.opposite(worst)) }, "slanted feature");
     CHECK(bool(SS::snap_to_seamless(named.mesh, uv))); // not asked, not refused
@@ -630,7 +631,7 @@ void test_nearly_nothing()
   CHECK(bool(SS::seam_transitions(empty, test_meshes::uv_map(empty))));
   for(int i = 0; i < 2; ++i) { // without, and with a vertex
     const auto refused = SS::snap_to_seamless(empty, test_meshes::uv_map(empty));
-    CHECK(refused.status == Snapping_status::INVALID_ARGUMENT);
+    CHECK(refused.status == Outcome::INVALID_ARGUMENT);
     empty.add_vertex();
   }
 
@@ -647,7 +648,7 @@ void test_nearly_nothing()
   const auto features = test_meshes::feature_map(named.mesh);
   features[named.mesh.edge(alone)] = true;
   const auto np = SS::parameters::edge_is_constrained_map(features).align_border(true);
-  CHECK(SS::snap_to_seamless(named.mesh, named_uv, np).status == Snapping_status::SNAPPED);
+  CHECK(SS::snap_to_seamless(named.mesh, named_uv, np).status == Outcome::SNAPPED);
   CHECK(SS::is_seamless(named.mesh, named_uv, np));
   CHECK(SS::measure_seamlessness(named.mesh, named_uv, np).is_exact());
 
@@ -676,7 +677,7 @@ void test_signs_of_zeros()
     for(const auto h : mesh.halfedges())
       uv[h] = Point_2(uv[h].x(), mesh.target(h) == v ? zero : uv[h].y() - height);
     uv[mesh.halfedge(v)] = uv[mesh.halfedge(v)] + Kernel::Vector_2(1e-9, zero);
-    CHECK(SS::snap_to_seamless(mesh, uv).status == Snapping_status::SNAPPED);
+    CHECK(SS::snap_to_seamless(mesh, uv).status == Outcome::SNAPPED);
     for(const auto h : CGAL::halfedges_around_target(v, mesh))
       CHECK(uv[h].y() == 0 && std::signbit(uv[h].y()) == std::signbit(zero));
   }

@@ -17,15 +17,15 @@
 #include "triangle_checks.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
 #include <CGAL/Seamless_snapping/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/isocurve_constraints.h>
+#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_constraints.h>
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/FPU.h>
 
@@ -114,8 +114,8 @@ double snap_noisy(const Mesh& mesh, const UV_map clean, UV_map uv, const double 
   CHECK_IN(context, SS::is_seamless(mesh, uv, symmetry<N>()) == !has_cuts);
   const auto report = SS::snap_to_seamless(mesh, uv, symmetry<N>());
   CHECK_IN(context + ": " + report.message,
-           report.status == (has_cuts ? SS::Snapping_status::SNAPPED
-                                      : SS::Snapping_status::ALREADY_EXACT));
+           report.status == (has_cuts ? SS::Outcome::SNAPPED
+                                      : SS::Outcome::ALREADY_EXACT));
   CHECK_IN(context, report.lost_faces.empty());
   CHECK_IN(context, is_exact<N>(mesh, uv));
   CHECK_IN(context, SS::is_seamless(mesh, uv, symmetry<N>()));
@@ -141,7 +141,7 @@ void test_map(Mesh mesh, const std::string& name)
   check_transitions<N>(mesh, clean, clean, context);
   const std::vector<Kernel::Point_2> points = all_points(mesh, clean);
   const auto report = SS::snap_to_seamless(mesh, clean, symmetry<N>());
-  CHECK_IN(context, report.status == SS::Snapping_status::ALREADY_EXACT);
+  CHECK_IN(context, report.status == SS::Outcome::ALREADY_EXACT);
   CHECK_IN(context, all_points(mesh, clean) == points);
   double growth = 0;
   for(const int exponent : {-20, -30, -40})
@@ -190,7 +190,7 @@ void test_square_map(const square_complex::Square_complex& complex, const int di
     uv_noise::perturb(mesh, uv, 1e-6, seed);
     CHECK_IN(context, !SS::is_seamless(mesh, uv, symmetry<N>()));
     const auto report = SS::snap_to_seamless(mesh, uv, symmetry<N>());
-    CHECK_IN(context + report.message, report.status == SS::Snapping_status::SNAPPED);
+    CHECK_IN(context + report.message, report.status == SS::Outcome::SNAPPED);
     CHECK_IN(context, is_exact<N>(mesh, uv) && report.lost_faces.empty());
     const auto seams = SS::seam_transitions(mesh, uv, symmetry<N>());
     for(const Halfedge h : mesh.halfedges())
@@ -228,7 +228,7 @@ void test_alignment(Mesh mesh, const std::string& name)
   CHECK_IN(context, before.misalignment > 0 && before.misalignment < 1e-5);
   CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
   const auto report = SS::snap_to_seamless(mesh, uv, np);
-  CHECK_IN(context + ": " + report.message, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context + ": " + report.message, report.status == SS::Outcome::SNAPPED);
   CHECK_IN(context, report.lost_faces.empty() && report.run.number_of_align_branches > 0);
   CHECK_IN(context, is_exact<N>(mesh, uv) && SS::is_seamless(mesh, uv, np));
   CHECK_IN(context, report.rms_change <= 1.01 * report.optimal_rms_change);
@@ -248,7 +248,7 @@ void test_refused_alignment()
   std::mt19937 random(2);
   warp<6>(mesh, uv, 0.25, random);
   const auto report = SS::snap_to_seamless(mesh, uv, symmetry<6>().align_border(true));
-  CHECK(report.status == SS::Snapping_status::NOT_ALIGNED);
+  CHECK(report.status == SS::Outcome::NOT_ALIGNED);
   CHECK(report.message.find("u + v") != std::string::npos);
 }
 
@@ -318,7 +318,7 @@ void test_further_constraints(Mesh mesh, const std::string& name)
   const auto np = symmetry<N>().connection_constraints(connections).corner_constraints(pins);
   CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
   const auto report = SS::snap_to_seamless(mesh, uv, np);
-  CHECK_IN(context + ": " + report.message, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(context + ": " + report.message, report.status == SS::Outcome::SNAPPED);
   CHECK_IN(context, is_exact<N>(mesh, uv) && SS::is_seamless(mesh, uv, np));
   for(const auto& c : connections)
     CHECK_IN(context, mismatch<N>(mesh, uv, rotations, c) == 0);
@@ -329,7 +329,7 @@ void test_further_constraints(Mesh mesh, const std::string& name)
   CHECK_IN(context, !SS::is_seamless(mesh, uv, np));
   pins[0].terms[0].component = 3;
   const auto refused = SS::snap_to_seamless(mesh, uv, symmetry<N>().corner_constraints(pins));
-  CHECK_IN(context, refused.status == SS::Snapping_status::INVALID_ARGUMENT);
+  CHECK_IN(context, refused.status == SS::Outcome::INVALID_ARGUMENT);
 }
 
 // A loop around a torus along each of the three directions closes.
@@ -372,7 +372,7 @@ void test_cycles()
   perturb(mesh, uv, std::ldexp(1., -20), random);
   const auto np = symmetry<6>().cycle_constraints(cycles);
   const auto report = SS::snap_to_seamless(mesh, uv, np);
-  CHECK(report.status == SS::Snapping_status::SNAPPED);
+  CHECK(report.status == SS::Outcome::SNAPPED);
   CHECK(is_exact<6>(mesh, uv) && SS::is_seamless(mesh, uv, np));
   for(const auto& c : cycles)
     CHECK(mismatch<6>(mesh, uv, no_rotations, {c.corner, c.corner, c.component, c.path}) == 0);
@@ -809,7 +809,7 @@ void test_integer_grid_measure()
   CHECK(!SS::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
   const auto refused = SS::snap_to_seamless(
     mesh, uv, symmetry<6>().integer_grid(true).rounding_tolerance(0));
-  CHECK_IN(refused.message, refused.status == SS::Snapping_status::NOT_INTEGER);
+  CHECK_IN(refused.message, refused.status == SS::Outcome::NOT_INTEGER);
   const auto moved_back = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
   CHECK_IN(moved_back.message, bool(moved_back) && moved_back.largest_rounding == 0);
   CHECK(SS::is_integer_grid_map(mesh, uv, np));
@@ -1075,7 +1075,7 @@ void check_hint(const Mesh& mesh, const UV_map uv, const std::vector<std::string
 {
   const std::vector<Kernel::Point_2> before = all_points(mesh, uv);
   const auto report = SS::snap_to_seamless(mesh, uv, symmetry<N>());
-  CHECK_IN(context, report.status == SS::Snapping_status::NOT_SEAMLESS);
+  CHECK_IN(context, report.status == SS::Outcome::NOT_SEAMLESS);
   for(const std::string& word : words)
     CHECK_IN(context + ": " + report.message, report.message.find(word) != std::string::npos);
   CHECK_IN(context, all_points(mesh, uv) == before);
@@ -1117,7 +1117,7 @@ void test_wrong_symmetries()
   for(const Halfedge h : sphere.halfedges())
     uv[h] = Kernel::Point_2(uv[h].x() + 0.1 * (std::size_t(h) % 7), uv[h].y());
   const auto report = SS::snap_to_seamless(sphere, uv, symmetry<6>());
-  CHECK(report.status == SS::Snapping_status::NOT_SEAMLESS);
+  CHECK(report.status == SS::Outcome::NOT_SEAMLESS);
   CHECK(report.message.find("N = ") == std::string::npos);
   CHECK(report.message.find("tolerance") != std::string::npos);
 }
@@ -1137,7 +1137,7 @@ void test_data_file()
   CHECK(!is_exact<6>(mesh, uv));
   const std::vector<int> before = signs(mesh, uv);
   const auto report = SS::snap_to_seamless(mesh, uv, symmetry<6>());
-  CHECK_IN(report.message, report.status == SS::Snapping_status::SNAPPED);
+  CHECK_IN(report.message, report.status == SS::Outcome::SNAPPED);
   CHECK(is_exact<6>(mesh, uv) && is_exact<1>(mesh, uv));
   CHECK(signs(mesh, uv) == before);
   CHECK_EQUAL(report.run.number_of_cut_edges, 67u);

@@ -154,18 +154,18 @@ void check_system(Random& random, const System& system, const std::vector<Number
     snap_in_any_form::snap(random, system, after, weights);
   ++tally.outcomes[CS::to_string(report.status)];
   const bool was_exact = exact_reference::exactly_satisfies(system, before);
-  CHECK_EQUAL(report.status == CS::Snapping_status::INCONSISTENT, !optimum.feasible);
-  CHECK_EQUAL(report.status == CS::Snapping_status::ALREADY_EXACT, was_exact);
+  CHECK_EQUAL(report.status == CS::Outcome::INCONSISTENT, !optimum.feasible);
+  CHECK_EQUAL(report.status == CS::Outcome::ALREADY_EXACT, was_exact);
   if(!report || was_exact)
     CHECK(same_bits(before, after));
-  if(report.status == CS::Snapping_status::INCONSISTENT)
+  if(report.status == CS::Outcome::INCONSISTENT)
     CHECK(exact_reference::is_contradiction(system, report.certificate));
   if(!optimum.feasible || was_exact)
     return;
 
   const auto kernel = exact_reference::kernel_vectors(system);
   if(!report) {
-    CHECK(report.status == CS::Snapping_status::NOT_REPRESENTABLE);
+    CHECK(report.status == CS::Outcome::NOT_REPRESENTABLE);
     CHECK(!lies_on_one_grid<Number>(system, optimum, kernel));
     return;
   }
@@ -312,7 +312,7 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
 
   system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
   const CS::Snapping_report contradiction = snap();
-  CHECK(contradiction.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(contradiction.status == CS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, contradiction.certificate));
   CHECK(same_bits(x, before));
   if(failed != checking::counts().failed)
@@ -421,7 +421,7 @@ void test_projection_beyond_range()
   for(std::size_t i = 0; i + 1 < n; ++i)
     chain.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 0.);
   std::vector<double> x(n, 1);
-  CHECK(CS::snap_to_linear_constraints(chain, x).status == CS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(CS::snap_to_linear_constraints(chain, x).status == CS::Outcome::NOT_REPRESENTABLE);
 }
 
 // Products and sums that exceed the range of the number type, though there are solutions within.
@@ -538,7 +538,7 @@ void test_refusals()
   no_solution.add_constraint({{2, 1}, {3, -1}});
   no_solution.add_constraint({{2, 1}, {3, 2}}, 1);
   const CS::Snapping_report report = snap(no_solution);
-  CHECK(report.status == CS::Snapping_status::NOT_REPRESENTABLE);
+  CHECK(report.status == CS::Outcome::NOT_REPRESENTABLE);
   CHECK(contains(report, "constraints 2 to "));
 }
 
@@ -599,7 +599,7 @@ void test_many_rows()
   repeated.add_constraint({{0, 2}, {100, 3}, {101, 5}}, 1);
   std::vector<double> x(102, 1.);
   const CS::Snapping_report report = CS::snap_to_linear_constraints(repeated, x);
-  CHECK(report.status == CS::Snapping_status::SNAPPED);
+  CHECK(report.status == CS::Outcome::SNAPPED);
   CHECK_EQUAL(report.linear_solver.number_of_redundant_constraints, 100001u - 100u);
   CHECK_EQUAL(report.linear_solver.number_of_non_unit_pivots, 1u);
 
@@ -609,7 +609,7 @@ void test_many_rows()
     halvings.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 1.);
   x.assign(n, 1.);
   CHECK(CS::snap_to_linear_constraints(halvings, x).status ==
-        CS::Snapping_status::NOT_REPRESENTABLE);
+        CS::Outcome::NOT_REPRESENTABLE);
 }
 
 // x_i - x_j = b; must be refused, with a certificate of some size.
@@ -628,7 +628,7 @@ void test_contradiction(const std::size_t columns, const std::vector<Difference>
   }
   std::vector<double> x(columns, 1.);
   const CS::Snapping_report report = CS::snap_to_linear_constraints(constraints, x);
-  CHECK(report.status == CS::Snapping_status::INCONSISTENT);
+  CHECK(report.status == CS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, report.certificate));
   CHECK_EQUAL(report.certificate.size(), size);
 }

@@ -13,6 +13,7 @@
 #include "test_data.h"
 #include "textbook_method.h"
 
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <algorithm>
 #include <array>
 #include <cmath>

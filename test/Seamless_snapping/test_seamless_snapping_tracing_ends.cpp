@@ -7,7 +7,8 @@
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
-#include <CGAL/Seamless_snapping/isocurve_constraints.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions_behaviour.h>

@@ -99,10 +99,10 @@ void test_generated(const unsigned int seed)
         const Snapping_report report = snap_and_check(map, name);
         CHECK_IN(name, report.lost_faces.empty());
         CHECK_IN(name, report.linear_solver.number_of_non_unit_pivots == 0);
-        CHECK_IN(name, report.status == Snapping_status::ALREADY_EXACT ||
+        CHECK_IN(name, report.status == Outcome::ALREADY_EXACT ||
                          report.run.number_of_cut_edges == volume_reference::check(clean).cuts);
         Tet_map again = map;
-        CHECK_IN(name, snap(again).status == Snapping_status::ALREADY_EXACT);
+        CHECK_IN(name, snap(again).status == Outcome::ALREADY_EXACT);
         CHECK_IN(name, again.corners == map.corners);
       }
     }

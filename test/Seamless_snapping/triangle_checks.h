@@ -10,9 +10,9 @@
 #include "random_complexes.h"
 #include "test_meshes.h"
 
-#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
-#include <CGAL/Seamless_snapping/extract_triangle_mesh.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/repair_integer_grid.h>
+#include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -36,7 +36,7 @@ namespace SS = CGAL::Seamless_snapping;
 using namespace hexagonal_maps;
 using quad_reference::are_isomorphic;
 using Face = Mesh::Face_index;
-using Status = SS::Extraction_status;
+using Status = SS::Outcome;
 
 template <int N>
 auto symmetry()
@@ -360,7 +360,7 @@ inline void test_holes()
     SS::Extraction_report report;
     CHECK_IN(context, extracted_cells(mesh, uv, false, report).empty() == !bad.empty());
     CHECK_IN(context, report.nonpositive_faces == bad);
-    CHECK_IN(context, report.status == (bad.empty() ? Status::EXTRACTED : Status::NOT_POSITIVE));
+    CHECK_IN(context, report.status == (bad.empty() ? Status::SUCCESS : Status::NOT_POSITIVE));
     const std::set<Cell> cells = extracted_cells(mesh, uv, true, report);
     CHECK_IN(context + ": " + report.message, bool(report) == !cells.empty());
     for(const std::size_t f : bad)
@@ -392,7 +392,7 @@ inline void test_coarse_torus()
   for(const int side : {1, 2, 3, 4}) {
     const quad_reference::Grid_map map(test_meshes::torus(1, 1), side, 4);
     CHECK(status_of_mesh(map.mesh, map.uv) ==
-          (side < 3 ? Status::NO_FACE_GRAPH : Status::EXTRACTED));
+          (side < 3 ? Status::NO_FACE_GRAPH : Status::SUCCESS));
     std::vector<Kernel::Point_3> points;
     std::vector<std::array<int, 3> > triangles;
     CHECK(bool(SS::extract_triangle_soup(map.mesh, map.uv, points, triangles)));
@@ -454,7 +454,7 @@ inline void test_refusals()
   UV_map uv = uv_map(mesh);
   unfold(mesh, uv);
   const std::vector<Kernel::Point_2> clean(uv.begin(), uv.end());
-  CHECK(status_of_mesh(mesh, uv) == Status::EXTRACTED);
+  CHECK(status_of_mesh(mesh, uv) == Status::SUCCESS);
   const auto restore = [&] { std::copy(clean.begin(), clean.end(), uv.begin()); };
   for(const Halfedge h : mesh.halfedges())
     uv[h] = moved(uv[h], {{0.25, 0}});

@@ -21,7 +21,7 @@
 namespace Snapping = CGAL::Seamless_snapping;
 namespace parameters = Snapping::parameters;
 using Snapping::Snapping_report;
-using Snapping::Snapping_status;
+using Snapping::Outcome;
 using volume_generator::Charts;
 using volume_generator::Cube_complex;
 using volume_reference::Point;

@@ -7,7 +7,7 @@
 #include "volume_checks.h"
 #include "volume_input_checks.h"
 
-#include <CGAL/Seamless_snapping/is_volume_integer_grid_map.h>
+#include <CGAL/Seamless_snapping/is_volume_seamless.h>
 
 #include <algorithm>
 #include <array>
@@ -191,7 +191,7 @@ inline Snapping_report round_and_check(Tet_map& map, const double scale, const s
   }
   Tet_map again = map;
   CHECK_IN(name, snap(again, parameters::integer_grid(true)).status ==
-                   Snapping_status::ALREADY_EXACT);
+                   Outcome::ALREADY_EXACT);
   CHECK_IN(name, again.corners == map.corners);
   return report;
 }
@@ -239,16 +239,16 @@ inline void test_refusals_of_grids()
 {
   const Tet_map map = box_map(3);
   const auto grid = parameters::integer_grid(true);
-  check_refusal(Snapping_status::NOT_INTEGER, map, "grid_scale", grid);
-  check_refusal(Snapping_status::NOT_INTEGER, map, "lose their orientation",
+  check_refusal(Outcome::NOT_INTEGER, map, "grid_scale", grid);
+  check_refusal(Outcome::NOT_INTEGER, map, "lose their orientation",
                 grid.grid_scale(1e-3).rounding_tolerance(10.));
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "grid_scale", grid.grid_scale(-1.));
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "tolerance", grid.rounding_tolerance(-1.));
-  check_refusal(Snapping_status::NOT_REPRESENTABLE, map, "2^46", grid.grid_scale(1e15));
-  check_refusal(Snapping_status::NOT_REPRESENTABLE, map, "grid_scale", grid.grid_scale(1e305));
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "grid_scale", grid.grid_scale(-1.));
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "tolerance", grid.rounding_tolerance(-1.));
+  check_refusal(Outcome::NOT_REPRESENTABLE, map, "2^46", grid.grid_scale(1e15));
+  check_refusal(Outcome::NOT_REPRESENTABLE, map, "grid_scale", grid.grid_scale(1e305));
   Tet_map bad = map;
   bad.corners[0][0] += 0.01;
-  check_refusal(Snapping_status::NOT_SEAMLESS, bad, "facet", grid);
+  check_refusal(Outcome::NOT_SEAMLESS, bad, "facet", grid);
   // which rotations have an axis that an integer grid knows
   using Group = Snapping::internal::Cube_rotations;
   std::array<int, 4> number{};
@@ -327,7 +327,7 @@ inline void test_repairs_of_flips()
       CHECK_IN(name, volume_reference::check(repaired).is_exact());
       CHECK_IN(name, volume_reference::lost_cells(map, repaired) == 0);
       CHECK_IN(name, report.lost_faces.empty() && report.remaining_flips == flips(repaired));
-      CHECK_IN(name, (report.status == Snapping_status::FLIPS_REMAIN) ==
+      CHECK_IN(name, (report.status == Outcome::FLIPS_REMAIN) ==
                        !flips(repaired).empty());
       CHECK_IN(name, report.run.number_of_untangling_iterations <= most);
       if(repair == Flip_repair::NEAR_BY)
@@ -345,10 +345,10 @@ inline void test_repairs_of_flips()
   CHECK(bool(snap(map)));
   tangle(map, 0.4, 5);
   Tet_map plain = map, stopped = map;
-  CHECK(snap(plain).status == Snapping_status::ALREADY_EXACT && plain.corners == map.corners);
+  CHECK(snap(plain).status == Outcome::ALREADY_EXACT && plain.corners == map.corners);
   const Snapping_report report = snap(stopped, parameters::repair_flips(true)
                                                  .number_of_untangling_iterations(0));
-  CHECK_EQUAL(report.status, Snapping_status::FLIPS_REMAIN);
+  CHECK_EQUAL(report.status, Outcome::FLIPS_REMAIN);
   CHECK(stopped.corners == map.corners && report.remaining_flips == flips(map));
   CHECK(report.message.find("number_of_untangling_iterations") != std::string::npos);
 }
@@ -377,7 +377,7 @@ inline void test_cell_without_volume()
   CHECK_EQUAL(flips(map).size(), std::size_t(1));
   const Snapping_report report = snap(map, parameters::repair_flips(
                                              Snapping::Flip_repair::UNTANGLE));
-  CHECK_EQUAL(report.status, Snapping_status::FLIPS_REMAIN);
+  CHECK_EQUAL(report.status, Outcome::FLIPS_REMAIN);
   CHECK_EQUAL(report.run.number_of_faces_without_area, std::size_t(1));
   CHECK(report.message.find("no volume") != std::string::npos);
 }

@@ -15,7 +15,7 @@
 
 // A refusal names the place, and nothing is written.
 template <typename NamedParameters>
-void check_refusal(const Snapping_status status, Tet_map map, const std::string& place,
+void check_refusal(const Outcome status, Tet_map map, const std::string& place,
                    const NamedParameters& np)
 {
   const Tet_map before = map;
@@ -37,29 +37,29 @@ inline void test_refusals()
   };
   Tet_map bad = map;
   bad.corners[41][1] = std::numeric_limits<double>::quiet_NaN();
-  check_refusal(Snapping_status::NOT_FINITE, bad, "cell 10", none);
+  check_refusal(Outcome::NOT_FINITE, bad, "cell 10", none);
   CHECK(!is_seamless(bad));
   bad = map;
   bad.corners[41][1] = 1e301;
-  check_refusal(Snapping_status::NOT_FINITE, bad, "vertex " + vertex(10, 1), none);
+  check_refusal(Outcome::NOT_FINITE, bad, "vertex " + vertex(10, 1), none);
   bad = map;
   bad.cells.push_back({{map.cells[0][0], map.cells[0][1], map.cells[0][2], 4000}});
   bad.corners.resize(4 * bad.cells.size(), Point{{0, 0, 0}});
-  check_refusal(Snapping_status::NOT_MANIFOLD, bad, "more than two cells", none);
+  check_refusal(Outcome::NOT_MANIFOLD, bad, "more than two cells", none);
   bad = Tet_map{{{{0, 1, 2, 3}}, {{2, 1, 3, 0}}}, std::vector<Point>(8, Point{{0, 0, 0}})};
-  check_refusal(Snapping_status::NOT_MANIFOLD, bad, "cells 0 and 1", none);
+  check_refusal(Outcome::NOT_MANIFOLD, bad, "cells 0 and 1", none);
   bad = map;
   bad.cells[3][2] = bad.cells[3][0];
-  check_refusal(Snapping_status::INVALID_ARGUMENT, bad, "cell 3", none);
+  check_refusal(Outcome::INVALID_ARGUMENT, bad, "cell 3", none);
   bad.cells[3][2] = -1;
-  check_refusal(Snapping_status::INVALID_ARGUMENT, bad, "negative", none);
-  check_refusal(Snapping_status::INVALID_ARGUMENT, Tet_map(), "no cell", none);
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "tolerance", parameters::tolerance(-1.));
+  check_refusal(Outcome::INVALID_ARGUMENT, bad, "negative", none);
+  check_refusal(Outcome::INVALID_ARGUMENT, Tet_map(), "no cell", none);
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "tolerance", parameters::tolerance(-1.));
   using Facets = std::vector<std::array<int, 3> >;
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "facet 0, 1, 4000",
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "facet 0, 1, 4000",
                 parameters::feature_facets(Facets{{{4000, 1, 0}}}));
   using Lists = std::vector<std::vector<int> >;
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "3 vertices in place of 2",
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "3 vertices in place of 2",
                 parameters::feature_edges(Lists{{0, 1, 2}}));
   // one vertex moved by more than the tolerance: on the boundary, and at a facet inside
   bad = map;
@@ -68,12 +68,12 @@ inline void test_refusals()
     if(bad.cells[i / 4][i % 4] == at)
       for(std::size_t c = 0; c < 3; ++c)
         bad.corners[i][c] += 0.01;
-  check_refusal(Snapping_status::NOT_ALIGNED, bad, "align_boundary(false)", none);
+  check_refusal(Outcome::NOT_ALIGNED, bad, "align_boundary(false)", none);
   CHECK_EQUAL(snap(bad, parameters::align_boundary(false)).status,
-              Snapping_status::ALREADY_EXACT);
+              Outcome::ALREADY_EXACT);
   bad = map;
   bad.corners[0][0] += 0.01;
-  check_refusal(Snapping_status::NOT_SEAMLESS, bad, vertex(0, 0), none);
+  check_refusal(Outcome::NOT_SEAMLESS, bad, vertex(0, 0), none);
 }
 
 // Neighbors that the caller knows give the same result, and wrong ones are refused.
@@ -93,10 +93,10 @@ inline void test_neighbors()
   CHECK(bool(snap(other, parameters::cell_neighbors(neighbors))));
   CHECK(map.corners == other.corners);
   std::swap(neighbors[0][0], neighbors[0][1]);
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "cell 0",
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "cell 0",
                 parameters::cell_neighbors(neighbors));
   neighbors.pop_back();
-  check_refusal(Snapping_status::INVALID_ARGUMENT, map, "size",
+  check_refusal(Outcome::INVALID_ARGUMENT, map, "size",
                 parameters::cell_neighbors(neighbors));
 }
 
@@ -129,7 +129,7 @@ inline void test_two_cells()
   // the last cell has its features, too
   CHECK_EQUAL(snap(map, parameters::align_boundary(false)
                 .feature_edges(std::vector<std::array<int, 2> >{{{1, 4}}})).status,
-              Snapping_status::NOT_ALIGNED);
+              Outcome::NOT_ALIGNED);
 }
 
 // Names of vertices that are much larger than their number change nothing.
@@ -151,7 +151,7 @@ inline void test_large_names()
                            .feature_edges(Edges{{{d[2], d[3]}}}))));
   CHECK(map.corners == other.corners);
   other.corners[41][1] = std::numeric_limits<double>::infinity();
-  check_refusal(Snapping_status::NOT_FINITE, other,
+  check_refusal(Outcome::NOT_FINITE, other,
                 "vertex " + std::to_string(other.cells[10][1]), parameters::default_values());
 }
 
@@ -166,7 +166,7 @@ inline void test_floats_and_components()
   const Tet_map before = map;
   const Snapping_report report = Snapping::snap_volume_to_seamless(map.cells,
                                                                    Corner_map<float>{&map});
-  CHECK(report.status == Snapping_status::SNAPPED && volume_reference::check(map).is_exact());
+  CHECK(report.status == Outcome::SNAPPED && volume_reference::check(map).is_exact());
   CHECK(volume_reference::largest_change(before, map) <=
         2 * report.violation_before + 8 * report.run.grid_step);
   for(const Point& p : map.corners)
@@ -185,7 +185,7 @@ inline void test_floats_and_components()
   for(const Point& p : exact.corners)
     both.corners.push_back({{p[0] * 0x1p-20, p[1] * 0x1p-20, p[2] * 0x1p-20}});
   const std::vector<Point> kept(both.corners.begin() + std::ptrdiff_t(size), both.corners.end());
-  CHECK(snap(both).status == Snapping_status::SNAPPED);
+  CHECK(snap(both).status == Outcome::SNAPPED);
   CHECK(volume_reference::check(both).is_exact());
   CHECK(std::equal(kept.begin(), kept.end(), both.corners.begin() + std::ptrdiff_t(size)));
 }
@@ -216,7 +216,7 @@ inline void test_map_that_rounds()
                                                      Charts::CUBES, 4).build();
   volume_generator::add_noise(map, 1e-5, false, 5);
   CHECK_EQUAL(Snapping::snap_volume_to_seamless(map.cells, Rounding_map{&map}).status,
-              Snapping_status::INTERNAL_ERROR);
+              Outcome::INTERNAL_ERROR);
 }
 
 #endif // SEAMLESS_SNAPPING_TEST_VOLUME_INPUT_CHECKS_H

@@ -16,61 +16,44 @@ PACKAGE = "CGAL/Seamless_snapping"
 WIDTH, HEIGHT = 3.1, 1.25
 WORDS = {  # what a room is for, and the color of its kind
     "public functions": ("what callers include", PALE_ORANGE),
-    "public values": ("parameters, reports, statuses, constraints", PALE_ORANGE),
+    "public IO": ("files in and out", PALE_ORANGE),
+    "types": ("parameters, reports, constraints", PALE_ORANGE),
     "exact": ("checked integers, the grid, exact differences", PALE_BLUE),
-    "transitions": ("groups, transitions, functionals", PALE_BLUE),
+    "support": ("refusals, threads, options, times", PALE_BLUE),
+    "transitions": ("groups of rotations, sides of edges", PALE_BLUE),
     "linear": ("rows, elimination, lattice, target, solver", PALE_BLUE),
-    "algebra": ("rows, elimination, lattice, target, solver", PALE_BLUE),
-    "complex": ("cuts without a mesh: sectors, branches, nodes", PALE_BLUE),
-    "volume": ("maps of tetrahedra, without a mesh", PALE_BLUE),
+    "complex": ("cuts without a mesh: sectors, branches", PALE_BLUE),
+    "volume": ("maps of tetrahedra", PALE_BLUE),
     "untangling": ("makes triangles positive, under constraints", PALE_BLUE),
-    "mesh": ("reads and writes meshes", PALE_GREEN),
-    "surface": ("cuts of a mesh, the snapping, repair", PALE_GREEN),
+    "mesh": ("reads meshes, their cuts, and rotations", PALE_GREEN),
     "orientation": ("signs of faces, moves, repair", PALE_GREEN),
-    "parameterization": ("computes parametrizations", PALE_GREEN),
-    "tracing": ("traces isocurves", PALE_GREEN),
-    "quads": ("quad meshes", PALE_GREEN),
-    "layout": ("motorcycle graphs, patches", PALE_GREEN),
-    "quantization": ("integers for layouts, coarse complexes", PALE_GREEN),
-    "IO": ("reads and writes files", PALE_GREEN),
+    "snapping": ("the steps of snapping, integers, writing", PALE_GREEN),
+    "parametrization": ("computes parametrizations", PALE_GREEN),
+    "charts": ("exact maps as plain arrays", PALE_GREEN),
+    "tracing": ("walks along isocurves", PALE_BLUE),
+    "layout": ("motorcycle graphs, patches", PALE_BLUE),
+    "cells": ("cells of a grid, extracted", PALE_GREEN),
+    "quantization": ("integers for a coarse complex", PALE_BLUE),
+    "remeshing": ("smooths and divides quads", PALE_GREEN),
+    "IO": ("parses and writes files", PALE_GREEN),
 }
 
 
 def read_rooms(include):
     """Room -> the rooms it includes, without itself."""
     root = pathlib.Path(include) / PACKAGE
-    includes = {}
-    for header in sorted(root.rglob("*.h")):
-        text = header.read_text(encoding="utf-8")
-        names = re.findall(r"#\s*include <%s/([^>]+)>" % PACKAGE, text)
-        includes[str(header.relative_to(root))] = [n for n in names if (root / n).exists()]
-
-    used_inside = {
-        n for header, names in includes.items() for n in names if header.count("/") > 1
-    }
 
     def room(name):
-        parts = name.split("/")
-        if parts[0] == "internal":
-            return parts[1] if len(parts) > 2 else None  # a single file is not a room
-        if parts[0] == "IO":
-            return "IO"
-        if name not in used_inside:
-            return "public functions"
-        behind = rooms_behind(includes[name]) - {"public values"}  # types of what a room returns
-        return behind.pop() if len(behind) == 1 else "public values"
-
-    def rooms_behind(names):
-        """Single files belong to those that include them."""
-        result = set()
-        for name in names:
-            result |= rooms_behind(includes[name]) if room(name) is None else {room(name)}
-        return result
+        *folders, _ = name.split("/")
+        if folders[:1] == ["internal"]:
+            return folders[1]
+        return {(): "public functions", ("IO",): "public IO"}.get(tuple(folders), *folders[:1])
 
     uses = {}
-    for header, names in includes.items():
-        if room(header) is not None:
-            uses.setdefault(room(header), set()).update(rooms_behind(names))
+    for header in sorted(root.rglob("*.h")):
+        text = header.read_text(encoding="utf-8")
+        used = {room(n) for n in re.findall(r"#\s*include <%s/([^>]+)>" % PACKAGE, text)}
+        uses.setdefault(room(str(header.relative_to(root))), set()).update(used)
     return {r: others - {r} for r, others in uses.items()}
 
 

@@ -17,17 +17,15 @@
 
 // The tracer: a parametrized mesh prepared for tracing any number of isocurves.
 
-#include <CGAL/Seamless_snapping/Isocurve_point.h>
-#include <CGAL/Seamless_snapping/Isocurve_segment.h>
-#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
+#include <CGAL/Seamless_snapping/Isocurve.h>
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
-#include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Named_function_parameters.h>
@@ -103,14 +101,16 @@ public:
     const internal::Protect_exact_arithmetic protect;
     internal::require_exact_arithmetic();
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
-      const auto seams = seam_transitions(tmesh, uv_map, np);
-      static_assert(std::is_same_v<internal::Ray_group<decltype(seams)::order>, Group>,
+      const auto& plain_np = internal::strip(np);
+      using Seam_group = internal::Symmetry_group<std::decay_t<decltype(plain_np)> >;
+      static_assert(std::is_same_v<internal::Ray_group<Seam_group::order>, Group>,
                     "isocurves have six directions where rotational_symmetry is 3 or 6, else "
                     "four: use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments "
                     "out");
-      m_is_valid = bool(seams);
+      const auto seams = internal::read_transitions<Seam_group>(tmesh, uv_map, plain_np);
+      m_is_valid = !seams.refusal;
       if(m_is_valid)
-        m_mesh = internal::build_chart_mesh(tmesh, m_numbering, uv_map, seams);
+        m_mesh = internal::build_chart_mesh<Seam_group>(tmesh, m_numbering, uv_map, seams);
     }
   }
 
@@ -277,10 +277,10 @@ private:
     result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
     result.near_distance = near_distance(np);
     const auto target = get_parameter(np, np_tags::target_vertex);
-    if constexpr(internal::is_given_parameter(target))
+    if constexpr(internal::is_given<decltype(target)>)
       result.limits.target = std::size_t(m_numbering.vertex(target));
     const auto is_stop = get_parameter(np, np_tags::vertex_is_constrained);
-    if constexpr(internal::is_given_parameter(is_stop))
+    if constexpr(internal::is_given<decltype(is_stop)>)
       result.limits.is_stop = [this, is_stop](const std::size_t v) -> bool
       { return get(is_stop, m_numbering.vertices_in_order()[v]); };
     return result;

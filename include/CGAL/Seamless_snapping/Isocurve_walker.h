@@ -17,7 +17,7 @@
 
 // Isocurves a segment at a time, which the caller continues or leaves.
 
-#include <CGAL/Seamless_snapping/Isocurve_segment.h>
+#include <CGAL/Seamless_snapping/Isocurve.h>
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Segment_walker.h>

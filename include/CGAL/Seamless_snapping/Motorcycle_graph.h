@@ -17,12 +17,12 @@
 
 // A partition of a surface into rectangles along isocurves: nodes, arcs, and patches.
 
-#include <CGAL/Seamless_snapping/Isocurve_direction.h>
-#include <CGAL/Seamless_snapping/Layout_status.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
+#include <CGAL/Seamless_snapping/types/Report.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -116,10 +116,10 @@ public:
   /// @{
 
   /// returns `true` if and only if the surface is divided into patches.
-  explicit operator bool() const { return status() == Layout_status::PARTITIONED; }
+  explicit operator bool() const { return status() == Outcome::SUCCESS; }
 
   /// returns the outcome.
-  Layout_status status() const { return m_data->status; }
+  Outcome status() const { return m_data->status; }
 
   /// returns the place, the reason, and the remedy, unless the surface is divided; then, what there
   /// is to say of a border that does not lie on isocurves.

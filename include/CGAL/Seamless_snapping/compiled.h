@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
-#include <CGAL/Seamless_snapping/internal/surface_solvers_impl.h>
+#include <CGAL/Seamless_snapping/internal/snapping/surface_solvers_impl.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers_impl.h>
 #include <CGAL/Seamless_snapping/quad_remesh_impl.h>
 

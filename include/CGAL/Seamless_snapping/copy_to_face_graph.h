@@ -19,10 +19,10 @@
 
 #include <CGAL/Seamless_snapping/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/layout/Cell_complex.h>
+#include <CGAL/Seamless_snapping/internal/layout/Polygon_complex.h>
 #include <CGAL/Seamless_snapping/internal/layout/Refined_faces.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_cells.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
@@ -47,21 +47,8 @@ namespace internal {
 template <typename Point, typename TriangleMesh, typename VertexPointMap, typename Location>
 Point point_at(const TriangleMesh& tmesh, const VertexPointMap& points, const Location& location)
 {
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  const auto h = halfedge(location.first, tmesh);
-  const std::array<decltype(target(h, tmesh)), 3> vertices = {
-    source(h, tmesh), target(h, tmesh), target(next(h, tmesh), tmesh)};
-  std::array<double, 3> sum{};
-  for(std::size_t k = 0; k < 3; ++k) {
-    const double w = location.second[k];
-    if(w == 0)
-      continue;
-    const auto& p = get(points, vertices[k]);
-    sum[0] += w * CGAL::to_double(p.x());
-    sum[1] += w * CGAL::to_double(p.y());
-    sum[2] += w * CGAL::to_double(p.z());
-  }
-  return Point(FT(sum[0]), FT(sum[1]), FT(sum[2]));
+  return point_at<Point>(
+    place_in_face(tmesh, points, prev(halfedge(location.first, tmesh), tmesh), location.second));
 }
 
 inline bool are_patches_discs(const Layout& layout)
@@ -71,12 +58,12 @@ inline bool are_patches_discs(const Layout& layout)
 }
 
 template <typename TriangleMesh>
-Cell_complex cells_of_patches(const Motorcycle_graph<TriangleMesh>& graph)
+Polygon_complex cells_of_patches(const Motorcycle_graph<TriangleMesh>& graph)
 {
   const Layout& layout = graph.data().layout;
-  Cell_complex result;
-  result.number_of_vertices = layout.points.size();
-  result.number_of_cells = layout.patches.size();
+  Polygon_complex result;
+  result.n_vertices = layout.points.size();
+  result.n_cells = layout.patches.size();
   for(std::size_t h = 0; h < layout.half_arcs.size(); ++h) {
     result.targets.push_back(layout.target(Half_arc_index(h)));
     result.nexts.push_back(layout.half_arcs[h].next);
@@ -89,7 +76,7 @@ Cell_complex cells_of_patches(const Motorcycle_graph<TriangleMesh>& graph)
 // and `patch(c)` are what edges and faces are.
 template <typename TriangleMesh, typename PolygonMesh, typename NamedParameters1,
           typename NamedParameters2, typename LocationOf, typename IsArc, typename PatchOf>
-void write_layout(const TriangleMesh& tmesh, const Cell_complex& cells, PolygonMesh& output,
+void write_layout(const TriangleMesh& tmesh, const Polygon_complex& cells, PolygonMesh& output,
                   const NamedParameters1& np1, const NamedParameters2& np2,
                   const LocationOf& location, const IsArc& is_arc, const PatchOf& patch)
 {
@@ -104,21 +91,20 @@ void write_layout(const TriangleMesh& tmesh, const Cell_complex& cells, PolygonM
   const auto locations = get_parameter(np2, np_tags::vertex_location);
   const auto arcs = get_parameter(np2, np_tags::edge_is_constrained);
   const auto patches = get_parameter(np2, np_tags::face_patch);
-  const Cells_to_write cells_to_write{cells};
-  Cell_writer<PolygonMesh, Cells_to_write> writer(cells_to_write, output);
-  for(std::size_t i = 0; i < cells.number_of_vertices; ++i) {
+  Cell_writer<PolygonMesh, Polygon_complex> writer(cells, output);
+  for(std::size_t i = 0; i < cells.number_of_vertices(); ++i) {
     const auto v = writer.new_vertex();
     put(new_points, v, point_at<Point>(tmesh, points, location(i)));
-    if constexpr(is_given_parameter(locations))
+    if constexpr(is_given<decltype(locations)>)
       put(locations, v, location(i));
   }
   writer.add_edges_and_faces(
     [&](const auto e, const std::size_t dart) {
-      if constexpr(is_given_parameter(arcs))
+      if constexpr(is_given<decltype(arcs)>)
         put(arcs, e, is_arc(dart / 2));
     },
     [&](const auto f, const std::size_t i) {
-      if constexpr(is_given_parameter(patches))
+      if constexpr(is_given<decltype(patches)>)
         put(patches, f, patch(i));
     });
 }
@@ -199,7 +185,7 @@ bool copy_to_face_graph(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh
                         const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  const internal::Cell_complex cells = internal::cells_of_patches(graph);
+  const internal::Polygon_complex cells = internal::cells_of_patches(graph);
   if(!graph || !internal::are_patches_discs(graph.data().layout) || !internal::is_simple(cells))
     return false;
   internal::write_layout(graph.mesh(), cells, patches, internal::strip(np1), internal::strip(np2),

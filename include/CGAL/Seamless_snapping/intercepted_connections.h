@@ -21,8 +21,8 @@
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
-#include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/surface_constraints.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

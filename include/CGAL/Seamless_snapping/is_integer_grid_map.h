@@ -17,17 +17,17 @@
 
 // Checking and measuring integer-grid maps.
 
+#include <CGAL/Seamless_snapping/internal/cells/measure_grid.h>
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/charts/remove_faces.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/quads/measure_grid.h>
-#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -137,14 +137,15 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
                                           const NamedParameters& np)
 {
   Integer_grid_measure measure;
-  const auto seams = seam_transitions(tmesh, uv_map, np);
-  if(!seams)
+  using Seam_group = Symmetry_group<NamedParameters>;
+  const auto seams = read_transitions<Seam_group>(tmesh, uv_map, np);
+  if(seams.refusal)
     return measure;
   measure.is_seamless_up_to_tolerance = true;
-  measure.is_exactly_seamless = seams.is_exact();
-  using Group = Ray_group<decltype(seams)::order>;
+  measure.is_exactly_seamless = seams.is_exact;
+  using Group = Ray_group<Seam_group::order>;
   const Basic_chart_mesh<Group> mesh =
-    build_chart_mesh(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
+    build_chart_mesh<Seam_group>(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = grid_size(mesh, 0, mesh.corners.size() / 3).area;
@@ -174,9 +175,7 @@ latter.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
@@ -200,6 +199,8 @@ latter.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
 \par Complexity
 That of `seam_transitions()`, and linear in the number of faces.
 */
@@ -210,6 +211,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
                                             CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
 }
@@ -227,6 +229,7 @@ bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }

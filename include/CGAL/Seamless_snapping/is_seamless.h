@@ -18,19 +18,19 @@
 // Exact verification of a parametrization, and measurement of what it lacks. The decision is exact,
 // at about the price of a floating point pass: see Exact_difference.h.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -98,8 +98,8 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
     return satisfies_some_transition<Group>(sides);
 }
 
-// Eq. (5) for one edge: by how much the functional differs that differs least along it. 0 only if
-// it is constant, exactly.
+// [MC19] Eq. (5) for one edge: by how much the functional differs that differs least along it. 0
+// only if it is constant, exactly.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
 {
@@ -225,9 +225,7 @@ coordinates do not tell which is meant: pass `halfedge_rotation_map` as well.
 \tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`; with connection or cycle
         constraints, of `FaceListGraph` and `VertexListGraph` too, of which all named parameters are
         those of `seam_transitions()`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh

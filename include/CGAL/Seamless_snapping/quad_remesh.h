@@ -18,8 +18,8 @@
 // From any triangle mesh to a quad mesh of about the number of quads wanted.
 
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/quads/Surface_to_remesh.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -42,47 +42,11 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingQuads
 
-The outcome of `quad_remesh()`. After any other than `REMESHED` the output is untouched.
-*/
-enum class Remeshing_status
-{
-  REMESHED,         ///< the quads were written
-  NOT_PARAMETRIZED, ///< the input has no parametrization: it is no triangle mesh, for instance
-  NOT_SNAPPED,      ///< the parametrization could not be made exact
-  NOT_POSITIVE,     ///< faces of the parametrization stayed flipped
-  NOT_QUANTIZED,    ///< the parametrization could not be quantized
-  NOT_EXTRACTED     ///< the quads form no face graph, or are too many
-};
-
-/*!
-\ingroup PkgSeamlessSnappingQuads
-returns the status in words.
-*/
-inline const char* to_string(const Remeshing_status status)
-{
-  switch(status) {
-  case Remeshing_status::REMESHED:         return "remeshed";
-  case Remeshing_status::NOT_PARAMETRIZED: return "not parametrized";
-  case Remeshing_status::NOT_SNAPPED:      return "not snapped";
-  case Remeshing_status::NOT_POSITIVE:     return "not positive";
-  case Remeshing_status::NOT_QUANTIZED:    return "not quantized";
-  case Remeshing_status::NOT_EXTRACTED:    break;
-  }
-  return "not extracted";
-}
-
-/*!
-\ingroup PkgSeamlessSnappingQuads
-
 What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quads were written.
 */
 struct Remeshing_report
+  : public Report
 {
-  Remeshing_status status = Remeshing_status::REMESHED; ///< the outcome
-  /// on failure: the reason and, as far as known, the place and the remedy; else, if there are more
-  /// than 1.1 times as many quads as wanted, that no fewer were found
-  std::string message;
-
   /// \name Result
   /// @{
   std::size_t number_of_quads = 0;    ///< faces that were written
@@ -111,22 +75,7 @@ struct Remeshing_report
   /// the steps in the order in which they were made, with their wall-clock times in seconds
   std::vector<std::pair<std::string, double> > step_times;
   /// @}
-
-  /// returns `true` if and only if the quads were written.
-  explicit operator bool() const { return status == Remeshing_status::REMESHED; }
 };
-
-/*!
-\ingroup PkgSeamlessSnappingQuads
-writes the status and, if there is one, the message.
-*/
-inline std::ostream& operator<<(std::ostream& os, const Remeshing_report& report)
-{
-  os << to_string(report.status);
-  if(!report.message.empty())
-    os << ": " << report.message;
-  return os;
-}
 
 namespace internal {
 
@@ -193,7 +142,7 @@ void add_copy(const Surface_to_remesh::Mesh& result,
   const auto feature_map =
     CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
   const auto write_feature = [&](const auto& halfedges) {
-    if constexpr(is_given_parameter(feature_map))
+    if constexpr(is_given<decltype(feature_map)>)
       put(feature_map, edge(halfedges.second, quads),
           bool(is_feature[result.edge(halfedges.first)]));
   };
@@ -210,7 +159,7 @@ void add_copy(const Surface_to_remesh::Mesh& result,
 
 remeshes a triangle mesh with quads only, about as many as wanted.
 
-The steps are `approximate_seamless_parameterization()`, `snap_to_seamless()`, `quantize()`,
+The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Borders are aligned, and
 so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
 smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
@@ -269,7 +218,7 @@ around a vertex of one edge is left out.
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
-                          `approximate_seamless_parameterization()`}
+                          `approximate_seamless_parametrization()`}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd

@@ -17,14 +17,15 @@
 
 // The steps from a surface to its quads.
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Seamless_snapping/internal/cells/inverted_quads.h>
+#include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
-#include <CGAL/Seamless_snapping/internal/quads/divide_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/improve_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/inverted_quads.h>
-#include <CGAL/Seamless_snapping/internal/quads/smooth_quads.h>
-#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/divide_quads.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/improve_quads.h>
+#include <CGAL/Seamless_snapping/internal/remeshing/smooth_quads.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -62,13 +63,6 @@ public:
   }
 
 private:
-  bool fail(const Remeshing_status status, const std::string& message)
-  {
-    m_report.status = status;
-    m_report.message = message;
-    return false;
-  }
-
   const Mesh& surface_mesh() const { return m_surface.mesh(); }
 
   auto features() const { return parameters::edge_is_constrained_map(m_surface.is_feature()); }
@@ -85,13 +79,13 @@ private:
   // An exactly seamless map without flips.
   bool parametrize()
   {
-    const auto made = approximate_seamless_parameterization(
+    const auto made = approximate_seamless_parametrization(
       surface_mesh(), m_surface.uv_map(),
       features().align_border(true).curvature_alignment(m_options.curvature_alignment)
                 .release_alignment(true).largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)
-      return fail(Remeshing_status::NOT_PARAMETRIZED, made.message);
+      return refuse(m_report, made);
     release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     const auto snapped =
@@ -99,16 +93,16 @@ private:
                        features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
-      return fail(Remeshing_status::NOT_SNAPPED, snapped.message);
+      return refuse(m_report, snapped);
     m_report.remaining_flips = snapped.remaining_flips;
     m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
                                     snapped.lost_faces.end());
     for(std::size_t& face : m_report.remaining_flips)
       face = m_surface.original(face);
     if(!m_report.remaining_flips.empty())
-      return fail(Remeshing_status::NOT_POSITIVE,
-                  name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
-                    "; mark fewer features, or remesh the input there");
+      return refuse(m_report, Outcome::NOT_POSITIVE,
+                    name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
+                      "; mark fewer features, or remesh the input there");
     return true;
   }
 
@@ -118,13 +112,13 @@ private:
                                                    strip(features()), m_options.quantization);
     m_timer.finish("quantization");
     if(!quantization)
-      return fail(Remeshing_status::NOT_QUANTIZED, quantization.message);
+      return refuse(m_report, quantization);
     const Extraction_report extracted = extract_quad_mesh(
       quantization, surface_mesh(), m_quads, CGAL::parameters::default_values(),
       parameters::edge_is_constrained_map(m_is_feature));
     m_timer.finish("extraction");
     if(!extracted)
-      return fail(Remeshing_status::NOT_EXTRACTED, extracted.message);
+      return refuse(m_report, extracted);
     m_report.message = quantization.message;
     return true;
   }

@@ -18,14 +18,16 @@
 // From an exactly seamless map of any scale to quads: integers for the edges of a coarse
 // triangulation, and the quads that they describe.
 
-#include <CGAL/Seamless_snapping/Quantization.h>
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
-#include <CGAL/Seamless_snapping/internal/extract_cells.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
+#include <CGAL/Seamless_snapping/internal/cells/extract_cells.h>
+#include <CGAL/Seamless_snapping/internal/charts/read_exact_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/quantization/locate_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
-#include <CGAL/Seamless_snapping/internal/read_exact_map.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/Quantization.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -76,12 +78,11 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
   Quantization_options options;
   options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
   options.needs_face_graph =
     choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::target_edge_length_t>::value) {
+  if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t>) {
     const double length =
       static_cast<double>(get_parameter(np, internal_np::target_edge_length));
     options.number_of_quads = length > 0 && std::isfinite(length)
@@ -102,12 +103,8 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   const Protect_exact_arithmetic protect;
   const Flat_numbering<TriangleMesh> numbering(tmesh);
   Chart_mesh mesh;
-  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh)) {
-    Quantization result;
-    result.status = input_status<Quantization_status>(refusal->status);
-    result.message = refusal->message;
-    return result;
-  }
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh))
+    return refused<Quantization>(*refusal);
   const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
@@ -122,19 +119,14 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
                                    const NamedParameters& np, const bool leave_out_folded_cells,
                                    Output&& output)
 {
-  Extraction_report refusal;
-  if(!quantization) {
-    refusal.status = Extraction_status::INVALID_ARGUMENT;
-    refusal.message = "there is no quantization: " + quantization.message;
-    return refusal;
-  }
+  if(!quantization)
+    return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
+                                             "there is no quantization: " + quantization.message);
   const Protect_exact_arithmetic protect;
   const Quantized_surface& surface = quantization.surface();
-  if(3 * faces(tmesh).size() != surface.input.corners.size()) {
-    refusal.status = Extraction_status::INVALID_ARGUMENT;
-    refusal.message = "the mesh is not the one that has been quantized";
-    return refusal;
-  }
+  if(3 * faces(tmesh).size() != surface.input.corners.size())
+    return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
+                                             "the mesh is not the one that has been quantized");
   std::vector<char> is_feature;
   for(const Intrinsic_corner& corner : surface.complex.corners)
     is_feature.push_back(corner.is_wall);
@@ -199,9 +191,7 @@ one wanted, by far where cones lie close together.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
@@ -300,7 +290,7 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
   const bool leave_out_folds = quantization && quantization.surface().is_for_face_graph;
   const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
     quantization, tmesh, internal::strip(np1), leave_out_folds,
-    internal::quad_mesh_output(tmesh, quads, internal::strip(np2)));
+    internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
   if(report && leave_out_folds)
     internal::close_folds(quads);
   return report;
@@ -331,7 +321,7 @@ Extraction_report extract_quad_soup(const Quantization& quantization, const Tria
 {
   return internal::extract_cells_of<ConcurrencyTag>(
     quantization, tmesh, internal::strip(np), false,
-    internal::Quad_soup_output<PointRange, PolygonRange>(points, polygons));
+    internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
 } // namespace Seamless_snapping

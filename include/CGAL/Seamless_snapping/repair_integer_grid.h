@@ -17,15 +17,15 @@
 
 // Repairs faces of an integer-grid map that are not positive, where that is possible.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
+#include <CGAL/Seamless_snapping/internal/charts/axis_directions.h>
 #include <CGAL/Seamless_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -73,10 +73,10 @@ struct Edges_on_grid
 
   bool is_feature(const key_type& e) const
   {
-    if constexpr(std::is_same_v<FeatureMap, CGAL::internal_np::Param_not_found>)
-      return false;
-    else
+    if constexpr(is_given<FeatureMap>)
       return get(features, e);
+    else
+      return false;
   }
 
   bool is_on_line(const double a, const double b) const
@@ -100,10 +100,7 @@ The function calls `snap_to_seamless()`, which tells what it guarantees. Pass a 
 the map itself is to stay as it is.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and as value type a
-        two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which
-        can be constructed from two of them
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
@@ -172,7 +169,7 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, HalfedgeUVMap uv_
                            .edge_is_constrained_map(on_grid).align_border(false);
     const auto flip_repair =
       CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::repair_flips);
-    if constexpr(internal::is_given_parameter(flip_repair))
+    if constexpr(internal::is_given<decltype(flip_repair)>)
       return snap_to_seamless(tmesh, uv_map, options);
     else
       return snap_to_seamless(tmesh, uv_map, options.repair_flips(Flip_repair::NEAR_BY));

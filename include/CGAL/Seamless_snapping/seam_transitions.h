@@ -18,14 +18,14 @@
 // What a uv map says about itself: which edges are cuts, how charts are rotated across them, and
 // which vertices are singular.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
@@ -100,9 +100,9 @@ public:
 
   /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`,
   /// `NOT_SEAMLESS`, `INVALID_ROTATIONS`, or `INEXACT_ARITHMETIC`; nothing if they could.
-  std::optional<Snapping_status> failure() const
+  std::optional<Outcome> failure() const
   {
-    return m_data.refusal ? std::optional<Snapping_status>(m_data.refusal->status) : std::nullopt;
+    return m_data.refusal ? std::optional<Outcome>(m_data.refusal->status) : std::nullopt;
   }
 
   /// returns the place, the reason, and the remedy in these cases.
@@ -186,9 +186,7 @@ estimate: the topology that explains the coordinates with the smallest residuals
    together, they are <em>merged</em>.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh: any number of components, of any genus, with or without border

@@ -18,12 +18,12 @@
 // The surface function, and its check, for triangle soups: arrays of vertex indices, without a mesh
 // data structure.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
+#include <CGAL/Seamless_snapping/internal/IO/soup_surface.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/soup_surface.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -93,7 +93,7 @@ Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMa
       plain_np, CGAL::internal_np::feature_edges);
     internal::Soup_surface surface;
     if(const auto refusal = surface.read(triangles, feature_edges))
-      return internal::report_of(*refusal);
+      return internal::refused<Snapping_report>(*refusal);
     return snap_to_seamless(surface.mesh(),
                             internal::Soup_uv_map<CornerUVMap>{surface.corner(), uv_map},
                             plain_np.edge_is_constrained_map(surface.is_feature()));

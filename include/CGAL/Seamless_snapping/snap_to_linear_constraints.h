@@ -18,13 +18,13 @@
 // The generic function: moves floating point values to nearby ones that satisfy a sparse system of
 // linear equations exactly.
 
-#include <CGAL/Seamless_snapping/Linear_constraints.h>
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/linear/constraint_input.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/Linear_constraints.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -97,7 +97,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 
   const Protect_exact_arithmetic protect;
   if(const auto refusal = inexact_arithmetic())
-    return report_of(*refusal);
+    return refused<Snapping_report>(*refusal);
   const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
   Snapping_report report;
   Step_timer timer(report.run, verbose);
@@ -105,28 +105,28 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
   if(x.size() != number_of_columns(c))
-    return report_of({Snapping_status::INVALID_ARGUMENT,
-                      "there are " + std::to_string(x.size()) + " values, but the constraints "
-                      "have " + std::to_string(number_of_columns(c)) + " unknowns", {}});
+    return refused<Snapping_report>(
+      Outcome::INVALID_ARGUMENT,
+      "there are " + std::to_string(x.size()) + " values, but the constraints have " +
+        std::to_string(number_of_columns(c)) + " unknowns");
   if(unbounded != x.size())
-    return report_of({Snapping_status::NOT_FINITE,
-                      "value " + std::to_string(unbounded) +
-                        " is NaN or infinite; only finite values can be snapped", {}});
+    return refused<Snapping_report>(
+      Outcome::NOT_FINITE, "value " + std::to_string(unbounded) +
+                             " is NaN or infinite; only finite values can be snapped");
   std::vector<double> weights;
   std::string problem = read_weights(
     get_parameter_reference(np, CGAL::internal_np::value_weights), x.size(), weights);
   Scaled_system system;
   if(!problem.empty() || !read_constraints(c, b, system, problem))
-    return report_of({Snapping_status::INVALID_ARGUMENT, problem, {}});
+    return refused<Snapping_report>(Outcome::INVALID_ARGUMENT, problem);
   report.linear_solver.number_of_unknowns = x.size();
   report.linear_solver.number_of_constraints = number_of_rows(c);
   if(const std::optional<Refusal> refusal =
        snap_values(system, weights, Number_format::of<Value>(), x, report, timer)) {
-    report.status = refusal->status;
-    report.message = refusal->message;
+    refuse(report, *refusal);
     report.certificate = refusal->certificate;
   }
-  if(report.status == Snapping_status::SNAPPED)
+  if(report.status == Outcome::SNAPPED)
     for(std::size_t j = 0; j < x.size(); ++j)
       *std::next(std::begin(values), std::ptrdiff_t(j)) = static_cast<Value>(x[j]);
   return report;

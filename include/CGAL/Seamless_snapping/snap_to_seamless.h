@@ -17,15 +17,15 @@
 
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Symmetry_group.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/snap_surface.h>
-#include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/surface_constraints.h>
+#include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -69,10 +69,7 @@ components of any genus, with or without border.
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and as value type a
-        two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which
-        can be constructed from two of them
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
@@ -265,18 +262,16 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
 {
   const internal::Protect_exact_arithmetic protect;
   if(const auto refusal = internal::inexact_arithmetic())
-    return internal::report_of(*refusal);
+    return internal::refused<Snapping_report>(*refusal);
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
-  using Is_default_scale =
-    CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::grid_scale_t>;
-  using Is_default_grid =
-    CGAL::parameters::is_default_parameter<Parameters, CGAL::internal_np::integer_grid_t>;
+  constexpr bool may_scale = internal::is_given<Parameters, CGAL::internal_np::grid_scale_t> ||
+                             internal::is_given<Parameters, CGAL::internal_np::integer_grid_t>;
   const auto& plain_np = internal::strip(np);
   Snapping_report report;
   if constexpr(!internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return report;
-  else if constexpr(Is_default_scale::value && Is_default_grid::value)
+  else if constexpr(!may_scale)
     report = internal::snap_surface<Group>(tmesh, uv_map, plain_np);
   else
     report = internal::snap_scaled<Group>(

@@ -18,12 +18,12 @@
 // The volume function: makes an approximately seamless parametrization of a tetrahedral mesh
 // exactly seamless.
 
-#include <CGAL/Seamless_snapping/Flip_repair.h>
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Seamless_snapping/internal/snap_volume.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/snap_volume.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -147,7 +147,7 @@ and at vertices.
     \cgalParamType{`Flip_repair` or Boolean}
     \cgalParamDefault{`Flip_repair::NONE`}
     \cgalParamExtra{Cells that have the orientation of most cells never lose it by repairs. Where
-                    flips remain, the status is `Snapping_status::FLIPS_REMAIN`.}
+                    flips remain, the status is `Outcome::FLIPS_REMAIN`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{the largest number of passes that repairs make over the vertices around
@@ -218,7 +218,7 @@ snap_volume_to_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
 {
   const internal::Protect_exact_arithmetic protect;
   if(const auto refusal = internal::inexact_arithmetic())
-    return internal::report_of(*refusal);
+    return internal::refused<Snapping_report>(*refusal);
   return internal::snap_volume(tetrahedra, uvw_map, internal::strip(np));
 }
 

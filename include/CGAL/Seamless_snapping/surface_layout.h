@@ -18,10 +18,11 @@
 // Motorcycle graphs, base complexes, and other layouts of exactly seamless parametrizations.
 
 #include <CGAL/Seamless_snapping/Motorcycle_graph.h>
+#include <CGAL/Seamless_snapping/internal/charts/read_exact_map.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/read_exact_map.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Named_function_parameters.h>
@@ -93,7 +94,7 @@ std::vector<char> constrained_vertices(const Flat_numbering<TriangleMesh>& numbe
 {
   std::vector<char> result;
   const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_is_constrained);
-  if constexpr(is_given_parameter(map))
+  if constexpr(is_given<decltype(map)>)
     for(const auto v : numbering.vertices_in_order())
       result.push_back(get(map, v) ? 1 : 0);
   return result;
@@ -122,7 +123,7 @@ Race_options race_options(const TriangleMesh& tmesh, const Flat_numbering<Triang
   using Policy = std::decay_t<decltype(policy)>;
   if constexpr(std::is_same_v<Policy, Run_to_nodes>)
     options.ends = [](const Meeting&) { return false; };
-  else if constexpr(is_given_parameter(policy) && !std::is_same_v<Policy, Stop_at_curves>)
+  else if constexpr(is_given<decltype(policy)> && !std::is_same_v<Policy, Stop_at_curves>)
     options.ends = [&tmesh, &numbering, &data, policy](const Meeting& m) -> bool {
       return policy(Curve_meeting<TriangleMesh>{
         start_of_curve(tmesh, numbering, data, m.first.curve),
@@ -139,8 +140,7 @@ void read_and_make_layout(const TriangleMesh& tmesh, const Flat_numbering<Triang
   const Protect_exact_arithmetic protect;
   Layout_input input;
   if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, input.mesh)) {
-    data.status = input_status<Layout_status>(refusal->status);
-    data.message = refusal->message;
+    refuse(data, *refusal);
     return;
   }
   input.is_feature = feature_corners(tmesh, numbering, np);
@@ -192,9 +192,7 @@ without nodes have the same coordinates in all charts, which of them is chosen.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point with coordinates `x()` and `y()` of type `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh; the graph refers to it

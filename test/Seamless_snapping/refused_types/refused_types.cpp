@@ -4,12 +4,11 @@
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
-#include <CGAL/Seamless_snapping/Rotational_symmetry.h>
-#include <CGAL/Seamless_snapping/approximate_seamless_parameterization.h>
-#include <CGAL/Seamless_snapping/extract_quad_mesh.h>
-#include <CGAL/Seamless_snapping/extract_triangle_mesh.h>
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -46,7 +45,7 @@ void call_all(M& mesh, Uv_map uv)
   SS::seam_transitions(mesh, uv);
   SS::measure_integer_grid(mesh, uv);
   SS::is_integer_grid_map(mesh, uv);
-  SS::approximate_seamless_parameterization(mesh, uv);
+  SS::approximate_seamless_parametrization(mesh, uv);
   SS::convert_to_lattice_coordinates(mesh, uv);
   SS::convert_to_cartesian_coordinates(mesh, uv);
   SS::quantize(mesh, uv);

@@ -17,9 +17,9 @@
 
 // Tetrahedral meshes with coordinates per corner, from and to the HEXEX format.
 
-#include <CGAL/Seamless_snapping/IO/File_status.h>
 #include <CGAL/Seamless_snapping/internal/IO/HEXEX_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+#include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <algorithm>
 #include <array>

@@ -18,12 +18,12 @@
 // Triangle meshes with coordinates per corner, from and to the OBJ format. CGAL's own reader drops
 // the texture coordinates, and refuses files with feature edges.
 
-#include <CGAL/Seamless_snapping/IO/File_status.h>
-#include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_text_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
+#include <CGAL/Seamless_snapping/types/File_status.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <istream>
 #include <ostream>
@@ -75,9 +75,7 @@ thrown, if reading fails.
 As with other readers of \cgal, the data are added to what is in `tmesh`.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`
-\tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point of a kernel whose number type is `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param is the input stream
@@ -155,9 +153,7 @@ a face starting at `target(halfedge(f, tmesh), tmesh)`. If a coordinate is not f
 written.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `VertexListGraph`, and `EdgeListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point of a kernel whose number type is `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param os the output stream
@@ -233,9 +229,7 @@ statements: further `vt` statements then follow the one that was shared. What is
 bit for bit, as with `write_OBJ()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam HalfedgeUVMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point of a kernel whose number type is `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param original the file, from which the mesh was read by `read_OBJ()`, into an empty mesh

@@ -17,12 +17,12 @@
 
 // Triangle meshes with coordinates per corner, from and to the PLY format.
 
-#include <CGAL/Seamless_snapping/IO/File_status.h>
-#include <CGAL/Seamless_snapping/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_text_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
+#include <CGAL/Seamless_snapping/types/File_status.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <istream>
 #include <ostream>
@@ -47,9 +47,7 @@ All else is as with `read_OBJ()`: named parameters, the order of vertices and fa
 refused; but messages name faces and vertices by their indices, which count from 0, and no lines.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`
-\tparam HalfedgeUVMap a model of `ReadWritePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and a two-dimensional
-        point of a kernel whose number type is `double` or `float` as value type
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param is the input stream

@@ -21,7 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/layout/Refined_faces.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -46,12 +46,12 @@ namespace internal {
 template <typename IsCut>
 void append_groups(const Refined_faces& faces, const IsCut& is_cut, std::string& text)
 {
-  const Cell_complex& cells = faces.cells();
-  std::vector<std::size_t> darts(cells.number_of_cells);
+  const Polygon_complex& cells = faces.cells();
+  std::vector<std::size_t> darts(cells.number_of_cells());
   for(std::size_t d = 0; d < cells.number_of_darts(); ++d)
     if(cells.cells[d] != no_index)
       darts[std::size_t(cells.cells[d])] = d;
-  std::vector<std::size_t> order(cells.number_of_cells);
+  std::vector<std::size_t> order(cells.number_of_cells());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b)
                    { return faces.patch_of_cell(a) < faces.patch_of_cell(b); });
@@ -126,7 +126,7 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
   const internal::Layout_data& data = graph.data();
   const internal::Refined_faces faces(data.domain.mesh, data.race->curves(), data.layout);
   std::string text;
-  for(std::size_t v = 0; v < faces.cells().number_of_vertices; ++v) {
+  for(std::size_t v = 0; v < faces.cells().number_of_vertices(); ++v) {
     const Point p =
       internal::point_at<Point>(graph.mesh(), points, graph.location(faces.point(v)));
     text += 'v';

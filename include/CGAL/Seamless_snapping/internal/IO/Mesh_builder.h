@@ -21,7 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -175,9 +175,8 @@ Vertex_changes build_mesh(Soup& soup, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   using CGAL::parameters::get_parameter;
   auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                               CGAL::get_property_map(CGAL::vertex_point, tmesh));
-  constexpr bool wants_features = !CGAL::parameters::is_default_parameter<
-                                     NamedParameters, CGAL::internal_np::edge_is_constrained_t
-                                   >::value;
+  constexpr bool wants_features =
+    is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>;
 
   Vertex_changes changes;
   const bool weld = choose_parameter(get_parameter(np, CGAL::internal_np::weld), false);

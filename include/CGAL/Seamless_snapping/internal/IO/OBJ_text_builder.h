@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -137,8 +138,7 @@ std::string build_OBJ_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   text.add_comment(comments);
   add_points(tmesh, vpm, index, text);
   add_faces(tmesh, uv_map, index, text);
-  if constexpr(!CGAL::parameters::is_default_parameter<
-                  NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value) {
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>) {
     auto eicm = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
     for(const auto e : edges(tmesh))
       if(get(eicm, e)) {

@@ -20,6 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -116,8 +117,7 @@ std::string build_PLY_text(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
       body.add_number(CGAL::to_double(uv.y()));
     }
   }
-  if constexpr(!CGAL::parameters::is_default_parameter<
-                  NamedParameters, CGAL::internal_np::edge_is_constrained_t>::value) {
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>) {
     auto eicm = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
     for(const auto e : edges(tmesh))
       if(get(eicm, e)) {

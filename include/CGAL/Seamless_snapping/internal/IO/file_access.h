@@ -17,9 +17,9 @@
 
 // Files and streams as whole texts, and how their failures become a status.
 
-#include <CGAL/Seamless_snapping/IO/File_status.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
+#include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <cerrno>
 #include <cstddef>

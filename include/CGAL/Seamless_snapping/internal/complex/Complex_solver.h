@@ -18,10 +18,10 @@
 // Solves a complex: exact coordinates of its sectors, near the input or near targets beside it. The
 // elimination and the factorization are made once, and serve all targets.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/exact_components.h>
 #include <CGAL/Seamless_snapping/internal/complex/expand_solution.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -188,9 +188,9 @@ template <typename Group>
 std::optional<Refusal> Complex_solver<Group>::solve(Snapped_coordinates<Group>& snapped)
 {
   if(!m_solver.is_consistent())
-    return Refusal{Snapping_status::INCONSISTENT, {}, m_solver.certificate()};
+    return Refusal(Outcome::INCONSISTENT, {}, m_solver.certificate());
   if(!solve({}, m_grids, snapped))
-    return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+    return Refusal(Outcome::NOT_REPRESENTABLE, {});
   return std::nullopt;
 }
 

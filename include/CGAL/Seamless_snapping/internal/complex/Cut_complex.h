@@ -16,8 +16,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // What is left of a parametrization when all that no constraint concerns is taken away: the sectors
-// at cuts and aligned edges, and how these link them (Sec. 5.3). It knows no mesh and no uv map: a
-// reader fills it, and rows, exact coordinates, and the verification are functions of it.
+// at cuts and aligned edges, and how these link them ([MC19] Sec. 5.3). It knows no mesh and no uv
+// map: a reader fills it, and rows, exact coordinates, and the verification are functions of it.
 
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
@@ -75,7 +75,7 @@ struct Cut_complex
     bool is_along;
   };
 
-  // Eq. (6): with g the transitions of the crossings, composed, and f' = act(g, functional),
+  // [MC19] Eq. (6): with g the transitions of the crossings, composed, and f' = act(g, functional),
   // f'(g(u(a))) and f'(u(b)) are to be equal. A cycle has a = b.
   struct Path
   {

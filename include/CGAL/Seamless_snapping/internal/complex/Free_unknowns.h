@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 
 #include <cstddef>
 #include <vector>

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The reduced constraint system of Sec. 5.3, with a twist: the translation of each cut branch and
-// the level of each aligned chain are unknowns too, and stand for the vertices between the nodes in
-// the least-squares target. So the small system has the optimum of the full one.
+// The reduced constraint system of [MC19] Sec. 5.3, with a twist: the translation of each cut
+// branch and the level of each aligned chain are unknowns too, and stand for the vertices between
+// the nodes in the least-squares target. So the small system has the optimum of the full one.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
@@ -157,7 +157,7 @@ private:
       }
   }
 
-  // f(u) = a at both ends, Eq. (5). Without a: the difference of both.
+  // f(u) = a at both ends, [MC19] Eq. (5). Without a: the difference of both.
   void add_chain_rows(const std::size_t c, System_builder& builder)
   {
     const auto f = Group::functional(m_complex.functional[c]);
@@ -171,8 +171,9 @@ private:
     add_row({Row_origin::CHAIN, c, level(c) >= 0}, builder);
   }
 
-  // Eq. (6), the transitions composed: f'(g u(a) + t - u(b)), with t the sum of the branches'
-  // translations as the transitions behind them turn these. Eqs. (7) and (9) are not needed.
+  // [MC19] Eq. (6), the transitions composed: f'(g u(a) + t - u(b)), with t the sum of the
+  // branches' translations as the transitions behind them turn these. Eqs. (7) and (9) are
+  // not needed.
   void append_path(const typename Complex::Path& path)
   {
     int f = path.functional;

@@ -20,7 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
-#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 
 #include <algorithm>
 #include <array>

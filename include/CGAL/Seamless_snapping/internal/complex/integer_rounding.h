@@ -25,9 +25,9 @@
 // translations: where branches meet without such a point, all sectors are shifted by the
 // coordinates of the first, turned as the branches turn them.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -225,7 +225,7 @@ std::optional<Refusal> Integer_rounding<Group>::run(const Number_format& format,
   const Linear_solver solver(system.rows(), system.weights(), format,
                              system.number_of_representable_columns(), false);
   if(!solver.is_consistent())
-    return Refusal{Snapping_status::INCONSISTENT, {}, solver.certificate()};
+    return Refusal(Outcome::INCONSISTENT, {}, solver.certificate());
   const Coordinate_components<Group> components(m_shifted, system, solver);
   const std::vector<Grid> integers(solver.number_of_components(), Grid(format, 0));
   const Target_shifts<Group> no_shifts;
@@ -236,7 +236,7 @@ std::optional<Refusal> Integer_rounding<Group>::run(const Number_format& format,
   if(solver.solve(target, solution) >= 0 ||
      std::any_of(solution.grids.begin(), solution.grids.end(),
                  [](const Grid& grid) { return grid.exponent() < 0; }))
-    return Refusal{Snapping_status::NOT_REPRESENTABLE, {}, {}};
+    return Refusal(Outcome::NOT_REPRESENTABLE, {});
   collect(system, solver, solution, roundings);
   return std::nullopt;
 }

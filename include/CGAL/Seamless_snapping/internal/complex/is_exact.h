@@ -66,7 +66,7 @@ Exact_rational exact_value(const Functional<Group::dimension>& f, const Exact_ve
   return result;
 }
 
-// The pairs of a branch share one translation: Eq. (4) between neighbors.
+// The pairs of a branch share one translation: [MC19] Eq. (4) between neighbors.
 template <typename Group, typename Vector>
 bool branch_is_exact(const Cut_complex<Group>& complex, const std::size_t b,
                      const std::vector<Vector>& u)
@@ -81,7 +81,7 @@ bool branch_is_exact(const Cut_complex<Group>& complex, const std::size_t b,
   return true;
 }
 
-// Eq. (5): a functional has one value along a chain.
+// [MC19] Eq. (5): a functional has one value along a chain.
 template <typename Group, typename Vector>
 bool chain_is_exact(const Cut_complex<Group>& complex, const std::size_t c,
                     const std::vector<Vector>& u)
@@ -97,7 +97,7 @@ bool chain_is_exact(const Cut_complex<Group>& complex, const std::size_t c,
 }
 
 // By how much the value of the functional at the end of a path differs from that at its beginning:
-// 0 if Eq. (6) holds. Where a branch is inexact, the transition is that of its first pair.
+// 0 if [MC19] Eq. (6) holds. Where a branch is inexact, the transition is that of its first pair.
 template <typename Group, typename Vector>
 Exact_rational path_misfit(const Cut_complex<Group>& complex,
                            const typename Cut_complex<Group>::Path& path,

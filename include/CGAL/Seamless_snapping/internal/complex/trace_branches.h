@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The branches of Sec. 5.3: the chains into which nodes divide a set of edges, cut or aligned.
+// The branches of [MC19] Sec. 5.3: the chains into which nodes divide a set of edges, cut or
+// aligned.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The fixed-point numbers of Sec. 4.3: a grid 2^exponent Z, whose elements are handled as 64-bit
-// integers, and real numbers split into a grid element and a small rest.
+// The fixed-point numbers of [MC19] Sec. 4.3: a grid 2^exponent Z, whose elements are handled as
+// 64-bit integers, and real numbers split into a grid element and a small rest.
 
 #include <CGAL/Seamless_snapping/internal/exact/checked_integer.h>
 
@@ -77,8 +77,8 @@ public:
       m_other_half_inverse(std::ldexp(1., -exponent - (-exponent / 2)))
   { }
 
-  // The finest grid on which all numbers up to `largest` have at most p bits. (Sec. 4.3 adds a bit
-  // of margin; here the rare result that needs it is computed again on a coarser grid.)
+  // The finest grid on which all numbers up to `largest` have at most p bits. ([MC19] Sec. 4.3 adds
+  // a bit of margin; here the rare result that needs it is computed again on a coarser grid.)
   static Grid finest(const Number_format& format, const double largest)
   {
     int exponent = 0;

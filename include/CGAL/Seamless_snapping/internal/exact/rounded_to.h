@@ -15,8 +15,11 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Rounding of doubles to the number type of the coordinates.
+// Rounding of doubles to the number type of the coordinates, be it known at run time only.
 
+#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -36,6 +39,12 @@ double rounded_to(const double x)
   } else {
     return x;
   }
+}
+
+// The number of the format, that of float or double, nearest to `x`.
+inline double rounded_to(const Number_format& format, const double x)
+{
+  return format.digits == std::numeric_limits<float>::digits ? rounded_to<float>(x) : x;
 }
 
 } // namespace internal

@@ -18,7 +18,7 @@
 // What a layout is made on: a chart mesh with its walls, which are features and border edges on
 // isocurves; the rest of its border, which is oblique; and the vertices at which curves start.
 
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 
 #include <cstddef>
@@ -108,13 +108,6 @@ inline bool is_along_wall(const Layout_domain& domain, const Vertex_ray& ray)
   return h != no_index && domain.is_wall[std::size_t(h)];
 }
 
-// Whether one coordinate is constant along an edge.
-inline bool is_aligned(const Chart_mesh& mesh, const Corner_index h)
-{
-  const Uv &a = mesh.uv(Chart_mesh::prev(h)), &b = mesh.uv(h);
-  return a[0] == b[0] || a[1] == b[1];
-}
-
 // Features are walls: `is_feature` tells of corners whether their edge is one, or is empty; and
 // border edges: all of them, or those that lie on isocurves.
 inline void mark_walls(const std::vector<char>& is_feature, const bool is_border_wall,
@@ -126,7 +119,7 @@ inline void mark_walls(const std::vector<char>& is_feature, const bool is_border
   for(std::size_t i = 0; i < mesh.corners.size(); ++i) {
     const Corner_index h = Corner_index(i);
     const bool is_wall = (!is_feature.empty() && is_feature[i]) ||
-                         (mesh.is_border_edge(h) && (is_border_wall || is_aligned(mesh, h)));
+                         (mesh.is_border_edge(h) && (is_border_wall || is_on_isocurve(mesh, h)));
     domain.has_oblique_border =
       domain.has_oblique_border || (mesh.is_border_edge(h) && !is_wall);
     if(!is_wall)

@@ -17,10 +17,10 @@
 
 // Places on the surface, exactly: what they lie on, and their coordinates there.
 
-#include <CGAL/Seamless_snapping/Isocurve_direction.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -17,8 +17,8 @@
 
 // Points of arcs inside of edges, in their exact order along each.
 
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_place.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
 #include <CGAL/Exact_rational.h>
 

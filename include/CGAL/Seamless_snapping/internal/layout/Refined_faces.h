@@ -18,13 +18,13 @@
 // The mesh refined along the arcs of a layout: each face is cut by the pieces of arcs in it, which
 // leaves convex polygons. All of it is decided exactly.
 
-#include <CGAL/Seamless_snapping/internal/layout/Cell_complex.h>
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/layout/Curve_set.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/Points_on_edges.h>
+#include <CGAL/Seamless_snapping/internal/layout/Polygon_complex.h>
 #include <CGAL/Seamless_snapping/internal/layout/arc_path.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -64,7 +64,7 @@ public:
   const std::vector<std::pair<Patch_index, Patch_index> >& joined_patches() const
   { return m_joined; }
 
-  const Cell_complex& cells() const { return m_cells; }
+  const Polygon_complex& cells() const { return m_cells; }
   const Face_point& point(const std::size_t v) const { return m_points[v]; }
   std::size_t face_of_cell(const std::size_t c) const { return std::size_t(m_faces[c]); }
   std::size_t patch_of_cell(const std::size_t c) const { return std::size_t(m_patches[c]); }
@@ -223,7 +223,7 @@ private:
       m_edge_of_step.push_back(std::int32_t(m_half_arcs.size()));
       m_half_arcs.push_back(m_steps[i].half);
     }
-    m_cells.number_of_vertices = m_points.size();
+    m_cells.n_vertices = m_points.size();
     m_cells.targets.assign(2 * m_half_arcs.size(), no_index);
     m_cells.nexts = m_cells.cells = m_cells.targets;
   }
@@ -369,7 +369,7 @@ private:
         m_cells.cells[std::size_t(i)] = std::int32_t(m_faces.size());
       m_faces.push_back(f);
     }
-    m_cells.number_of_cells = m_faces.size();
+    m_cells.n_cells = m_faces.size();
   }
 
   // Outside, against the direction of the halfedges.
@@ -393,7 +393,7 @@ private:
   // From both sides of all arcs to what no arc separates from them. Returns whether all was found.
   bool spread_patches()
   {
-    m_patches.assign(m_cells.number_of_cells, no_index);
+    m_patches.assign(m_cells.n_cells, no_index);
     std::vector<std::int32_t> found; // a dart of each cell
     const auto set = [&](const std::int32_t dart, const Patch_index patch) {
       Patch_index& of_cell = m_patches[std::size_t(m_cells.cells[std::size_t(dart)])];
@@ -419,7 +419,7 @@ private:
         d = m_cells.nexts[std::size_t(d)];
       } while(d != first);
     }
-    return found.size() == m_cells.number_of_cells;
+    return found.size() == m_cells.number_of_cells();
   }
 
   struct Local_dart
@@ -435,7 +435,7 @@ private:
   std::vector<Arc_step> m_steps;
   Points_on_edges m_on_edges;                 // made with the three before it
   std::vector<std::int32_t> m_inner_nodes;    // per point: the node inside of a face, if it is one
-  Cell_complex m_cells;
+  Polygon_complex m_cells;
   std::vector<std::int32_t> m_first_part;     // the first edge of the cells, per first halfedge
   std::vector<Half_arc_index> m_half_arcs;    // per edge of the cells: that along dart 2 e
   std::vector<std::int32_t> m_edge_of_step, m_next_step, m_first_step; // lists of steps, per face

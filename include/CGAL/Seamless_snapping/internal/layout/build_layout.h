@@ -17,10 +17,10 @@
 
 // From curves that have run their course to points, arcs, and the order of arcs around patches.
 
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
 #include <CGAL/Exact_rational.h>
 

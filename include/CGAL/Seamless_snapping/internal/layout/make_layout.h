@@ -17,11 +17,11 @@
 
 // From the faces of a map to its layout.
 
-#include <CGAL/Seamless_snapping/Layout_status.h>
 #include <CGAL/Seamless_snapping/internal/layout/Curve_race.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/Layout_domain.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
+#include <CGAL/Seamless_snapping/types/Report.h>
 
 #include <cstddef>
 #include <functional>
@@ -45,12 +45,11 @@ struct Layout_input
 
 // What a layout refers to. It stays where it is.
 struct Layout_data
+  : public Report
 {
   Layout_domain domain;
-  std::unique_ptr<Curve_race> race; // none unless the status is PARTITIONED
+  std::unique_ptr<Curve_race> race; // none unless there is a layout
   Layout layout;
-  Layout_status status = Layout_status::PARTITIONED;
-  std::string message;
   std::vector<std::size_t> nonpositive_faces;
 };
 

@@ -18,12 +18,14 @@
 // From a chart mesh to its layout, step by step, with all checks. Nothing here depends on the mesh
 // data structure.
 
-#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
+#include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/charts/remove_faces.h>
 #include <CGAL/Seamless_snapping/internal/layout/add_seeds.h>
 #include <CGAL/Seamless_snapping/internal/layout/build_layout.h>
+#include <CGAL/Seamless_snapping/internal/layout/make_layout.h>
 #include <CGAL/Seamless_snapping/internal/layout/make_patches.h>
-#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
-#include <CGAL/Seamless_snapping/internal/tracing/remove_faces.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/Report.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -59,21 +61,10 @@ public:
   }
 
 private:
-  bool fail(const Layout_status status, const std::string& message)
-  {
-    m_data.status = status;
-    m_data.message = message;
-    return false;
-  }
-
   bool check_faces()
   {
     m_data.nonpositive_faces = nonpositive_faces(m_domain.mesh);
-    const std::vector<std::size_t>& faces = m_data.nonpositive_faces;
-    return faces.empty() ||
-           fail(Layout_status::NOT_POSITIVE,
-                refusal_of_faces(faces) +
-                  "; repair them by snap_to_seamless() with repair_flips(true)");
+    return are_positive(m_data.nonpositive_faces, m_data);
   }
 
   bool check_walls()
@@ -84,21 +75,21 @@ private:
     std::size_t number = 0;
     Corner_index first = no_index;
     for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-      if(m_domain.is_wall[std::size_t(h)] && mesh.represents_edge(h) && !is_aligned(mesh, h)) {
+      if(m_domain.is_wall[std::size_t(h)] && mesh.represents_edge(h) && !is_on_isocurve(mesh, h)) {
         first = number == 0 ? h : first;
         ++number;
       }
     if(number == 0)
       return true;
     const bool is_border_edge = mesh.is_border_edge(first);
-    return fail(Layout_status::NOT_ALIGNED,
-                std::to_string(number) + (number == 1 ? " border or feature edge does"
-                                                      : " border or feature edges do") +
-                  " not lie on isocurves, the first is " + name_of_edge(first) +
-                  (is_border_edge
-                     ? ", on the border; call snap_to_seamless() with align_border(true)"
-                     : "; call snap_to_seamless() with the same edge_is_constrained_map") +
-                  ", on a map that is nearly aligned there");
+    return refuse(m_data, Outcome::NOT_ALIGNED,
+                  std::to_string(number) + (number == 1 ? " border or feature edge does"
+                                                        : " border or feature edges do") +
+                    " not lie on isocurves, the first is " + name_of_edge(first) +
+                    (is_border_edge
+                       ? ", on the border; call snap_to_seamless() with align_border(true)"
+                       : "; call snap_to_seamless() with the same edge_is_constrained_map") +
+                    ", on a map that is nearly aligned there");
   }
 
   // Each fan gets a vertex of its own, which is given if the one of the mesh is.
@@ -124,10 +115,10 @@ private:
   {
     m_data.race = std::make_unique<Curve_race>(m_domain, m_options);
     return m_data.race->run() ||
-           fail(Layout_status::TOO_LARGE,
-                "the curves cross faces, or each other, more than " +
-                  std::to_string(m_options.maximum_number) +
-                  " times; raise maximum_number, or let curves end where they meet others");
+           refuse(m_data, Outcome::TOO_LARGE,
+                  "the curves cross faces, or each other, more than " +
+                    std::to_string(m_options.maximum_number) +
+                    " times; raise maximum_number, or let curves end where they meet others");
   }
 
   bool build()
@@ -135,7 +126,7 @@ private:
     Layout_builder builder(m_domain, *m_data.race);
     if(!builder.run() ||
        !Patch_maker(m_domain, m_data.race->curves(), builder.layout()).run())
-      return fail(Layout_status::INTERNAL_ERROR, "the curves do not bound rectangles");
+      return refuse(m_data, Outcome::INTERNAL_ERROR, "the curves do not bound rectangles");
     m_data.layout = std::move(builder.layout());
     note_cut_patches();
     return true;

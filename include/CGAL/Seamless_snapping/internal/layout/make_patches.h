@@ -113,7 +113,7 @@ private:
       if(half.patch != no_index)
         half.patch = new_number(half.patch);
     std::vector<Patch_index> patch_of_cell;
-    for(std::size_t c = 0; c < faces.cells().number_of_cells; ++c)
+    for(std::size_t c = 0; c < faces.cells().number_of_cells(); ++c)
       patch_of_cell.push_back(new_number(Patch_index(faces.patch_of_cell(c))));
     for(Layout_patch& patch : m_layout.patches)
       patch.is_cut = touches_oblique_border(patch);
@@ -136,9 +136,9 @@ private:
   // Vertices, edges, and cells inside of each patch.
   void measure_topology(const Refined_faces& faces, const std::vector<Patch_index>& patch_of_cell)
   {
-    const Cell_complex& cells = faces.cells();
-    std::vector<std::int32_t> patch_of_vertex(cells.number_of_vertices, no_index);
-    std::vector<char> is_on_arc(cells.number_of_vertices, false);
+    const Polygon_complex& cells = faces.cells();
+    std::vector<std::int32_t> patch_of_vertex(cells.number_of_vertices(), no_index);
+    std::vector<char> is_on_arc(cells.number_of_vertices(), false);
     for(Layout_patch& patch : m_layout.patches)
       patch.euler_characteristic = 0;
     const auto count = [&](const Patch_index p, const int change)
@@ -155,7 +155,7 @@ private:
       if(d % 2 == 0)
         count(patch_of_vertex[v], -1);
     }
-    for(std::size_t v = 0; v < cells.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < cells.number_of_vertices(); ++v)
       if(!is_on_arc[v] && patch_of_vertex[v] != no_index)
         count(patch_of_vertex[v], 1);
   }

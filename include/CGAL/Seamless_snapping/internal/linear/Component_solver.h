@@ -18,13 +18,13 @@
 // Joins elimination, target, and evaluation for one component of a system: real values on a grid
 // become integers that solve the rows exactly, near the values.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/Core_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
 #include <CGAL/Seamless_snapping/internal/linear/reduced_rows.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -128,10 +128,10 @@ public:
     figures.multiprecision = figures.multiprecision || m_form.is_multiprecision;
   }
 
-  // Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries grids
-  // from the finest that fits the values on. Returns false if there is no solution on any grid that
-  // the number type has for values of this size: impossible for homogeneous systems, which 0
-  // solves.
+  // [MC19] Sec. 4.2 and 4.3, but near the least-squares optimum instead of near the input. Tries
+  // grids from the finest that fits the values on. Returns false if there is no solution on any
+  // grid that the number type has for values of this size: impossible for homogeneous systems,
+  // which 0 solves.
   // \pre is_consistent()
   bool solve(Component_solution& solution, Step_timer* const timer = nullptr) const
   {
@@ -430,8 +430,8 @@ private:
     return excess;
   }
 
-  // Eq. (2') for one pivot row, whose pivot is 1 or -1. The sum is exact whatever its order, so
-  // Algorithm 5 has nothing left to do. Returns false if the value exceeds 2^62.
+  // [MC19] Eq. (2') for one pivot row, whose pivot is 1 or -1. The sum is exact whatever its order,
+  // so Algorithm 5 has nothing left to do. Returns false if the value exceeds 2^62.
   bool back_substitute(const std::size_t row, const int right_hand_shift,
                        std::vector<std::int64_t>& x) const
   {

@@ -17,7 +17,7 @@
 
 // All integer solutions of A Y = B, for a fixed A and several B: whether there are any, with proof,
 // and one that is near to given real numbers. Complete, unlike the divisibility rule of
-// Algorithm 4 (see part B of the paper's addendum).
+// [MC19] Algorithm 4 (see part B of its addendum).
 
 #include <CGAL/Seamless_snapping/internal/linear/Lattice_metric.h>
 

@@ -20,8 +20,8 @@
 // intersected with the kernel of one row after the other. As the basis is reduced all along, its
 // entries stay small, unlike those of an eliminated matrix.
 
-#include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
+#include <CGAL/Seamless_snapping/internal/linear/lattice_reduction.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,9 +16,9 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The real-valued target of the snapping: the weighted least-squares projection of the values onto
-// the solutions of C x = b, in floating point. The paper keeps the input on the free variables and
-// lets the implied ones absorb all the violation (Sec. 4.2); this spreads it. Nothing here decides
-// exactness.
+// the solutions of C x = b, in floating point. [MC19] keeps the input on the free variables and
+// lets the implied ones absorb all the violation ([MC19] Sec. 4.2); this spreads it. Nothing here
+// decides exactness.
 
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>

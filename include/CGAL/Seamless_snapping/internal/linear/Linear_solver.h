@@ -19,10 +19,9 @@
 // components that share no unknown: each is solved on a grid of its own, as fine as its values
 // allow, whatever the size of the others.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -115,6 +114,7 @@ private:
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLVER_H

@@ -17,8 +17,8 @@
 
 // Turns rows with integer or rational coefficients and right-hand sides into a system of integers:
 // "simply by multiplying each system row with the least common multiple of its entries'
-// denominators" (Sec. 4). Factors of two of the right-hand sides' denominators go into their common
-// scale instead, since a finer grid can provide them.
+// denominators" ([MC19] Sec. 4). Factors of two of the right-hand sides' denominators go into their
+// common scale instead, since a finer grid can provide them.
 
 #include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
 

@@ -16,11 +16,11 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Sparse exact elimination that pivots on coefficients +-1 only, and leaves the rows in echelon
-// order (Sec. 4.1, without Algorithm 2: values of implied variables follow by back-substitution).
-// What has no unit pivot left is handed on as the core. Pivots are chosen freely, always in a
-// shortest row and there in the column that the fewest other rows share, or, where coefficients
-// would grow, that these hold with the smallest coefficients: this keeps both the fill and the
-// coefficients small.
+// order ([MC19] Sec. 4.1, without Algorithm 2: values of implied variables follow by
+// back-substitution). What has no unit pivot left is handed on as the core. Pivots are chosen
+// freely, always in a shortest row and there in the column that the fewest other rows share, or,
+// where coefficients would grow, that these hold with the smallest coefficients: this keeps both
+// the fill and the coefficients small.
 //
 // Columns that a single row holds, with coefficients unlike +-1, would pile up in ever longer rows:
 // each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one
@@ -560,7 +560,8 @@ private:
   }
 
   // "This can be beneficial as [...] the magnitude of the matrix entries has some influence on how
-  // freely the values [...] can be chosen" (Sec. 4.1); here it can also bring back unit pivots.
+  // freely the values [...] can be chosen" ([MC19] Sec. 4.1); here it can also bring back unit
+  // pivots.
   void divide_by_common_factor(const Row_index i)
   {
     Row& row = m_rows[std::size_t(i)];

@@ -17,8 +17,8 @@
 
 // Reads the forms in which callers give C and b.
 
-#include <CGAL/Seamless_snapping/Linear_constraints.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
+#include <CGAL/Seamless_snapping/types/Linear_constraints.h>
 
 #include <Eigen/SparseCore>
 

@@ -18,12 +18,9 @@
 // From values to values: looks whether they solve the system already, puts those of each component
 // on a grid, solves there, and checks what comes back.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 
 #include <optional>
 #include <vector>
@@ -44,6 +41,7 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vecto
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_SNAP_VALUES_H

@@ -17,15 +17,15 @@
 
 // The steps from values to values, their figures, and the reasons for which they end.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -163,7 +163,7 @@ inline std::string list_of_rows(const std::vector<std::size_t>& rows)
 
 inline Refusal contradiction(const Linear_solver& solver)
 {
-  Refusal refusal{Snapping_status::INCONSISTENT, "", solver.certificate()};
+  Refusal refusal(Outcome::INCONSISTENT, {}, solver.certificate());
   std::vector<std::size_t> rows;
   for(const auto& multiple : refusal.certificate)
     rows.push_back(multiple.first);
@@ -180,10 +180,10 @@ inline Refusal not_representable(const Linear_solver& solver, const Component_in
   for(std::size_t k = 0; k < solver.rows(c).size(); ++k)
     if(solver.system(c).has_right_hand_side(k))
       rows.push_back(solver.rows(c)[k]);
-  return {Snapping_status::NOT_REPRESENTABLE,
+  return {Outcome::NOT_REPRESENTABLE,
           "the constraints have rational solutions, but near the values none was found in numbers "
           "of their type; round the right-hand sides of the constraints " + list_of_rows(rows) +
-          " to fewer bits, or remove factors that they are not divisible by", {}};
+          " to fewer bits, or remove factors that they are not divisible by"};
 }
 
 // The components that have a row which the values do not satisfy exactly.
@@ -353,11 +353,11 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
   }
   for(std::size_t i = 0; i < row_holds.size(); ++i)
     if(!holds(system, i, snapper.snapped()))
-      return Refusal{Snapping_status::INTERNAL_ERROR, "the result failed its exact verification "
-                     "and was discarded; please report this", {}};
+      return Refusal(Outcome::INTERNAL_ERROR, "the result failed its exact verification "
+                     "and was discarded; please report this");
   timer.finish("verification");
   snapper.fill_in(report);
-  report.status = Snapping_status::SNAPPED;
+  report.status = Outcome::SNAPPED;
   x = snapper.snapped();
   return std::nullopt;
 }

@@ -16,8 +16,8 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // A grid for each unknown, where one for all of them has no solution near by: that of the unknown's
-// own size (Sec. 4.3), or a finer one if a right-hand side wants it; then the value has to shrink.
-// Columns are scaled by powers of two; what is left is a lattice with bounds.
+// own size ([MC19] Sec. 4.3), or a finer one if a right-hand side wants it; then the value has to
+// shrink. Columns are scaled by powers of two; what is left is a lattice with bounds.
 
 #include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/linear/Component_solver.h>

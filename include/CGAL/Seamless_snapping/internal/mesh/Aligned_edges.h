@@ -15,13 +15,13 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The edges of alignment constraints, Eq. (5), and which functional of the coordinates is constant
-// along each.
+// The edges of alignment constraints, [MC19] Eq. (5), and which functional of the coordinates is
+// constant along each.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -119,7 +119,7 @@ public:
   // In the chart of the halfedge's face.
   int functional(const Edge_index a) const { return m_functionals[std::size_t(a)]; }
 
-  // The largest violation of Eq. (5).
+  // The largest violation of [MC19] Eq. (5).
   double violation() const { return m_violation; }
 
 private:
@@ -162,7 +162,7 @@ private:
         short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
         (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
         "; constrain only edges that lie on isocurves, or raise the tolerance";
-    m_refusal = Refusal{Snapping_status::NOT_ALIGNED, message, {}};
+    m_refusal = Refusal(Outcome::NOT_ALIGNED, message);
   }
 
   const TriangleMesh* m_tmesh;

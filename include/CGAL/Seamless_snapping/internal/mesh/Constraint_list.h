@@ -17,9 +17,9 @@
 
 // The further constraints that the caller gave, brought into one form and checked.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/parameters.h>
-#include <CGAL/Seamless_snapping/surface_constraints.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -164,7 +164,7 @@ private:
 
   void fail(const std::string& message)
   {
-    m_refusal = Refusal{Snapping_status::INVALID_ARGUMENT, message, {}};
+    m_refusal = Refusal(Outcome::INVALID_ARGUMENT, message);
   }
 
   const TriangleMesh& m_tmesh;

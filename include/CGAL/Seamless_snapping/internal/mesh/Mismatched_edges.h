@@ -54,9 +54,9 @@ struct Mismatched_edge
 {
   int rotation = 0;      // element of the transition from face(halfedge) to the opposite face
   bool is_cut = true;    // else the corners of both sides are merged
-  bool is_exact = false; // whether Eq. (4) holds exactly
+  bool is_exact = false; // whether [MC19] Eq. (4) holds exactly
   // in units of the extent, rounded up to a power of two:
-  double residual = 0;   // by how much Eq. (4) is violated
+  double residual = 0;   // by how much [MC19] Eq. (4) is violated
   double length = 0;     // of the edge
   double gap = 0;        // between the sides: for k = 0 the length of the translation
 };

@@ -25,7 +25,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -51,12 +50,6 @@ std::size_t number_of_coinciding_border_edges(const TriangleMesh& tmesh, const V
     result += static_cast<std::size_t>(last - first);
   });
   return result;
-}
-
-// What to tell of them.
-inline std::string note_on_coinciding_border_edges(const std::size_t number)
-{
-  return std::to_string(number) + " border edges coincide: is this a mesh that was cut open?";
 }
 
 } // namespace internal

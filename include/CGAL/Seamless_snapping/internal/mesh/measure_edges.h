@@ -36,7 +36,7 @@ inline double unit_scale(const double extent)
   return std::ldexp(1., (std::min)(-exponent, 1000));
 }
 
-// Measures Eq. (4) for one rotation. \pre the coordinates are in range
+// Measures [MC19] Eq. (4) for one rotation. \pre the coordinates are in range
 template <typename Group, typename Halfedge>
 void set_rotation(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
                   const typename Group::Element g, const double scale)

@@ -319,9 +319,9 @@ private:
     }
   }
 
-  // Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned chains.
-  // (A vertex on a closed branch becomes a node later.) Chains don't pass vertices where only
-  // corners of the mesh touch.
+  // [MC19] Sec. 5.3, plus: ends of cuts, at singular vertices or the border, and ends of aligned
+  // chains. (A vertex on a closed branch becomes a node later.) Chains don't pass vertices where
+  // only corners of the mesh touch.
   bool needs_node(const Vertex_index v, const std::size_t gaps, const bool is_singular) const
   {
     const std::size_t cuts = m_vertices.cuts.degree(v);

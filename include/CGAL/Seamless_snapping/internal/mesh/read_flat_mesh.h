@@ -17,10 +17,10 @@
 
 // Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/for_each_chunk.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>
@@ -88,9 +88,9 @@ private:
         ++degree;
       }
       if(degree != 3 && !m_refusal)
-        m_refusal = Refusal{Snapping_status::NOT_TRIANGULAR,
+        m_refusal = Refusal(Outcome::NOT_TRIANGULAR,
                             "face " + std::to_string(index) + " has " + std::to_string(degree) +
-                              " edges: triangulate the faces of the mesh first", {}};
+                              " edges: triangulate the faces of the mesh first");
       ++index;
     }
   }
@@ -159,11 +159,11 @@ std::optional<Refusal> find_several_fans(const Flat_mesh<Corner>& mesh)
   for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     for_each_corner(mesh, v, [&](Corner_index) { --degree[v]; });
     if(degree[v] != 0)
-      return Refusal{Snapping_status::NOT_MANIFOLD,
+      return Refusal(Outcome::NOT_MANIFOLD,
                      "the faces around a vertex of face " +
                        std::to_string(mesh.face(mesh.corner_at_vertex[v])) +
                        " form more than one fan: see "
-                       "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()", {}};
+                       "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()");
   }
   return std::nullopt;
 }
@@ -176,7 +176,7 @@ std::vector<char> feature_corners(const TriangleMesh& tmesh,
 {
   std::vector<char> is_feature;
   const auto map = CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  if constexpr(is_given_parameter(map))
+  if constexpr(is_given<decltype(map)>)
     for(const auto h : numbering.halfedges_of_corners())
       is_feature.push_back(get(map, edge(h, tmesh)) ? 1 : 0);
   return is_feature;

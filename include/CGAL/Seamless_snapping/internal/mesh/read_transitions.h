@@ -18,14 +18,14 @@
 // From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from
 // noise.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/parameters.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -65,9 +65,8 @@ template <typename Group, typename TriangleMesh, typename EdgeIsCutMap,
 struct Given_transitions
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Not_given = CGAL::internal_np::Param_not_found;
-  static constexpr bool has_cuts = !std::is_same<EdgeIsCutMap, Not_given>::value;
-  static constexpr bool has_rotations = !std::is_same<HalfedgeRotationMap, Not_given>::value;
+  static constexpr bool has_cuts = is_given<EdgeIsCutMap>;
+  static constexpr bool has_rotations = is_given<HalfedgeRotationMap>;
 
   const TriangleMesh& tmesh;
   EdgeIsCutMap edge_is_cut;
@@ -119,7 +118,7 @@ auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
                            std::decay_t<decltype(rotations)> >{tmesh, edge_is_cut, rotations};
 }
 
-// By how much an edge violates Eq. (4), times `scale`: for the given rotation, or the best.
+// By how much an edge violates [MC19] Eq. (4), times `scale`: for the given rotation, or the best.
 template <typename Group, typename Given, typename Halfedge>
 double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
                             const double scale)
@@ -190,13 +189,13 @@ private:
       const auto g = m_given.rotation(edge.halfedge);
       set_rotation<Group>(edge, vectors, g, m_scale);
       if(g != Group::inverse(m_given.rotation(opposite(edge.halfedge, m_tmesh)))) {
-        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+        fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
              " has rotations that are not inverse to each other; those of opposite halfedges must "
              "add up to a multiple of " + std::to_string(Group::order));
         return false;
       }
       if(g != Group::identity() && !edge.is_cut) {
-        fail(data, Snapping_status::INVALID_ROTATIONS, edge.halfedge,
+        fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
              " has a rotation, but is no cut edge; make it one, or let it have rotation 0");
         return false;
       }
@@ -232,7 +231,7 @@ private:
     if(worst == nullptr)
       return true;
     const std::string hint = hint_on_other_symmetry(data);
-    fail(data, Snapping_status::NOT_SEAMLESS, worst->halfedge,
+    fail(data, Outcome::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
          (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
@@ -282,10 +281,10 @@ private:
     return std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
   }
 
-  void fail(Data& data, const Snapping_status status, const Halfedge h,
+  void fail(Data& data, const Outcome status, const Halfedge h,
             const std::string& what) const
   {
-    data.refusal = Refusal{status, edge_name(m_tmesh, m_vertex_indices, h) + what, {}};
+    data.refusal = Refusal(status, edge_name(m_tmesh, m_vertex_indices, h) + what);
     data.edges.clear(); // incomplete
   }
 
@@ -305,8 +304,8 @@ Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>::ru
 {
   Data data;
   if(!(m_tolerance >= 0)) {
-    data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT, "the tolerance is " +
-                           short_number(m_tolerance) + "; it must not be negative", {}};
+    data.refusal = Refusal(Outcome::INVALID_ARGUMENT, "the tolerance is " +
+                           short_number(m_tolerance) + "; it must not be negative");
     return data;
   }
   Uv_survey<TriangleMesh> survey =
@@ -360,20 +359,15 @@ read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
 {
   if(has_given_indices && !are_valid_indices(tmesh, vertex_indices)) {
     Transition_data<TriangleMesh> data;
-    data.refusal = Refusal{Snapping_status::INVALID_ARGUMENT,
+    data.refusal = Refusal(Outcome::INVALID_ARGUMENT,
                            "the indices of vertex_index_map must be different, from 0 to " +
                            std::to_string(num_vertices(tmesh)) + " - 1, as many as there are "
-                           "vertices; leave the parameter out to have them made", {}};
+                           "vertices; leave the parameter out to have them made");
     return data;
   }
   return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>(
            tmesh, uv_map, vertex_indices, given, tolerance).run();
 }
-
-template <typename NamedParameters>
-constexpr bool has_vertex_index_map =
-  !CGAL::parameters::is_default_parameter<NamedParameters,
-                                          CGAL::internal_np::vertex_index_t>::value;
 
 template <typename NamedParameters>
 double chosen_tolerance(const NamedParameters& np)
@@ -388,7 +382,7 @@ Transition_data<TriangleMesh>
 read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
   return read_transitions<Group>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
-                                 has_vertex_index_map<NamedParameters>,
+                                 is_given<NamedParameters, CGAL::internal_np::vertex_index_t>,
                                  given_transitions<Group>(tmesh, np), chosen_tolerance(np));
 }
 

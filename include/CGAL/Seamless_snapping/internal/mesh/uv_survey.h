@@ -19,11 +19,11 @@
 // same to the bit, and checks on the way that faces are triangles and coordinates are finite. What
 // follows looks at open edges only.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/prefetch.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/container/static_vector.hpp>
@@ -143,16 +143,16 @@ std::optional<Refusal> find_bad_face(const TriangleMesh& tmesh, const HalfedgeUV
     for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh)) {
       ++degree;
       if(!is_in_range(get_uv(uv_map, h)))
-        refusal = Refusal{Snapping_status::NOT_FINITE,
+        refusal = Refusal(Outcome::NOT_FINITE,
                           "face " + std::to_string(index) + " has a coordinate that is NaN, "
                           "infinite, or beyond 1e300 at vertex " +
                           std::to_string(get(vertex_indices, target(h, tmesh))) +
-                          "; all corners need finite coordinates", {}};
+                          "; all corners need finite coordinates");
     }
     if(degree != 3)
-      refusal = Refusal{Snapping_status::NOT_TRIANGULAR,
+      refusal = Refusal(Outcome::NOT_TRIANGULAR,
                         "face " + std::to_string(index) + " has " + std::to_string(degree) +
-                        " corners; triangulate the mesh first", {}};
+                        " corners; triangulate the mesh first");
     if(refusal)
       break;
     ++index;

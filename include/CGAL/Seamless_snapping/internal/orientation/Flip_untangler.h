@@ -19,7 +19,7 @@
 // the exact solution near the result.
 
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
-#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>

@@ -16,10 +16,10 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Makes a face positive by moving one of its vertices into the kernel of its 1-ring, the
-// intersection of the half planes beside the link's edges (Sec. 5.4): as little as it takes, on the
-// grid, and only if an exact check of the whole ring agrees.
+// intersection of the half planes beside the link's edges ([MC19] Sec. 5.4): as little as it takes,
+// on the grid, and only if an exact check of the whole ring agrees.
 
-#include <CGAL/Seamless_snapping/internal/exact/rounded_to_format.h>
+#include <CGAL/Seamless_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_moves.h>

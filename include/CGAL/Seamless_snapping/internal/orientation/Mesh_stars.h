@@ -20,7 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
-#include <CGAL/Seamless_snapping/internal/prefetch.h>
+#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
 
 #include <algorithm>
 #include <cmath>

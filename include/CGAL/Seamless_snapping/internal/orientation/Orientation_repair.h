@@ -15,13 +15,13 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The step after the exact solution (Sec. 5.4): finds the faces that lost their positive
+// The step after the exact solution ([MC19] Sec. 5.4): finds the faces that lost their positive
 // orientation, exactly, and gives it back to them where an exact solution near by has it.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Watched_faces.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <Eigen/Core>
 

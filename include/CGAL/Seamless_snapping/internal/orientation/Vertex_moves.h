@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// How a vertex can move while all else stays (Sec. 5.4). The sectors around it that cuts link move
-// together, each turned by the cuts' rotations, so that translations of branches are kept;
-// alignments fix a functional; cones and ends of further constraints can't move.
+// How a vertex can move while all else stays ([MC19] Sec. 5.4). The sectors around it that cuts
+// link move together, each turned by the cuts' rotations, so that translations of branches are
+// kept; alignments fix a functional; cones and ends of further constraints can't move.
 
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 

@@ -23,7 +23,7 @@
 // The numbers that are tried are steps of a ladder that doesn't depend on what is wanted, so that
 // the result grows with what is wanted, up to the tolerance.
 
-#include <CGAL/Seamless_snapping/internal/quads/Quad_extractor.h>
+#include <CGAL/Seamless_snapping/internal/cells/Cell_extractor.h>
 #include <CGAL/Seamless_snapping/internal/quantization/make_chart_mesh.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ inline bool has_face_graph(const Intrinsic_complex& complex)
                            [](const Corner_index) { return std::string(); });
   if(!extractor.template run<CGAL::Sequential_tag>([] { }))
     return false;
-  const Quad_complex& quads = extractor.complex();
+  const Cell_complex& quads = extractor.complex();
   const auto vertices =
     Cell_vertices::make<CGAL::Sequential_tag>(quads.points.size(), quads.darts,
                                               [&](const auto d) { return quads.is_gap(d); });

@@ -19,7 +19,7 @@
 // input. The way lies in one flat triangle, so that nothing but the surface's own geometry decides
 // where it leads; all decisions are exact signs.
 
-#include <CGAL/Seamless_snapping/internal/quads/place_on_surface.h>
+#include <CGAL/Seamless_snapping/internal/cells/place_on_surface.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Integer_mesh.h>
 
 #include <CGAL/number_utils.h>

@@ -18,7 +18,7 @@
 // Where the points of the grid on a coarse complex lie on the input: at the point of the coarse
 // triangle with the same barycentric coordinates; its vectors in the input's size lead there.
 
-#include <CGAL/Seamless_snapping/internal/quads/Lattice_points.h>
+#include <CGAL/Seamless_snapping/internal/cells/Lattice_points.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Straight_walk.h>
 

@@ -18,8 +18,8 @@
 // A complex in units as a mesh with charts: each triangle has one of its own, with one vertex at
 // the origin. So quads are extracted from it as from any integer-grid map.
 
+#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
-#include <CGAL/Seamless_snapping/internal/tracing/build_chart_mesh.h>
 
 #include <algorithm>
 #include <cmath>

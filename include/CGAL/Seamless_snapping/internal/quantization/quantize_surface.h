@@ -17,12 +17,14 @@
 
 // From the faces of a map to its quantization.
 
-#include <CGAL/Seamless_snapping/Quantization.h>
-#include <CGAL/Seamless_snapping/internal/compiled_once.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/quantization/Intrinsic_complex.h>
+#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
+#include <CGAL/Seamless_snapping/types/Quantization.h>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,14 @@ struct Quantization_options
   double number_of_quads = 0;
   bool is_coarsest = false; // as few as are found
   bool needs_face_graph = false; // of more quads, if there is none of so many
+};
+
+// Invariant: the units of the complex are feasible.
+struct Quantized_surface
+{
+  Integer_mesh input;
+  Intrinsic_complex complex;
+  bool is_for_face_graph = false; // without the quads around vertices of one edge
 };
 
 // \param is_feature per corner, or empty

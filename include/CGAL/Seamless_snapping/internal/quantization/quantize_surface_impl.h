@@ -18,13 +18,14 @@
 // From a chart mesh to its quantization, step by step, with all checks. Nothing here depends on the
 // mesh data structure.
 
+#include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
+#include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
 #include <CGAL/Seamless_snapping/internal/quantization/quantize_surface.h>
 #include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
-#include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
-#include <CGAL/Seamless_snapping/internal/tracing/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,65 +56,53 @@ public:
         find_units();
       }
     } catch(const Integer_overflow&) {
-      fail(Quantization_status::TOO_LARGE,
-           "the coordinates and the edges of a coarse triangulation differ too much in size for "
-           "integers of 64 bits; pass the map through snap_to_seamless()");
+      refuse(m_result, Outcome::TOO_LARGE,
+             "the coordinates and the edges of a coarse triangulation differ too much in size for "
+             "integers of 64 bits; pass the map through snap_to_seamless()");
     }
     return std::move(m_result);
   }
 
 private:
-  bool fail(const Quantization_status status, const std::string& message)
-  {
-    m_result.status = status;
-    m_result.message = message;
-    return false;
-  }
-
   bool check_options()
   {
     if(m_options.is_coarsest)
       m_options.number_of_quads = 1;
     return (m_options.number_of_quads >= 1 && m_options.number_of_quads <= std::ldexp(1., 28)) ||
-           fail(Quantization_status::INVALID_ARGUMENT,
-                "the target is " + short_number(m_options.number_of_quads) +
-                  " quads; it must be at least 1 and at most 2^28");
+           refuse(m_result, Outcome::INVALID_ARGUMENT,
+                  "the target is " + short_number(m_options.number_of_quads) +
+                    " quads; it must be at least 1 and at most 2^28");
   }
 
   bool check_faces()
   {
     m_result.nonpositive_faces = nonpositive_faces(m_mesh);
-    const std::vector<std::size_t>& faces = m_result.nonpositive_faces;
-    return faces.empty() ||
-           fail(Quantization_status::NOT_POSITIVE,
-                refusal_of_faces(faces) +
-                  "; repair them by snap_to_seamless() with repair_flips(true)");
+    return are_positive(m_result.nonpositive_faces, m_result);
   }
 
   bool check_border()
   {
     Corner_index first = no_index;
     for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
-      const Uv &a = m_mesh.uv(Chart_mesh::prev(h)), &b = m_mesh.uv(h);
-      if(m_mesh.opposite(h) != no_index || a[0] == b[0] || a[1] == b[1])
+      if(m_mesh.opposite(h) != no_index || is_on_isocurve(m_mesh, h))
         continue;
       first = first == no_index ? h : first;
       ++m_result.number_of_unaligned_border_edges;
     }
     return first == no_index ||
-           fail(Quantization_status::NOT_ALIGNED,
-                std::to_string(m_result.number_of_unaligned_border_edges) +
-                  " border edges don't lie on isocurves, the first leads from vertex " +
-                  m_vertex_name(m_mesh.source(first)) + " to vertex " +
-                  m_vertex_name(m_mesh.vertex(first)) +
-                  "; parametrize and snap with align_border(true)");
+           refuse(m_result, Outcome::NOT_ALIGNED,
+                  std::to_string(m_result.number_of_unaligned_border_edges) +
+                    " border edges don't lie on isocurves, the first leads from vertex " +
+                    m_vertex_name(m_mesh.source(first)) + " to vertex " +
+                    m_vertex_name(m_mesh.vertex(first)) +
+                    "; parametrize and snap with align_border(true)");
   }
 
   bool read_integers()
   {
     Integer_reader reader(m_mesh, m_is_feature);
     if(!reader.read(m_surface.input))
-      return fail(Quantization_status::TOO_LARGE,
+      return refuse(m_result, Outcome::TOO_LARGE,
                   "the coordinates around vertex " + m_vertex_name(reader.unrepresentable_vertex) +
                     " have more bits than integers of 64 bits can hold beside the largest "
                     "coordinate; snap the map by snap_to_seamless()");
@@ -122,8 +111,8 @@ private:
     const std::string problem =
       defect(complex, angles_around_vertices(complex), &Intrinsic_corner::vector);
     return problem.empty() ||
-           fail(Quantization_status::NOT_POSITIVE,
-                "the map has " + problem + ", once its coordinates are rounded to 59 bits");
+           refuse(m_result, Outcome::NOT_POSITIVE,
+                  "the map has " + problem + ", once its coordinates are rounded to 59 bits");
   }
 
   void make_coarse()
@@ -189,14 +178,14 @@ private:
     m_result.number_of_long_edges = found.number_of_long_edges;
     m_result.number_of_quads = std::size_t(std::llround(found.number_of_quads));
     if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
-      return fail(Quantization_status::INTERNAL_ERROR, "the integers are not feasible");
+      return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
     if(!m_options.is_coarsest && found.number_of_quads > 1.1 * m_options.number_of_quads)
       m_result.message = "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
                          " of fewer than " + std::to_string(m_result.number_of_quads) +
                          " quads was found";
     m_surface.complex = std::move(found.complex);
     m_surface.is_for_face_graph = m_options.needs_face_graph;
-    m_result.set_surface(std::move(m_surface));
+    m_result.set_surface(std::make_shared<const Quantized_surface>(std::move(m_surface)));
     return true;
   }
 

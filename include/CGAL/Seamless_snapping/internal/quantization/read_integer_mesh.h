@@ -17,9 +17,9 @@
 
 // From an exactly seamless map in doubles to vectors of integers.
 
-#include <CGAL/Seamless_snapping/internal/quads/Surface_parts.h>
+#include <CGAL/Seamless_snapping/internal/cells/Surface_parts.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Integer_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -18,11 +18,11 @@
 // What a walk on an exactly seamless map decides, exactly. None of it can fail: what is true in one
 // chart is true in the next.
 
-#include <CGAL/Seamless_snapping/Isocurve_status.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <CGAL/assertions.h>
 

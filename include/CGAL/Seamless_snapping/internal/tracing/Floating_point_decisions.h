@@ -17,12 +17,12 @@
 
 // What naive code decides, in floating point, on a map that is not exactly seamless: the same
 // questions as on an exact one, but the answers of two charts need not agree. What goes wrong is
-// classified as in Sec. 6.2 of the paper.
+// classified as in [MC19] Sec. 6.2.
 
-#include <CGAL/Seamless_snapping/Isocurve_status.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <cmath>
 #include <cstddef>

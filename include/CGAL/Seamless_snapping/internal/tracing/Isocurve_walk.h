@@ -19,8 +19,8 @@
 // decided exactly and what in floating point is up to the template argument, so that both kinds of
 // tracing are this same walk.
 
-#include <CGAL/Seamless_snapping/Isocurve_status.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Walk_state.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <cmath>
 #include <cstddef>

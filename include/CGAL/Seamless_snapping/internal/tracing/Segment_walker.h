@@ -20,12 +20,11 @@
 // level of the curve is: so the length up to any point is a difference of two numbers in one chart,
 // and exact.
 
-#include <CGAL/Seamless_snapping/Isocurve_direction.h>
-#include <CGAL/Seamless_snapping/Isocurve_status.h>
+#include <CGAL/Seamless_snapping/internal/charts/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Exact_level.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Isocurve_walk.h>
 #include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -23,9 +23,9 @@
 // isocurves are still the level sets of a piecewise linear function; the direction of a ray then
 // tells its sides, not where it points to: in a flipped triangle, that is the opposite.
 
+#include <CGAL/Seamless_snapping/internal/charts/Chart_mesh.h>
+#include <CGAL/Seamless_snapping/internal/charts/axis_directions.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
-#include <CGAL/Seamless_snapping/internal/tracing/Chart_mesh.h>
-#include <CGAL/Seamless_snapping/internal/tracing/axis_directions.h>
 
 #include <boost/container/small_vector.hpp>
 

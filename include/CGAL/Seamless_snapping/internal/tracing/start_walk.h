@@ -18,9 +18,9 @@
 // The first step of a walk: from a point on the surface and a direction to the first edge or vertex
 // that the isocurve meets.
 
-#include <CGAL/Seamless_snapping/Isocurve_direction.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Isocurve_walk.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Vertex_rays.h>
+#include <CGAL/Seamless_snapping/types/isocurve_types.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/assertions.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The two sides of an edge, and which transition takes the one to the other: Eq. (4), exactly. The
-// rest is floating point: how far a transition misses, and which misses least.
+// The two sides of an edge, and which transition takes the one to the other: [MC19] Eq. (4),
+// exactly. The rest is floating point: how far a transition misses, and which misses least.
 
 #include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/exact/Uv.h>
@@ -146,7 +146,7 @@ bool match_exactly(const Edge_sides& s, const typename Group::Element g)
   return true;
 }
 
-// Eq. (4) for one element, exactly. \pre the coordinates are finite
+// [MC19] Eq. (4) for one element, exactly. \pre the coordinates are finite
 template <typename Group>
 bool satisfies_transition(const Edge_sides& s, const typename Group::Element g)
 {
@@ -167,7 +167,7 @@ inline double change_of_sum(const Uv& a, const Uv& b)
                     std::numeric_limits<double>::denorm_min());
 }
 
-// Whether Eq. (4) holds for some element.
+// Whether [MC19] Eq. (4) holds for some element.
 template <typename Group>
 bool satisfies_some_transition(const Edge_sides& s)
 {

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The rotations of transitions, as groups of integer matrices: models of the concept
-// `TransitionGroup` for rotational symmetries of order N = 1, 2, 4 in Cartesian coordinates, and N
-// = 3, 6 in coordinates of the lattice basis u = a + b w, where w is the unit vector at 60 degrees.
-// In Cartesian coordinates no rotation by 60 degrees is exact: sqrt(3) is irrational.
+// The rotations of transitions, as groups of integer matrices, for rotational symmetries of order
+// N = 1, 2, 4 in Cartesian coordinates, and N = 3, 6 in coordinates of the lattice basis
+// u = a + b w, where w is the unit vector at 60 degrees. In Cartesian coordinates no rotation by 60
+// degrees is exact: sqrt(3) is irrational.
 
 #include <algorithm>
 #include <array>

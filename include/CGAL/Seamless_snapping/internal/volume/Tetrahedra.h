@@ -17,7 +17,7 @@
 
 // The combinatorics of the caller's tetrahedra, checked: vertices and neighbors of all cells.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/match_facets.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ constexpr std::size_t largest_vertex_index = (std::size_t(1) << 31) - 2;
 
 inline Refusal invalid_cells(const std::string& message)
 {
-  return {Snapping_status::INVALID_ARGUMENT, message, {}};
+  return {Outcome::INVALID_ARGUMENT, message};
 }
 
 inline std::string name_of_facet(const Tetrahedra& tetrahedra, const Corner_index facet)
@@ -190,16 +190,16 @@ inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
   const auto third = Facet_matcher(tetrahedra.vertices, tetrahedra.number_of_vertices)
                        .run(tetrahedra.opposite);
   if(third != no_facet)
-    return Refusal{Snapping_status::NOT_MANIFOLD,
+    return Refusal(Outcome::NOT_MANIFOLD,
                    name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
-                     "those that are there twice, or divide the mesh into manifold parts", {}};
+                     "those that are there twice, or divide the mesh into manifold parts");
   for(std::size_t f = 0; f < tetrahedra.opposite.size(); f += 4) {
     const Corner_index first = tetrahedra.opposite[f];
     if(first >= 0 && first / 4 == tetrahedra.opposite[f + 1] / 4 &&
        tetrahedra.opposite[f + 1] >= 0)
-      return Refusal{Snapping_status::NOT_MANIFOLD,
+      return Refusal(Outcome::NOT_MANIFOLD,
                      "cells " + std::to_string(f / 4) + " and " + std::to_string(first / 4) +
-                       " have the same vertices; remove one of them", {}};
+                       " have the same vertices; remove one of them");
   }
   return std::nullopt;
 }

@@ -18,9 +18,9 @@
 // From an exactly seamless map of a volume to an integer-grid map near by: translations, levels of
 // aligned facets, and singular curves become integers, and the change is spread over the volume.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/volume/Integer_grid_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Rounding_displacement.h>
 #include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>
@@ -70,10 +70,10 @@ inline std::optional<Refusal> add_grid_edges(Flat_volume& volume)
   const Volume_transitions transitions = Facet_transition_reader(volume).read();
   for(const Grid_edge& edge : Grid_edge_finder(volume, transitions).find()) {
     if(edge.is_skew)
-      return Refusal{Snapping_status::NOT_INTEGER,
+      return Refusal(Outcome::NOT_INTEGER,
                      "cells are turned around the singular " + volume.name_of_edge(edge.edge) +
                        " about an axis that is none of the coordinates', so that no integer grid "
-                     "fits; correct the map there", {}};
+                     "fits; correct the map there");
     volume.aligned_edges.push_back(edge.edge);
   }
   return std::nullopt;
@@ -103,10 +103,10 @@ public:
     const Volume_transitions& transitions = m_structure.transitions;
     const Volume_alignment& alignment = m_structure.alignment;
     if(alignment.violation > m_tolerance)
-      return Refusal{Snapping_status::NOT_INTEGER,
+      return Refusal(Outcome::NOT_INTEGER,
                      alignment.worst + ", around which cells have 720 degrees or the boundary "
                      "turns back, is " + short_number(alignment.violation) + " off a line of "
-                     "constant coordinates; correct the map there", {}};
+                     "constant coordinates; correct the map there");
     if(const auto refusal = check_range())
       return refusal;
     if(is_exact(m_volume, transitions, alignment, m_volume.coordinates) &&
@@ -142,19 +142,19 @@ public:
     m_timer.finish("rounding");
     m_report.largest_rounding = worst.first;
     if(worst.first > m_rounding_tolerance)
-      return Refusal{Snapping_status::NOT_INTEGER,
+      return Refusal(Outcome::NOT_INTEGER,
                      worst.second + " is " + short_number(worst.first) +
                        " off the integer that it is rounded to, more than the rounding_tolerance "
                      "of " + short_number(m_rounding_tolerance) + "; raise it, or scale the map up "
-                     "by grid_scale", {}};
+                     "by grid_scale");
     rounded = m_volume.coordinates;
     if(!expand(*displacement, is_far, rounded))
       return not_representable();
     if(!is_exact(m_volume, transitions, alignment, rounded) ||
        !is_on_integers(m_volume, transitions, alignment, rounded))
-      return Refusal{Snapping_status::INTERNAL_ERROR,
+      return Refusal(Outcome::INTERNAL_ERROR,
                      "the integer-grid map failed its exact verification and was discarded; please "
-                     "report this", {}};
+                     "report this");
     m_timer.finish("displacement");
     return std::nullopt;
   }
@@ -167,7 +167,7 @@ private:
 
   Refusal not_representable() const
   {
-    return {Snapping_status::NOT_REPRESENTABLE,
+    return {Outcome::NOT_REPRESENTABLE,
             "the integers near by would be too large for the number type; scale the map down", {}};
   }
 
@@ -178,12 +178,12 @@ private:
     for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
       for(const double x : m_volume.coordinates[i])
         if(std::abs(x) > std::ldexp(1., bits))
-          return Refusal{Snapping_status::NOT_REPRESENTABLE,
+          return Refusal(Outcome::NOT_REPRESENTABLE,
                          "a coordinate at vertex " +
                            std::to_string(m_volume.vertex_names[std::size_t(
                              m_volume.vertices[i])]) +
                            " is too large: beyond 2^" + std::to_string(bits) + ", where units "
-                           "can't be counted safely; move or shrink the map", {}};
+                           "can't be counted safely; move or shrink the map");
     return std::nullopt;
   }
 

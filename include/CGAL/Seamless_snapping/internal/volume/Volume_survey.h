@@ -19,7 +19,7 @@
 // copies the cells at the vertices that constraints concern. What follows knows neither the
 // caller's mesh nor its map.
 
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Tetrahedra.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -119,9 +119,9 @@ private:
     for(std::size_t f = 0; f < m_tetrahedra.opposite.size(); ++f) {
       const Corner_index facet = Corner_index(f), other = m_tetrahedra.opposite[f];
       if(!add_to_extent(get_uvw(m_uvw_map, f))) // of the corner of that number
-        return Refusal{Snapping_status::NOT_FINITE,
+        return Refusal(Outcome::NOT_FINITE,
                        "cell " + std::to_string(f / 4) + ": a coordinate at vertex " +
-                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300", {}};
+                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300");
       if(other == no_facet ? align_boundary : facet < other && !are_identical(facet, other)) {
         (other == no_facet ? m_aligned_facets : m_open_facets).push_back(facet);
         mark(facet);
@@ -245,7 +245,7 @@ private:
     else
       names.assign(features.edges[i - features.facets.size()].begin(),
                    features.edges[i - features.facets.size()].end());
-    return {Snapping_status::INVALID_ARGUMENT,
+    return {Outcome::INVALID_ARGUMENT,
             "feature " + name_of(is_facet ? "facet" : "edge", names) + " is in no cell", {}};
   }
 

@@ -17,15 +17,15 @@
 
 // The function `snap_volume_to_seamless()` for a volume in plain arrays, a step a line.
 
-#include <CGAL/Seamless_snapping/Snapping_report.h>
-#include <CGAL/Seamless_snapping/internal/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_fitter.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,9 +92,9 @@ public:
     m_report.run.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
     if(!solver.solve(snapped))
-      return Refusal{Snapping_status::NOT_REPRESENTABLE,
+      return Refusal(Outcome::NOT_REPRESENTABLE,
                      "the coordinates are so large that the number type holds no solution near by; "
-                     "scale the map down", {}};
+                     "scale the map down");
     m_timer.finish("solution");
 
     const Largest_change change = repair(joined.charts, sectors, places, solver, snapped);
@@ -102,13 +102,13 @@ public:
     if(change.size > largest_plausible_change())
       return collapsed(change);
     if(!is_exact(m_volume, transitions, alignment, snapped))
-      return Refusal{Snapping_status::INTERNAL_ERROR,
+      return Refusal(Outcome::INTERNAL_ERROR,
                      "the result failed its exact verification and was discarded; please report "
-                     "this", {}};
+                     "this");
     m_report.largest_change = change.size;
     fill_in_changes(sectors, snapped);
     m_timer.finish("verification");
-    m_report.status = Snapping_status::SNAPPED;
+    m_report.status = Outcome::SNAPPED;
     return std::nullopt;
   }
 
@@ -161,7 +161,7 @@ private:
 
   Refusal not_seamless(const Volume_transitions& transitions) const
   {
-    return {Snapping_status::NOT_SEAMLESS,
+    return {Outcome::NOT_SEAMLESS,
             "at " + m_volume.name_of_facet(transitions.worst) + " the two sides differ by " +
               short_number(transitions.violation) + ", more than the tolerance allows (" +
               short_number(m_tolerance) + "), from any of the 24 rotations; correct the map there, "
@@ -170,7 +170,7 @@ private:
 
   Refusal not_aligned(const Volume_alignment& alignment) const
   {
-    return {Snapping_status::NOT_ALIGNED,
+    return {Outcome::NOT_ALIGNED,
             alignment.worst + " is " + short_number(alignment.violation) +
               " off a plane or line of constant coordinates, more than the tolerance allows (" +
               short_number(m_tolerance) + "); correct the map there, raise the tolerance or, for "
@@ -221,12 +221,12 @@ private:
   Refusal collapsed(const Largest_change& change) const
   {
     const std::size_t v = std::size_t(m_volume.vertices[change.corner]);
-    return {Snapping_status::NOT_SEAMLESS,
+    return {Outcome::NOT_SEAMLESS,
             "an exact map would have to move vertex " + std::to_string(m_volume.vertex_names[v]) +
               " by " + short_number(change.size) + ", which is more than the inaccuracy of " +
               short_number(m_report.violation_before) + " explains: the transitions around it do "
               "not fit together, or the cells there are thinner than the inaccuracy; correct the "
-              "map there, or raise the tolerance", {}};
+              "map there, or raise the tolerance"};
   }
 
   // Per coordinate of a corner, whether a constraint on it does not hold; empty if all hold.

@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,15 +50,14 @@ public:
   std::optional<Refusal> run(std::vector<Uvw>& snapped)
   {
     if(!(m_options.grid_scale > 0 && std::isfinite(m_options.grid_scale)))
-      return Refusal{Snapping_status::INVALID_ARGUMENT, "grid_scale must be positive and finite",
-                     {}};
+      return Refusal(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite");
     if(const auto refusal = scale())
       return refusal;
     const std::vector<Uvw> input = m_volume.coordinates;
     if(const auto refusal = Flat_volume_snapper(m_volume, m_options.tolerance, m_format, m_report,
                                                 m_timer).run(snapped))
       return refusal;
-    if(m_report.status == Snapping_status::SNAPPED)
+    if(m_report.status == Outcome::SNAPPED)
       m_volume.coordinates.swap(snapped);
     m_report.lost_faces.clear();
     const CGAL::Orientation orientation = orientation_of_most_cells(input);
@@ -84,9 +84,9 @@ private:
         if(m_format.digits < std::numeric_limits<double>::digits)
           x = static_cast<double>(static_cast<float>(x));
         if(!(std::abs(x) <= largest))
-          return Refusal{Snapping_status::NOT_REPRESENTABLE,
+          return Refusal(Outcome::NOT_REPRESENTABLE,
                          "grid_scale makes a coordinate of cell " + std::to_string(i / 4) +
-                           " too large for the number type; choose a smaller one", {}};
+                           " too large for the number type; choose a smaller one");
       }
     m_volume.extent *= m_options.grid_scale;
     return std::nullopt;
@@ -141,9 +141,9 @@ private:
     if(!is_exact(m_volume, structure.transitions, structure.alignment, u) ||
        (m_options.rounds &&
         !is_on_integers(m_volume, structure.transitions, structure.alignment, u)))
-      return Refusal{Snapping_status::INTERNAL_ERROR,
+      return Refusal(Outcome::INTERNAL_ERROR,
                      "the repaired map failed its exact verification and was discarded; please "
-                     "report this", {}};
+                     "report this");
     m_volume.coordinates.swap(u);
     m_report.run.number_of_faces_without_area = number_without_volume(structure);
     m_timer.finish("verification");
@@ -157,14 +157,14 @@ private:
     m_volume.aligned_edges.resize(m_number_of_feature_edges);
     if(2 * m_report.lost_faces.size() < m_volume.number_of_cells() && is_integer_grid(m_volume))
       return std::nullopt;
-    return Refusal{Snapping_status::NOT_INTEGER,
+    return Refusal(Outcome::NOT_INTEGER,
                    "at the nearest integers, " + std::to_string(m_report.lost_faces.size()) +
                      " cells lose their orientation" +
                      (m_report.lost_faces.empty()
                         ? std::string()
                         : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
                      ": these are most of them, or the grid can't be told from the coordinates; "
-                     "scale the map up by grid_scale", {}};
+                     "scale the map up by grid_scale");
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each.
@@ -206,8 +206,8 @@ private:
           m_report.largest_change = (std::max)(m_report.largest_change,
                                                std::abs(u[i][k] - input[i][k]));
     }
-    m_report.status = m_options.grid_scale == 1 && u == input ? Snapping_status::ALREADY_EXACT
-                                                              : Snapping_status::SNAPPED;
+    m_report.status = m_options.grid_scale == 1 && u == input ? Outcome::ALREADY_EXACT
+                                                              : Outcome::SNAPPED;
     if(m_options.flip_repair != Flip_repair::NONE)
       tell_of_cells();
     else
@@ -219,7 +219,7 @@ private:
     const std::size_t lost = m_report.lost_faces.size(), flips = m_report.remaining_flips.size();
     if(lost + flips == 0)
       return;
-    m_report.status = Snapping_status::FLIPS_REMAIN;
+    m_report.status = Outcome::FLIPS_REMAIN;
     const auto names = [](const std::vector<std::size_t>& cells) {
       return std::to_string(cells.size()) + " (the first is cell " + std::to_string(cells.front()) +
              ")";

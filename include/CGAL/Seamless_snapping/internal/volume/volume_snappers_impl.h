@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-#include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_whole_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
 
 namespace CGAL {
 namespace Seamless_snapping {

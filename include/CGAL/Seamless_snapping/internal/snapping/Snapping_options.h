@@ -1,0 +1,80 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SNAPPING_OPTIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SNAPPING_OPTIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// What the named parameters of `snap_to_seamless()` ask for, without their types. Calls with
+// different parameters share all code that knows these values only: it is compiled once for a mesh
+// and a uv map.
+
+#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename TriangleMesh>
+struct Snapping_options
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  std::vector<Halfedge> edges_to_align; // one halfedge of each
+  Constraint_list<TriangleMesh> constraints;
+  double tolerance;
+  double connection_tolerance;
+  double rounding_tolerance;
+  bool has_given_indices; // of vertices; they may be wrong
+  bool rounds;            // to an integer-grid map
+  Flip_repair flip_repair;
+  std::size_t number_of_untangling_iterations;
+  bool is_verbose;
+};
+
+template <typename Group, typename TriangleMesh, typename NamedParameters>
+Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
+                                                const NamedParameters& np)
+{
+  const auto chosen = [&](const auto tag, const auto by_default) {
+    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), by_default);
+  };
+  return {edges_to_align(tmesh, np),
+          Constraint_list<TriangleMesh>(tmesh, np, Group::number_of_functionals),
+          chosen_tolerance(np),
+          double(chosen(CGAL::internal_np::connection_tolerance, default_connection_tolerance)),
+          double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
+          is_given<NamedParameters, CGAL::internal_np::vertex_index_t>,
+          bool(chosen(CGAL::internal_np::integer_grid, false)),
+          chosen_flip_repair(np),
+          chosen_number_of_untangling_iterations(np),
+          bool(chosen(CGAL::internal_np::verbose, false))};
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SNAPPING_OPTIONS_H

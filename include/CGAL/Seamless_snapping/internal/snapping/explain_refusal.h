@@ -1,0 +1,97 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_EXPLAIN_REFUSAL_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_EXPLAIN_REFUSAL_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Translates a refusal of the solver into the words of the caller: which edges and constraints of
+// the mesh the rows of the system stand for.
+
+#include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What a row stands for.
+template <typename Group, typename TriangleMesh, typename VertexIndexMap>
+std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, TriangleMesh>& cuts,
+                        const Constraint_list<TriangleMesh>& constraints,
+                        const std::vector<Rounding<Group> >& roundings, const TriangleMesh& tmesh,
+                        const VertexIndexMap& vertex_indices)
+{
+  const std::size_t i = origin.index, end = origin.is_at_end ? 1 : 0;
+  switch(origin.kind) {
+  case Row_origin::BRANCH:
+    return "the transition across " + edge_name(tmesh, vertex_indices, cuts.branch_ends[i][end]);
+  case Row_origin::CHAIN:
+    return "the alignment of " + edge_name(tmesh, vertex_indices, cuts.chain_ends[i][end]);
+  case Row_origin::PATH: return constraints.paths()[i].name;
+  case Row_origin::SUM: // in no contradiction
+  case Row_origin::EQUATION: break;
+  }
+  const std::size_t n = constraints.corner_constraints().size();
+  return i < n ? constraints.corner_constraint_name(i)
+               : "the rounding of " +
+                   name_of_rounding(roundings[i - n], cuts, tmesh, vertex_indices);
+}
+
+// The same refusal with a message that names the place and the remedy.
+template <typename Group, typename TriangleMesh, typename VertexIndexMap>
+Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts,
+                  const Constraint_list<TriangleMesh>& constraints,
+                  const std::vector<Rounding<Group> >& roundings, // of equations after the caller's
+                  const Reduced_system<Group>& system, const TriangleMesh& tmesh,
+                  const VertexIndexMap& vertex_indices)
+{
+  if(refusal.status == Outcome::NOT_REPRESENTABLE) {
+    refusal.message =
+        constraints.corner_constraints().empty()
+            ? "the exact coordinates would exceed the largest number of their type; scale them down"
+            : "the corner constraints have solutions, but none whose coordinates are multiples of "
+              "one power of two that the number type can hold at the size of the coordinates; "
+              "round their right-hand sides to fewer bits";
+    return refusal;
+  }
+  constexpr std::size_t at_most = 8;
+  std::set<std::string> names;
+  for(const auto& multiple : refusal.certificate)
+    names.insert(name_of_row(system.origin(multiple.first), cuts, constraints, roundings, tmesh,
+                             vertex_indices));
+  refusal.message = "constraints contradict each other:";
+  std::size_t count = 0;
+  for(const std::string& name : names)
+    if(++count <= at_most)
+      refusal.message += (count == 1 ? " " : ", ") + name;
+  if(count > at_most)
+    refusal.message += ", and " + std::to_string(count - at_most) + " more";
+  refusal.message += "; remove or correct one of them";
+  return refusal;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_EXPLAIN_REFUSAL_H

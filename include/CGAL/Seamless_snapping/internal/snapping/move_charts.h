@@ -1,0 +1,260 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_MOVE_CHARTS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_MOVE_CHARTS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Where a chart lies means nothing: moving it changes no edge vector. So charts are moved to where
+// rounding to integers may change less. The translations across a tree of cuts
+// become integers; what is left to choose for each connected part is one vector for all its charts,
+// turned with them. It brings one of the cones and levels to an integer: the one that is best for
+// the others. So a map that is an integer-grid map up to such moves needs no rounding at all.
+
+#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap>
+class Chart_mover
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using Halfedge = typename Graph_traits::halfedge_descriptor;
+  using Face = typename Graph_traits::face_descriptor;
+  using Element = typename Group::Element;
+  using Vector = typename Cut_complex<Group>::Vector;
+  using Cuts = Surface_cuts<Group, TriangleMesh>;
+  static constexpr std::size_t dimension = Group::dimension;
+
+public:
+  Chart_mover(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+              const Transition_data<TriangleMesh>& transitions, const Cuts& cuts)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_cuts(cuts),
+      m_chart_of_face(get(CGAL::dynamic_face_property_t<std::size_t>(), tmesh))
+  {
+    number_charts(transitions);
+    link_charts(transitions);
+  }
+
+  // Returns whether charts were moved: not if none has to be by more than a negligible distance.
+  bool run(const double negligible)
+  {
+    for(std::size_t c = 0; c < m_charts.size(); ++c)
+      if(!m_charts[c].is_placed)
+        place_part(c);
+    collect_values();
+    for(Part& part : m_parts)
+      choose_shift(part);
+    double largest = 0;
+    for(Chart& chart : m_charts) {
+      add_shift(chart);
+      largest = (std::max)(largest, Group::norm(chart.move));
+    }
+    if(largest <= negligible)
+      return false;
+    move();
+    return true;
+  }
+
+private:
+  struct Chart
+  {
+    std::size_t part = 0;
+    Element element = Group::identity(); // how the part's first chart is turned to this one
+    Vector move{};
+    bool is_placed = false;
+  };
+
+  // u(chart) = element u(here) + translation
+  struct Link
+  {
+    std::size_t chart;
+    Element element;
+    Vector translation;
+  };
+
+  struct Part
+  {
+    std::array<std::vector<double>, dimension> values; // that are to be integers
+    Vector shift{};
+  };
+
+  void number_charts(const Transition_data<TriangleMesh>& transitions)
+  {
+    std::unordered_set<Halfedge> cuts;
+    for(std::size_t i = 0; i < transitions.number_of_cuts; ++i)
+      for(const Halfedge h : {transitions.edges[i].halfedge,
+                              opposite(transitions.edges[i].halfedge, m_tmesh)})
+        cuts.insert(h);
+    constexpr std::size_t none = std::size_t(-1);
+    for(const Face f : faces(m_tmesh))
+      put(m_chart_of_face, f, none);
+    std::vector<Face> to_visit;
+    const auto visit = [&](const Face f, const std::size_t chart) {
+      if(get(m_chart_of_face, f) != none)
+        return;
+      put(m_chart_of_face, f, chart);
+      to_visit.push_back(f);
+    };
+    for(const Face root : faces(m_tmesh)) {
+      if(get(m_chart_of_face, root) != none)
+        continue;
+      m_charts.emplace_back();
+      visit(root, m_charts.size() - 1);
+      while(!to_visit.empty()) {
+        const Face f = to_visit.back();
+        to_visit.pop_back();
+        for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh))
+          if(!is_border(opposite(h, m_tmesh), m_tmesh) && cuts.count(h) == 0)
+            visit(face(opposite(h, m_tmesh), m_tmesh), m_charts.size() - 1);
+      }
+    }
+  }
+
+  void link_charts(const Transition_data<TriangleMesh>& transitions)
+  {
+    m_links.resize(m_charts.size());
+    for(std::size_t i = 0; i < transitions.number_of_cuts; ++i) {
+      const Halfedge h = transitions.edges[i].halfedge, o = opposite(h, m_tmesh);
+      const Element g = transitions.edges[i].rotation, back = Group::inverse(g);
+      const std::size_t here = chart(h), there = chart(o);
+      if(here == there || (!m_links[here].empty() && m_links[here].back().chart == there))
+        continue;
+      const Vector turned = Group::apply(g, Vector(get_uv(m_uv_map, h)));
+      const Uv u = get_uv(m_uv_map, prev(o, m_tmesh));
+      const Vector t{u[0] - turned[0], u[1] - turned[1]}, s = Group::apply(back, t);
+      m_links[here].push_back({there, g, t});
+      m_links[there].push_back({here, back, {-s[0], -s[1]}});
+    }
+  }
+
+  std::size_t chart(const Halfedge h) const { return get(m_chart_of_face, face(h, m_tmesh)); }
+
+  // All charts around, so that the translations on the way to them become integers.
+  void place_part(const std::size_t root)
+  {
+    m_charts[root].is_placed = true;
+    m_charts[root].part = m_parts.size();
+    std::vector<std::size_t> placed(1, root);
+    for(std::size_t i = 0; i < placed.size(); ++i)
+      for(const Link& link : m_links[placed[i]]) {
+        const Chart& here = m_charts[placed[i]];
+        Chart& there = m_charts[link.chart];
+        if(there.is_placed)
+          continue;
+        const Vector moved = Group::apply(link.element, here.move);
+        there = {m_parts.size(), Group::compose(link.element, here.element), {}, true};
+        for(std::size_t c = 0; c < dimension; ++c)
+          there.move[c] = to_nearest_integer(link.translation[c] - moved[c]);
+        placed.push_back(link.chart);
+      }
+    m_parts.emplace_back();
+  }
+
+  static double to_nearest_integer(const double x) { return std::round(x) - x; }
+
+  // Cones and levels as the first chart of their part sees them, up to integers.
+  void collect_values()
+  {
+    const Cut_complex<Group>& complex = m_cuts.complex;
+    for(const Sector_index s : m_cuts.grid_points)
+      for(int c = 0; c < int(dimension); ++c)
+        add_value(s, c);
+    for(std::size_t i = 0; i < complex.number_of_chains(); ++i)
+      add_value(*complex.links_begin(i), complex.functional[i]);
+  }
+
+  void add_value(const Sector_index s, const int functional)
+  {
+    const Chart& chart = m_charts[this->chart(*m_cuts.corners_begin(s))];
+    const Vector& u = m_cuts.complex.coordinates[std::size_t(s)];
+    const Signed_functional f = Group::act(Group::inverse(chart.element), functional);
+    if(f.index < int(dimension)) // the sum of both follows
+      m_parts[chart.part].values[std::size_t(f.index)].push_back(
+        f.sign * Group::value(functional, Vector{u[0] + chart.move[0], u[1] + chart.move[1]}));
+  }
+
+  // None, or that of one of the first values to its integer; whatever leaves least to be rounded.
+  static void choose_shift(Part& part)
+  {
+    constexpr std::size_t most_candidates = 64;
+    for(std::size_t c = 0; c < dimension; ++c) {
+      const std::vector<double>& values = part.values[c];
+      const auto rest = [&](const double shift) {
+        double squares = 0;
+        for(const double x : values)
+          squares += std::pow(to_nearest_integer(x + shift), 2);
+        return squares;
+      };
+      double least = rest(0);
+      for(std::size_t i = 0; i < (std::min)(values.size(), most_candidates); ++i) {
+        const double shift = to_nearest_integer(values[i]), squares = rest(shift);
+        if(squares < 0.99 * least) {
+          least = squares;
+          part.shift[c] = shift;
+        }
+      }
+    }
+  }
+
+  void add_shift(Chart& chart) const
+  {
+    const Vector shift = Group::apply(chart.element, m_parts[chart.part].shift);
+    for(std::size_t c = 0; c < dimension; ++c)
+      chart.move[c] = -to_nearest_integer(chart.move[c] + shift[c]);
+  }
+
+  void move()
+  {
+    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+    using Number = typename Uv_number<HalfedgeUVMap>::type;
+    for(const Face f : faces(m_tmesh)) {
+      const Vector& move = m_charts[get(m_chart_of_face, f)].move;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Uv u = get_uv(m_uv_map, h);
+        put(m_uv_map, h, Point(Number(u[0] + move[0]), Number(u[1] + move[1])));
+      }
+    }
+  }
+
+  const TriangleMesh& m_tmesh;
+  HalfedgeUVMap m_uv_map;
+  const Cuts& m_cuts;
+  using Chart_map = boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t> >;
+  typename Chart_map::const_type m_chart_of_face;
+  std::vector<Chart> m_charts;
+  std::vector<std::vector<Link> > m_links; // per chart
+  std::vector<Part> m_parts;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_MOVE_CHARTS_H

@@ -1,0 +1,503 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SPREAD_ROUNDING_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SPREAD_ROUNDING_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Roundings of the size of a face would turn faces beside the cuts if only the vertices of the cuts
+// moved. So they are spread over the surface first: all vertices move, by the displacement whose
+// Dirichlet energy in the domain is least among those that give the cuts their rounded
+// translations, the cones their coordinates, and the aligned edges their levels. What follows is
+// exact; this is not, and need not be.
+
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
+#include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: the displacement of a corner is g x + c, where x is that of a vertex of the mesh. If
+// only some roundings are given, changes of the other translations and levels are unknowns, too.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+class Rounding_spreader
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Cuts = Surface_cuts<Group, TriangleMesh>;
+  using Vector = typename Cut_complex<Group>::Vector;
+  using Element = typename Group::Element;
+  static constexpr std::size_t dimension = Group::dimension;
+  static constexpr std::size_t number_of_functionals = std::size_t(Group::number_of_functionals);
+
+  // Unknowns times their factors, and a number.
+  struct Form
+  {
+    boost::container::small_vector<std::pair<std::size_t, double>, 4> terms;
+    double constant = 0;
+
+    void add(const Form& other, const double factor)
+    {
+      for(const auto& [unknown, f] : other.terms)
+        terms.emplace_back(unknown, factor * f);
+      constant += factor * other.constant;
+    }
+  };
+  using Form_vector = std::array<Form, dimension>;
+
+  struct Place
+  {
+    std::size_t vertex;
+    Element element;
+    Form_vector offset;
+  };
+
+  // u(sector) = g u(here) + t, after the rounding.
+  struct Link
+  {
+    Sector_index sector;
+    Element element;
+    Form_vector translation;
+  };
+
+  struct Corner
+  {
+    std::size_t vertex;
+    Sector_index sector; // -1 where it is in none
+  };
+
+  using Roundings = std::vector<Rounding<Group> >;
+
+public:
+  Rounding_spreader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                    const VertexIndexMap& vertex_indices, const Cuts& cuts)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_cuts(cuts), m_complex(cuts.complex),
+      m_first_translation(dimension * num_vertices(tmesh)),
+      m_first_level(m_first_translation + dimension * m_complex.number_of_branches()),
+      m_number_of_unknowns(m_first_level + m_complex.number_of_chains()),
+      m_is_fixed(number_of_functionals * num_vertices(tmesh))
+  {
+    read_faces(vertex_indices);
+    for(std::size_t f = 0; f < m_weights.size() / 3; ++f)
+      if(is_free(f))
+        add_face(f);
+    m_free_faces.swap(m_triplets);
+  }
+
+  // The displacement that makes the roundings: all of the complex, or some. Returns false if it
+  // can't be computed.
+  bool compute(const Roundings& roundings)
+  {
+    m_rhs.assign(m_number_of_unknowns, 0);
+    m_triplets = m_free_faces;
+    link_sectors(roundings);
+    m_places.assign(m_complex.number_of_sectors(), {});
+    for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v)
+      place_sectors(v);
+    fix_coordinates(roundings);
+    for(std::size_t f = 0; f < m_weights.size() / 3; ++f)
+      if(!is_free(f))
+        add_face(f);
+    add_conditions();
+    return solve();
+  }
+
+  // Of the displacement, once it is computed: by how much edge vectors change.
+  double energy() const
+  {
+    double result = 0;
+    for(std::size_t i = 0; i < m_weights.size(); ++i) {
+      const Vector a = displacement(place(i - i % 3 + (i + 1) % 3)),
+                   b = displacement(place(i - i % 3 + (i + 2) % 3));
+      for(int k = 0; k < Group::number_of_functionals; ++k)
+        result += m_weights[i] / 2 * std::pow(Group::value(k, a) - Group::value(k, b), 2);
+    }
+    return result;
+  }
+
+  // The faces that it turns over, up to rounding.
+  std::size_t number_of_flips() const
+  {
+    std::size_t result = 0, i = 0;
+    for(const auto f : faces(m_tmesh)) {
+      Uv_triangle before, after;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Vector d = displacement(place(i));
+        before[i % 3] = get_uv(m_uv_map, h);
+        after[i % 3] = {{before[i % 3][0] + d[0], before[i % 3][1] + d[1]}};
+        ++i;
+      }
+      result += orientation(before) == CGAL::POSITIVE && orientation(after) != CGAL::POSITIVE ? 1
+                                                                                             : 0;
+    }
+    return result;
+  }
+
+  // Once the displacement is computed.
+  Vector operator()(const Sector_index s) const { return displacement(m_places[std::size_t(s)]); }
+
+  // Moves all corners by the displacement, once it is computed.
+  void move()
+  {
+    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+    using Number = typename Uv_number<HalfedgeUVMap>::type;
+    std::size_t i = 0;
+    for(const auto f : faces(m_tmesh))
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Uv u = get_uv(m_uv_map, h);
+        const Vector d = displacement(place(i++));
+        put(m_uv_map, h, Point(Number(u[0] + d[0]), Number(u[1] + d[1])));
+      }
+  }
+
+private:
+  static Form number(const double x)
+  {
+    Form result;
+    result.constant = x;
+    return result;
+  }
+
+  static Form number_and_unknown(const double x, const std::size_t unknown)
+  {
+    Form result = number(x);
+    result.terms.emplace_back(unknown, 1.);
+    return result;
+  }
+
+  static Form_vector apply(const Element g, const Form_vector& v)
+  {
+    Form_vector result;
+    for(std::size_t c = 0; c < dimension; ++c)
+      for(std::size_t d = 0; d < dimension; ++d)
+        if(const auto m = Group::matrix(g)[c][d]; m != 0)
+          result[c].add(v[d], m);
+    return result;
+  }
+
+  static Form functional(const int f, const Form_vector& v)
+  {
+    Form result;
+    for(std::size_t c = 0; c < dimension; ++c)
+      if(const auto factor = Group::functional(f)[c]; factor != 0)
+        result.add(v[c], factor);
+    return result;
+  }
+
+  // The cotangent of each corner in the domain is the weight of the opposite edge. It is the same
+  // for faces of either orientation; those of nearly degenerate ones are bounded, by the same area
+  // for all three, so that the energy is not negative.
+  void read_faces(const VertexIndexMap& vertex_indices)
+  {
+    std::unordered_map<Halfedge, Sector_index> sectors;
+    for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
+      for(auto h = m_cuts.corners_begin(Sector_index(s)); h != m_cuts.corners_end(Sector_index(s));
+          ++h)
+        sectors[*h] = Sector_index(s);
+    m_vertex_of_sector.resize(m_complex.number_of_sectors());
+    for(const auto f : faces(m_tmesh)) {
+      std::array<Uv, 3> sides; // opposite to the corners
+      std::size_t i = 0;
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
+        const Uv a = get_uv(m_uv_map, next(h, m_tmesh)), b = get_uv(m_uv_map, prev(h, m_tmesh));
+        sides[i++] = Group::to_cartesian({b[0] - a[0], b[1] - a[1]});
+        const auto found = sectors.find(h);
+        const auto vertex = std::size_t(get(vertex_indices, target(h, m_tmesh)));
+        m_corners.push_back({vertex, found == sectors.end() ? -1 : found->second});
+        if(found != sectors.end())
+          m_vertex_of_sector[std::size_t(found->second)] = vertex;
+      }
+      double squares = 0;
+      for(const Uv& e : sides)
+        squares += e[0] * e[0] + e[1] * e[1];
+      const double cross = std::abs(sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0]);
+      const double bounded = (std::max)(cross, thinnest * squares);
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Uv &a = sides[(k + 1) % 3], &b = sides[(k + 2) % 3];
+        m_weights.push_back(squares > 0 ? -(a[0] * b[0] + a[1] * b[1]) / bounded : 0);
+      }
+    }
+  }
+
+  bool is_free(const std::size_t face) const
+  {
+    return m_corners[3 * face].sector < 0 && m_corners[3 * face + 1].sector < 0 &&
+           m_corners[3 * face + 2].sector < 0;
+  }
+
+  void link_sectors(const Roundings& roundings)
+  {
+    m_links.assign(m_complex.number_of_sectors(), {});
+    std::vector<Form_vector> translations(m_complex.number_of_branches());
+    for(std::size_t b = 0; b < translations.size(); ++b) {
+      const auto& pair = *m_complex.pairs_begin(b);
+      const Vector turned =
+        Group::apply(m_complex.element[b], m_complex.coordinates[std::size_t(pair.plus)]);
+      for(std::size_t c = 0; c < dimension; ++c)
+        translations[b][c] = number_and_unknown(
+          m_complex.coordinates[std::size_t(pair.minus)][c] - turned[c],
+          m_first_translation + dimension * b + c);
+    }
+    for(const Rounding<Group>& r : roundings)
+      if(r.kind == Rounding<Group>::BRANCH)
+        translations[r.index][std::size_t(r.equation.terms.front().coordinate)] =
+          number(r.rounded);
+    for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b) {
+      const Element g = m_complex.element[b], back = Group::inverse(g);
+      Form_vector s;
+      for(std::size_t c = 0; c < dimension; ++c)
+        s[c].add(apply(back, translations[b])[c], -1);
+      for(auto p = m_complex.pairs_begin(b); p != m_complex.pairs_end(b); ++p) {
+        m_links[std::size_t(p->plus)].push_back({p->minus, g, translations[b]});
+        m_links[std::size_t(p->minus)].push_back({p->plus, back, s});
+      }
+    }
+  }
+
+  // All sectors of a vertex in terms of the first; or, beyond a part of the border, of another one.
+  // The latter case has no variable of its own, and the part stays where it is put by chance: cuts
+  // don't lead there.
+  void place_sectors(const std::size_t v)
+  {
+    const Sector_index first = m_complex.first_sector[v], end = m_complex.first_sector[v + 1];
+    std::vector<char> is_placed(std::size_t(end - first), false);
+    for(Sector_index root = first; root != end; ++root) {
+      if(is_placed[std::size_t(root - first)])
+        continue;
+      m_places[std::size_t(root)] = {m_vertex_of_sector[std::size_t(root)], Group::identity(), {}};
+      is_placed[std::size_t(root - first)] = true;
+      std::vector<Sector_index> sectors(1, root);
+      for(std::size_t i = 0; i < sectors.size(); ++i)
+        for(const Link& link : m_links[std::size_t(sectors[i])])
+          if(link.sector >= first && link.sector < end &&
+             !is_placed[std::size_t(link.sector - first)]) {
+            is_placed[std::size_t(link.sector - first)] = true;
+            m_places[std::size_t(link.sector)] = place_behind(sectors[i], link);
+            sectors.push_back(link.sector);
+          }
+    }
+  }
+
+  Place place_behind(const Sector_index here, const Link& link) const
+  {
+    const Place& p = m_places[std::size_t(here)];
+    const Vector u = Group::apply(link.element, m_complex.coordinates[std::size_t(here)]);
+    const Vector& now = m_complex.coordinates[std::size_t(link.sector)];
+    Place q{p.vertex, Group::compose(link.element, p.element), apply(link.element, p.offset)};
+    for(std::size_t i = 0; i < dimension; ++i) {
+      q.offset[i].add(link.translation[i], 1);
+      q.offset[i].constant += u[i] - now[i];
+    }
+    return q;
+  }
+
+  // Points, and the levels along whole chains.
+  void fix_coordinates(const Roundings& roundings)
+  {
+    m_is_fixed.assign(m_is_fixed.size(), false);
+    m_fixed.clear();
+    m_has_level.assign(m_complex.number_of_chains(), false);
+    for(const Rounding<Group>& r : roundings) {
+      const auto& term = r.equation.terms.front();
+      if(r.kind == Rounding<Group>::POINT)
+        fix(term.sector, term.coordinate, r.rounded);
+      else if(r.kind == Rounding<Group>::CHAIN) {
+        m_has_level[r.index] = true;
+        for(auto s = m_complex.links_begin(r.index); s != m_complex.links_end(r.index); ++s)
+          fix(*s, m_complex.functional[r.index], r.rounded);
+      }
+    }
+  }
+
+  void fix(const Sector_index s, const int f, const double value)
+  {
+    const Place& p = m_places[std::size_t(s)];
+    const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
+    const std::size_t i = number_of_functionals * p.vertex + std::size_t(of_vertex.index);
+    m_is_fixed[i] = true;
+    Form& fixed = m_fixed[i];
+    fixed = number(of_vertex.sign *
+                   (value - Group::value(f, m_complex.coordinates[std::size_t(s)])));
+    fixed.add(functional(f, p.offset), -of_vertex.sign);
+  }
+
+  // f(g x + c): a functional of x, up to the sign, and the change of translations.
+  Form form(const Place& p, const int f) const
+  {
+    const Signed_functional of_vertex = Group::act(Group::inverse(p.element), f);
+    Form result = functional(f, p.offset);
+    result.add(form_of_vertex(p.vertex, of_vertex.index), of_vertex.sign);
+    return result;
+  }
+
+  // Where u + v is fixed, but not both, u is the unknown.
+  Form form_of_vertex(const std::size_t vertex, const int f) const
+  {
+    const std::size_t first = number_of_functionals * vertex;
+    const bool has_fixed_sum = number_of_functionals > dimension && m_is_fixed[first + dimension];
+    if(m_is_fixed[first + std::size_t(f)])
+      return m_fixed.at(first + std::size_t(f));
+    Form result;
+    if(f == 2) {
+      result.add(form_of_vertex(vertex, 0), 1);
+      result.add(form_of_vertex(vertex, 1), 1);
+    } else if(has_fixed_sum && (f == 1 || m_is_fixed[first + 1])) {
+      result = m_fixed.at(first + dimension);
+      result.add(form_of_vertex(vertex, 1 - f), -1);
+    } else {
+      result.terms.emplace_back(dimension * vertex + std::size_t(f), 1.);
+    }
+    return result;
+  }
+
+  Place place(const std::size_t corner) const
+  {
+    const auto [vertex, sector] = m_corners[corner];
+    return sector < 0 ? Place{vertex, Group::identity(), {}} : m_places[std::size_t(sector)];
+  }
+
+  // 1/2 weight |d - d'|^2 for each edge.
+  void add_face(const std::size_t face)
+  {
+    for(int k = 0; k < Group::number_of_functionals; ++k) {
+      std::array<Form, 3> forms;
+      for(std::size_t i = 0; i < 3; ++i)
+        forms[i] = form(place(3 * face + i), k);
+      for(std::size_t i = 0; i < 3; ++i) {
+        Form difference = forms[(i + 1) % 3];
+        difference.add(forms[(i + 2) % 3], -1);
+        add_square(m_weights[3 * face + i], difference);
+      }
+    }
+  }
+
+  // What the unknowns don't say by themselves: once around a vertex, nothing changes; and chains
+  // have one level.
+  void add_conditions()
+  {
+    for(std::size_t s = 0; s < m_places.size(); ++s)
+      for(const Link& link : m_links[s]) {
+        const Place& there = m_places[std::size_t(link.sector)];
+        if(std::size_t(link.sector) > s || there.vertex != m_places[s].vertex)
+          continue;
+        const Place behind = place_behind(Sector_index(s), link);
+        for(int k = 0; k < Group::number_of_functionals; ++k)
+          add_condition(form(behind, k), form(there, k));
+      }
+    for(std::size_t i = 0; i < m_complex.number_of_chains(); ++i) {
+      const int f = m_complex.functional[i];
+      const auto level = [&](const Sector_index s) {
+        return Group::value(f, m_complex.coordinates[std::size_t(s)]);
+      };
+      const Sector_index first = *m_complex.links_begin(i);
+      for(auto s = m_complex.links_begin(i); s != m_complex.links_end(i) && !m_has_level[i]; ++s)
+        add_condition(form(m_places[std::size_t(*s)], f),
+                      number_and_unknown(level(first) - level(*s), m_first_level + i));
+    }
+  }
+
+  void add_condition(Form a, const Form& b)
+  {
+    a.add(b, -1);
+    add_square(weight_of_conditions, a);
+  }
+
+  // weight / 2 times the square of a form; of the matrix, the half that solvers read.
+  void add_square(const double weight, const Form& form)
+  {
+    for(const auto& [u, s] : form.terms) {
+      if(form.constant != 0)
+        m_rhs[u] -= weight * s * form.constant;
+      for(const auto& [v, t] : form.terms)
+        if(v <= u)
+          m_triplets.emplace_back(int(u), int(v), weight * s * t);
+    }
+  }
+
+  bool solve()
+  {
+    const int n = int(m_rhs.size());
+    double largest = 0;
+    for(const auto& t : m_triplets)
+      largest = (std::max)(largest, std::abs(t.value()));
+    for(int i = 0; i < n; ++i) // the displacement of a part may be free otherwise
+      m_triplets.emplace_back(i, i, 1e-12 * (std::max)(largest, 1.));
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(m_triplets.begin(), m_triplets.end());
+    m_triplets.clear();
+    Sparse_cholesky<Eigen::SparseMatrix<double> > solver;
+    solver.compute(matrix);
+    if(solver.info() != Eigen::Success)
+      return false;
+    m_solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(m_rhs.data(), n));
+    return solver.info() == Eigen::Success && m_solution.allFinite();
+  }
+
+  Vector displacement(const Place& p) const
+  {
+    Vector result{};
+    for(std::size_t c = 0; c < dimension; ++c) {
+      const Form f = form(p, int(c));
+      result[c] = f.constant;
+      for(const auto& [unknown, factor] : f.terms)
+        result[c] += factor * m_solution[Eigen::Index(unknown)];
+    }
+    return result;
+  }
+
+  // Twice the area of a face, relative to the squares of its sides, that weights are bounded by.
+  static constexpr double thinnest = 1e-5;
+  // Relative to edges of faces of good shape.
+  static constexpr double weight_of_conditions = 1e4;
+
+  const TriangleMesh& m_tmesh;
+  HalfedgeUVMap m_uv_map;
+  const Cuts& m_cuts;
+  const Cut_complex<Group>& m_complex;
+  std::size_t m_first_translation, m_first_level, m_number_of_unknowns; // those of vertices first
+  std::vector<Corner> m_corners;           // of all faces
+  std::vector<double> m_weights;           // per corner
+  std::vector<std::size_t> m_vertex_of_sector;
+  std::vector<std::vector<Link> > m_links; // per sector
+  std::vector<Place> m_places;             // per sector
+  std::vector<char> m_is_fixed;            // per functional of each vertex
+  std::unordered_map<std::size_t, Form> m_fixed;
+  std::vector<char> m_has_level;           // per chain
+  std::vector<Eigen::Triplet<double> > m_triplets, m_free_faces;
+  std::vector<double> m_rhs;
+  Eigen::VectorXd m_solution;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SPREAD_ROUNDING_H

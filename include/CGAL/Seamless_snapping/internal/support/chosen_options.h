@@ -1,0 +1,83 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Which transition group the named parameters ask for. The parameter's type tells, so that a call
+// compiles the code of one group only.
+
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The plain chain of any named parameters.
+template <typename NamedParameters>
+using Plain_parameters = std::decay_t<decltype(strip(std::declval<const NamedParameters&>()))>;
+
+template <typename Parameter>
+struct Order_of_symmetry
+{
+  static_assert(sizeof(Parameter) == 0,
+                "rotational_symmetry takes Rotational_symmetry<N>(), not a number: the code for N "
+                "is chosen when a program is compiled");
+};
+
+template <int N>
+struct Order_of_symmetry<Rotational_symmetry<N> > : std::integral_constant<int, N>
+{ };
+
+// \tparam NamedParameters a plain chain
+template <typename NamedParameters>
+constexpr int order_of_symmetry =
+  Order_of_symmetry<std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
+    CGAL::internal_np::rotational_symmetry_t, NamedParameters,
+    Rotational_symmetry<4> >::type> >::value;
+
+template <typename NamedParameters>
+using Symmetry_group = Rotation_group<order_of_symmetry<NamedParameters> >;
+
+constexpr double default_rounding_tolerance = 0.01;
+
+// The parameter is a Boolean, or a Flip_repair.
+template <typename NamedParameters>
+Flip_repair chosen_flip_repair(const NamedParameters& np)
+{
+  return static_cast<Flip_repair>(int(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false)));
+}
+
+template <typename NamedParameters>
+std::size_t chosen_number_of_untangling_iterations(const NamedParameters& np)
+{
+  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::untangling_iterations), 400));
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H

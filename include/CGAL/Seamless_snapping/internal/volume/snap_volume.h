@@ -1,0 +1,286 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_VOLUME_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_VOLUME_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The part of the functions on volumes that knows the caller's types: reads them, and writes.
+
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
+#include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
+#include <CGAL/Seamless_snapping/types/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+constexpr double default_volume_tolerance = 1e-4;
+
+// \param range ranges of vertices, such as triples; none, where the parameter is not given
+template <typename Range, typename Element>
+std::optional<Refusal> read_elements(const Range& range, const char* const name,
+                                     std::vector<Element>& elements)
+{
+  if constexpr(is_given<Range>)
+    for(const auto& vertices : range) {
+      Element element;
+      std::size_t size = 0;
+      for(const auto v : vertices) {
+        if(size < element.size())
+          element[size] = static_cast<std::int64_t>(v);
+        ++size;
+      }
+      if(size != element.size())
+        return invalid_cells(std::string(name) + ": an element has " + std::to_string(size) +
+                             " vertices in place of " + std::to_string(element.size()));
+      elements.push_back(element);
+    }
+  return std::nullopt;
+}
+
+enum class Cells_to_read { AT_CONSTRAINTS, ALL };
+
+// All that constraints concern, and some further vertices, but for coordinates. Returns what is
+// wrong with the input, if so.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                   const NamedParameters& np, Tetrahedra& tetrahedra,
+                                   Flat_volume& volume,
+                                   std::vector<std::int64_t> further_vertices = {},
+                                   const Cells_to_read cells = Cells_to_read::AT_CONSTRAINTS)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  if(auto refusal = read_vertices(range, tetrahedra))
+    return refusal;
+  const auto& neighbors = get_parameter_reference(np, CGAL::internal_np::cell_neighbors);
+  std::optional<Refusal> refusal;
+  if constexpr(is_given<decltype(neighbors)>)
+    refusal = read_neighbors(neighbors, tetrahedra);
+  else
+    refusal = find_neighbors(tetrahedra);
+  Volume_features features;
+  if(!refusal)
+    refusal = read_elements(get_parameter_reference(np, CGAL::internal_np::feature_facets),
+                            "feature_facets", features.facets);
+  if(!refusal)
+    refusal = read_elements(get_parameter_reference(np, CGAL::internal_np::feature_edges),
+                            "feature_edges", features.edges);
+  if(refusal)
+    return refusal;
+  features.sort();
+  if(cells == Cells_to_read::ALL) {
+    further_vertices.resize(tetrahedra.number_of_vertices);
+    std::iota(further_vertices.begin(), further_vertices.end(), std::int64_t(0));
+  }
+  const bool align_boundary =
+    choose_parameter(get_parameter(np, CGAL::internal_np::align_boundary), true);
+  return Volume_survey<CornerUVWMap>(tetrahedra, uvw_map)
+    .run(align_boundary, features, further_vertices, volume);
+}
+
+// Writes, reads back, and takes back.
+template <typename CornerUVWMap>
+class Corner_writer
+{
+  using Point = typename boost::property_traits<CornerUVWMap>::value_type;
+  using Number = typename Uvw_number<CornerUVWMap>::type;
+
+public:
+  Corner_writer(const Flat_volume& volume, CornerUVWMap& uvw_map)
+    : m_volume(volume), m_uvw_map(uvw_map)
+  { }
+
+  // Returns false if the map does not keep what is written to it. Then, and if the map throws, what
+  // was read from it is written back.
+  bool write(const std::vector<Uvw>& u)
+  {
+    try {
+      for(m_end = 0; m_end < u.size(); ++m_end)
+        if(is_changed(u, m_end))
+          put(m_uvw_map, key(m_end), point(u[m_end]));
+      bool is_kept = true;
+      for(std::size_t i = 0; i < u.size(); ++i)
+        is_kept = is_kept && get_uvw(m_uvw_map, key(i)) == u[i];
+      if(is_kept)
+        return true;
+    } catch(...) { // by the map
+      take_back(u);
+      throw;
+    }
+    take_back(u);
+    return false;
+  }
+
+private:
+  // To the bit: the sign of a zero is kept where the value is.
+  bool is_changed(const std::vector<Uvw>& u, const std::size_t i) const
+  {
+    return u[i] != m_volume.coordinates[i];
+  }
+
+  std::size_t key(const std::size_t i) const
+  {
+    return 4 * std::size_t(m_volume.cell_names[i / 4]) + i % 4;
+  }
+
+  static Point point(const Uvw& u)
+  {
+    return Point(static_cast<Number>(u[0]), static_cast<Number>(u[1]), static_cast<Number>(u[2]));
+  }
+
+  void take_back(const std::vector<Uvw>& u)
+  {
+    for(std::size_t i = (std::min)(m_end + 1, u.size()); i-- > 0;)
+      if(is_changed(u, i))
+        put(m_uvw_map, key(i), point(m_volume.coordinates[i]));
+  }
+
+  const Flat_volume& m_volume;
+  CornerUVWMap& m_uvw_map;
+  std::size_t m_end = 0; // of what has been written
+};
+
+// The vertices of cells that have lost their orientation, though a move of one that no constraint
+// concerns may give it back.
+inline std::vector<std::int64_t> free_vertices_of_lost_cells(const Flat_volume& volume,
+                                                             const std::vector<std::size_t>& lost)
+{
+  std::vector<std::int64_t> result;
+  for(std::size_t c = 0, k = 0; c < volume.number_of_cells() && k < lost.size(); ++c)
+    if(std::size_t(volume.cell_names[c]) == lost[k]) {
+      ++k;
+      for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
+        if(volume.is_fixed[std::size_t(volume.vertices[i])] != 0)
+          result.push_back(volume.vertex_names[std::size_t(volume.vertices[i])]);
+    }
+  return result;
+}
+
+// Reads, and finds the result.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                      const NamedParameters& np, const double tolerance,
+                                      Step_timer& timer, Snapping_report& report,
+                                      Flat_volume& volume, std::vector<Uvw>& snapped)
+{
+  std::vector<std::int64_t> further_vertices;
+  for(bool is_again = false; ; is_again = true) {
+    volume = Flat_volume();
+    {
+      Tetrahedra tetrahedra;
+      const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, further_vertices);
+      report.run.number_of_faces = tetrahedra.number_of_cells();
+      report.extent = volume.extent;
+      timer.finish("reading");
+      if(refusal)
+        return refusal;
+    }
+    read_coordinates(uvw_map, volume);
+    const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
+    if(auto refusal = snap_flat_volume(volume, tolerance, format, report, timer, snapped))
+      return refusal;
+    further_vertices = free_vertices_of_lost_cells(volume, report.lost_faces);
+    if(is_again || further_vertices.empty())
+      return std::nullopt;
+    report.lost_faces.clear();
+  }
+}
+
+// The same where constraints are not all.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                      const NamedParameters& np, const Volume_options& options,
+                                      Step_timer& timer, Snapping_report& report,
+                                      Flat_volume& volume, std::vector<Uvw>& snapped)
+{
+  Tetrahedra tetrahedra;
+  const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, Cells_to_read::ALL);
+  report.run.number_of_faces = tetrahedra.number_of_cells();
+  report.extent = volume.extent;
+  timer.finish("reading");
+  if(refusal)
+    return refusal;
+  read_coordinates(uvw_map, volume);
+  const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
+  return snap_whole_volume(volume, options, format, report, timer, snapped);
+}
+
+template <typename NamedParameters>
+Volume_options volume_options(const NamedParameters& np)
+{
+  const auto chosen = [&](const auto& tag, const auto value) {
+    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), value);
+  };
+  return {chosen(CGAL::internal_np::tolerance, default_volume_tolerance),
+          bool(chosen(CGAL::internal_np::integer_grid, false)),
+          chosen(CGAL::internal_np::grid_scale, 1.),
+          chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
+          chosen_flip_repair(np),
+          chosen_number_of_untangling_iterations(np)};
+}
+
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
+                            const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Snapping_report report;
+  const Volume_options options = volume_options(np);
+  Step_timer timer(report.run,
+                   choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false));
+  Flat_volume volume;
+  std::vector<Uvw> snapped;
+  std::optional<Refusal> refusal;
+  if(!(options.tolerance >= 0 && options.rounding_tolerance >= 0))
+    refusal = invalid_cells("a tolerance is negative or NaN");
+  else if(options.is_about_all_cells())
+    refusal = find_whole_map(range, uvw_map, np, options, timer, report, volume, snapped);
+  else
+    refusal = find_exact_map(range, uvw_map, np, options.tolerance, timer, report, volume, snapped);
+  if(!refusal && report.status != Outcome::ALREADY_EXACT &&
+     !Corner_writer<CornerUVWMap>(volume, uvw_map).write(snapped))
+    refusal = Refusal(Outcome::INTERNAL_ERROR,
+                      "the map does not keep what is written to it, so that what it had was "
+                      "written back; each corner needs a place of its own, and the full precision "
+                      "of the points' number type");
+  timer.finish("writing");
+  if(refusal)
+    refuse(report, *refusal);
+  return report;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_VOLUME_SNAP_VOLUME_H

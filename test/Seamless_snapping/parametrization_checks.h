@@ -1,0 +1,188 @@
+// What each result of approximate_seamless_parametrization() has to be: topology and index theorem
+// in integers, transitions measured in rational arithmetic, exact after snap_to_seamless(), and
+// untouched coordinates after a refusal.
+
+#ifndef SEAMLESS_SNAPPING_TEST_PARAMETRIZATION_CHECKS_H
+#define SEAMLESS_SNAPPING_TEST_PARAMETRIZATION_CHECKS_H
+
+#include "checking.h"
+#include "exact_seamless_check.h"
+
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <iostream>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace SS = CGAL::Seamless_snapping;
+namespace parameters = CGAL::Seamless_snapping::parameters;
+using SS::Outcome;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_2 = Kernel::Point_2;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
+using Uv_map = Mesh::Property_map<Halfedge, Point_2>;
+using Report = SS::Parametrization_report<Vertex>;
+
+inline Uv_map new_uv_map(Mesh& mesh)
+{
+  return mesh.add_property_map<Halfedge, Point_2>("h:new_uv", Point_2(-7, 7)).first;
+}
+
+inline bool is_untouched(const Mesh& mesh, const Uv_map& uv)
+{
+  for(const Halfedge h : mesh.halfedges())
+    if(uv[h] != Point_2(-7, 7))
+      return false;
+  return true;
+}
+
+// Isolated vertices don't count.
+inline std::ptrdiff_t euler_characteristic_of_faces(const Mesh& mesh)
+{
+  std::ptrdiff_t chi = std::ptrdiff_t(mesh.number_of_faces());
+  for(const Vertex v : mesh.vertices())
+    chi += mesh.is_isolated(v) ? 0 : 1;
+  return chi - std::ptrdiff_t(mesh.number_of_edges());
+}
+
+inline void check_topology(const Mesh& mesh, const Report& report)
+{
+  CHECK_EQUAL(report.number_of_faces, std::size_t(mesh.number_of_faces()));
+  CHECK_EQUAL(report.euler_characteristic, euler_characteristic_of_faces(mesh));
+  CHECK_EQUAL(report.euler_characteristic,
+              2 * std::ptrdiff_t(report.number_of_components) - 2 * report.genus
+              - std::ptrdiff_t(report.number_of_border_loops));
+  std::ptrdiff_t sum = report.border_turning;
+  for(const auto& cone : report.cones) {
+    CHECK(cone.second != 0);
+    CHECK(!mesh.is_border(cone.first));
+    sum += cone.second;
+  }
+  CHECK_EQUAL(sum, 4 * euler_characteristic_of_faces(mesh));
+}
+
+// The turns that the transitions make around a vertex agree with the index that was reported.
+inline void check_cones(const Mesh& mesh, const Uv_map& uv, const Report& report)
+{
+  const SS::Seam_transitions<Mesh> transitions = SS::seam_transitions(mesh, uv);
+  if(!CHECK(bool(transitions))) {
+    std::cerr << "    " << transitions.message() << std::endl;
+    return;
+  }
+  std::map<Vertex, int> index(report.cones.begin(), report.cones.end());
+  for(const Vertex v : mesh.vertices()) {
+    if(mesh.is_border(v) || mesh.is_isolated(v))
+      continue;
+    // Counterclockwise: from a face across the halfedge that points to v.
+    int turns = 0;
+    for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      turns += transitions.rotation(h);
+    CHECK_EQUAL(((turns - index[v]) % 4 + 4) % 4, 0);
+  }
+}
+
+template <typename IsAligned, typename NamedParameters>
+void check_result(Mesh& mesh, Uv_map uv, const Report& report, const IsAligned& is_aligned,
+                  const NamedParameters& alignment)
+{
+  if(!CHECK_EQUAL(int(report.status), int(Outcome::SUCCESS))) {
+    std::cerr << "    " << report << std::endl;
+    return;
+  }
+  check_topology(mesh, report);
+  check_cones(mesh, uv, report);
+
+  const exact_check::Result before = exact_check::check(mesh, uv, is_aligned);
+  CHECK(report.extent > 0);
+  CHECK(before.largest_violation <= 1e-12 * report.extent);
+  CHECK(before.edges_off_identity <= report.number_of_cut_edges);
+  CHECK_EQUAL(before.aligned_edges, report.number_of_aligned_edges);
+  CHECK_EQUAL(before.degenerate_faces + before.flipped_faces, report.number_of_flipped_faces);
+
+  const SS::Snapping_report snapped = SS::snap_to_seamless(mesh, uv, alignment);
+  if(!CHECK(bool(snapped)))
+    std::cerr << "    " << snapped << std::endl;
+  const exact_check::Result after = exact_check::check(mesh, uv, is_aligned);
+  CHECK_EQUAL(after.inexact_edges, std::size_t(0));
+  CHECK_EQUAL(after.inexact_aligned_edges, std::size_t(0));
+  CHECK(SS::is_seamless(mesh, uv, alignment));
+}
+
+inline void check_parametrization(const std::string& name, Mesh mesh, const bool may_flip = false)
+{
+  std::cout << name << std::endl;
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report = SS::approximate_seamless_parametrization(mesh, uv);
+  CHECK(may_flip || report.number_of_flipped_faces == 0);
+  check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
+}
+
+template <typename EdgeIsConstrainedMap>
+void check_alignment(const std::string& name, Mesh mesh, const EdgeIsConstrainedMap is_feature,
+                     const bool align_border)
+{
+  std::cout << name << ", aligned" << std::endl;
+  const Uv_map uv = new_uv_map(mesh);
+  const auto alignment = parameters::edge_is_constrained_map(is_feature).align_border(align_border);
+  const auto is_aligned = [&](const Mesh::Edge_index e)
+  {
+    return get(is_feature, e) || (align_border && mesh.is_border(e));
+  };
+  const Report report = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  check_result(mesh, uv, report, is_aligned, alignment);
+}
+
+inline void check_snappable(const std::string& name, const Report& report, Mesh& mesh, Uv_map uv)
+{
+  if(!CHECK(bool(report)))
+    std::cerr << "    " << name << ": " << report << std::endl;
+  const SS::Snapping_report snapped = SS::snap_to_seamless(mesh, uv);
+  if(!CHECK(bool(snapped)))
+    std::cerr << "    " << name << ": " << snapped << std::endl;
+  CHECK(SS::is_seamless(mesh, uv));
+}
+
+inline void check_given_cones(const std::string& name, Mesh mesh,
+                              const std::vector<std::pair<int, int> >& cones)
+{
+  std::cout << name << std::endl;
+  const Uv_map uv = new_uv_map(mesh);
+  auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
+  for(const auto& cone : cones)
+    index[Vertex(Mesh::size_type(cone.first))] = cone.second;
+  const Report report = SS::approximate_seamless_parametrization(
+    mesh, uv, parameters::cone_index_map(index));
+  check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
+  CHECK_EQUAL(report.cones.size(), cones.size());
+  for(const auto& cone : report.cones)
+    CHECK_EQUAL(cone.second, index[cone.first]);
+}
+
+template <typename NamedParameters>
+void check_refused(const std::string& name, Mesh mesh, const Outcome expected,
+                   const NamedParameters& np, const std::string& part_of_message = "")
+{
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report = SS::approximate_seamless_parametrization(mesh, uv, np);
+  if(!CHECK_EQUAL(std::string(to_string(report.status)), std::string(to_string(expected)))
+     || !CHECK(report.message.find(part_of_message) != std::string::npos))
+    std::cerr << "    " << name << ": " << report << std::endl;
+  CHECK(!report);
+  CHECK(!report.message.empty());
+  CHECK(is_untouched(mesh, uv));
+}
+
+#endif // SEAMLESS_SNAPPING_TEST_PARAMETRIZATION_CHECKS_H

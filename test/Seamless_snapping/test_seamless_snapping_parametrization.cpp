@@ -1,0 +1,637 @@
+// The producer of approximately seamless parametrizations: surfaces of all kinds, its parameters,
+// the meshes and property maps that it accepts, and what it refuses.
+
+#include "checking.h"
+#include "floating_point_traps.h"
+#include "parametrization_checks.h"
+#include "test_meshes.h"
+
+#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Seamless_snapping/is_seamless.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+// --- the meshes ----------------------------------------------------------------------------------
+
+Mesh icosphere(const unsigned int subdivisions)
+{
+  Mesh mesh;
+  CGAL::make_icosahedron<Mesh, Point_3>(mesh);
+  CGAL::Subdivision_method_3::Loop_subdivision(
+    mesh, CGAL::parameters::number_of_iterations(subdivisions));
+  return mesh;
+}
+
+Mesh tetrahedron()
+{
+  Mesh mesh;
+  CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1),
+                         mesh);
+  return mesh;
+}
+
+Mesh height_field(const Mesh::size_type n)
+{
+  Mesh mesh;
+  CGAL::make_grid(n, n, mesh, [](const std::size_t i, const std::size_t j) {
+    return Point_3(double(i), double(j), std::sin(0.7 * double(i)) * std::cos(0.9 * double(j)));
+  }, true);
+  return mesh;
+}
+
+// A torus of revolution.
+Mesh torus(const std::size_t n, const std::size_t m)
+{
+  Mesh mesh;
+  std::vector<Vertex> v;
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < m; ++j) {
+      const double a = 6.283185307179586 * double(i) / double(n);
+      const double b = 6.283185307179586 * double(j) / double(m), r = 3 + std::cos(b);
+      v.push_back(mesh.add_vertex(Point_3(r * std::cos(a), r * std::sin(a), std::sin(b))));
+    }
+  const auto at = [&](std::size_t i, std::size_t j) { return v[(i % n) * m + j % m]; };
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < m; ++j) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+Mesh grid(const Mesh::size_type n)
+{
+  Mesh mesh;
+  CGAL::make_grid(n, n, mesh, [](const std::size_t i, const std::size_t j) {
+    return Point_3(double(i), double(j), 0);
+  }, true);
+  return mesh;
+}
+
+// A slab with holes: genus 1 to 3, cones of both signs; and the same with rounded edges.
+Mesh slab(const int genus, const bool is_round)
+{
+  square_complex::Square_complex complex = square_complex::voxel_surface(
+    { { 2 * genus + 1, 3, 1 } }, [](int x, int y, int) { return y != 1 || x % 2 == 0; });
+  complex.unfold();
+  Mesh mesh = test_meshes::make_mesh<Kernel>(complex, 2);
+  if(is_round)
+    CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+  return mesh;
+}
+
+// --- surfaces ------------------------------------------------------------------------------------
+
+// Moves the vertices at random.
+Mesh perturbed(Mesh mesh, const double size, const unsigned int seed)
+{
+  CGAL::Random random(seed);
+  const auto number = [&] { return random.get_double(-size, size); };
+  for(const Vertex v : mesh.vertices()) {
+    const double x = number(), y = number(), z = number();
+    mesh.point(v) = mesh.point(v) + Kernel::Vector_3(x, y, z);
+  }
+  return mesh;
+}
+
+Mesh scaled(Mesh mesh, const double factor)
+{
+  for(const Vertex v : mesh.vertices())
+    mesh.point(v) = CGAL::ORIGIN + factor * (mesh.point(v) - CGAL::ORIGIN);
+  return mesh;
+}
+
+void test_generated_meshes()
+{
+  check_parametrization("triangle", [] {
+    Mesh mesh;
+    CGAL::make_triangle(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), mesh);
+    return mesh;
+  }());
+  check_parametrization("tetrahedron", tetrahedron());
+  check_parametrization("icosahedron", icosphere(0));
+  check_parametrization("sphere", icosphere(3));
+  check_parametrization("height field", height_field(12));
+  for(int genus = 1; genus <= 3; ++genus) {
+    check_parametrization("slab of genus " + std::to_string(genus), slab(genus, false));
+    check_parametrization("round slab of genus " + std::to_string(genus), slab(genus, true));
+  }
+  Mesh mesh = icosphere(2);
+  mesh += height_field(5);
+  mesh += slab(1, true);
+  check_parametrization("three components", mesh);
+}
+
+// Aligned to its creases, a cube comes out as its six squares.
+void test_cube_with_creases()
+{
+  square_complex::Square_complex complex = test_meshes::box(1, 1, 1);
+  test_meshes::mark_creases(complex);
+  Mesh mesh = test_meshes::make_mesh<Kernel>(complex, 4);
+  check_alignment("cube with creases", mesh, test_meshes::feature_map(mesh), false);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report = SS::approximate_seamless_parametrization(
+    mesh, uv, parameters::edge_is_constrained_map(test_meshes::feature_map(mesh)));
+  CHECK_EQUAL(report.cones.size(), std::size_t(8));
+  CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+  for(const auto& cone : report.cones)
+    CHECK_EQUAL(cone.second, 1);
+}
+
+void test_meshes_of_all_kinds()
+{
+  for(const auto& named : test_meshes::all_meshes<Kernel>()) {
+    check_parametrization(named.name, named.mesh, true);
+    check_alignment(named.name, named.mesh,
+                    CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), true);
+    Mesh mesh = named.mesh;
+    for(const bool align_border : {false, true})
+      check_alignment(named.name + " with features", mesh, test_meshes::feature_map(mesh),
+                      align_border);
+  }
+}
+
+// --- parameters ----------------------------------------------------------------------------------
+
+void test_reproducibility()
+{
+  Mesh mesh = icosphere(2);
+  const Uv_map uv = new_uv_map(mesh);
+  CHECK(SS::approximate_seamless_parametrization(mesh, uv));
+  const std::vector<Point_2> first(uv.begin(), uv.end());
+  CHECK(SS::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(0u)));
+  CHECK(std::vector<Point_2>(uv.begin(), uv.end()) == first);
+  check_snappable("other seed",
+                  SS::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(5)),
+                  mesh, uv);
+}
+
+void test_target_edge_length()
+{
+  Mesh mesh = grid(4);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report unit = SS::approximate_seamless_parametrization(mesh, uv);
+  const Report half = SS::approximate_seamless_parametrization(
+    mesh, uv, parameters::target_edge_length(2));
+  CHECK(std::abs(half.extent - unit.extent / 2) <= 1e-12 * unit.extent);
+
+  // A flat square is mapped isometrically.
+  double area = 0;
+  for(const auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    area += CGAL::area(uv[mesh.prev(h)], uv[h], uv[mesh.next(h)]);
+  }
+  CHECK(std::abs(area - 4) <= 1e-9);
+}
+
+void test_curvature_alignment()
+{
+  Mesh mesh = torus(24, 10);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report = SS::approximate_seamless_parametrization(
+    mesh, uv, parameters::curvature_alignment(0.5));
+  check_snappable("torus along its curvature", report, mesh, uv);
+  // The principal directions of a torus of revolution have no singularity.
+  CHECK_EQUAL(report.cones.size(), std::size_t(0));
+}
+
+void test_given_cones()
+{
+  std::vector<std::pair<int, int> > cones;
+  for(int v = 0; v < 8; ++v)
+    cones.emplace_back(v, 1);
+  check_given_cones("sphere with 8 cones", icosphere(2), cones);
+  check_given_cones("sphere with 4 cones", icosphere(2), {{0, 2}, {3, 2}, {6, 2}, {9, 2}});
+  check_given_cones("torus without cones", torus(12, 8), {});
+  check_given_cones("torus with 4 cones", torus(12, 8), {{0, 1}, {5, 1}, {40, -1}, {64, -1}});
+  check_given_cones("disk with 3 cones", grid(8), {{20, 1}, {40, 1}, {60, -1}});
+}
+
+// The turns around handles, and between border loops, are any numbers before they are rounded.
+void test_given_cones_around_handles()
+{
+  const Mesh pants = test_meshes::make_mesh<Kernel>(test_meshes::pair_of_pants(), 2);
+  const Mesh box = test_meshes::make_mesh<Kernel>(test_meshes::box_with_holes(), 2);
+  const Mesh two_handles = slab(2, false);
+  std::vector<std::pair<int, int> > eight_cones;
+  for(int i = 0; i < 8; ++i)
+    eight_cones.emplace_back(5 * i, -1);
+  for(unsigned int seed = 0; seed < 12; ++seed) {
+    const std::string suffix = ", given cones, seed " + std::to_string(seed);
+    check_given_cones("torus" + suffix, perturbed(torus(9, 7), 0.2, seed), {});
+    check_given_cones("genus 2" + suffix, perturbed(two_handles, 0.05, seed), eight_cones);
+    check_given_cones("pair of pants" + suffix, perturbed(pants, 0.03, seed), {});
+    check_given_cones("box with three holes" + suffix, perturbed(box, 0.03, seed), {});
+  }
+}
+
+// A cone of 8 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
+// but those that fail must not cost the coordinates either.
+void test_unavoidable_flips()
+{
+  Mesh mesh = grid(6);
+  const Uv_map uv = new_uv_map(mesh);
+  auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
+  index[Vertex(24)] = -12;
+  const auto cone = parameters::cone_index_map(index);
+  const Report report = SS::approximate_seamless_parametrization(
+    mesh, uv, cone.number_of_iterations(2000));
+  CHECK(report.number_of_flipped_faces > 0);
+  CHECK_EQUAL(report.cones.size(), std::size_t(1)); // untangling would make it a regular vertex
+  check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
+  const Report unstiffened = SS::approximate_seamless_parametrization(
+    mesh, uv, cone.number_of_iterations(0));
+  CHECK(report.number_of_flipped_faces <= unstiffened.number_of_flipped_faces);
+}
+
+// Features that end anywhere, meet at any angle, and enclose faces: many can't be followed without
+// flips.
+void test_release(const unsigned int seed)
+{
+  std::cout << "random features, seed " << seed << std::endl;
+  CGAL::Random random(seed);
+  Mesh mesh = seed % 2 == 0 ? icosphere(2) : slab(1, true);
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:random_feature", false).first;
+  std::size_t count = 0;
+  for(int path = 0; path < 12; ++path) {
+    Halfedge h(Mesh::size_type(random.get_int(0, int(mesh.number_of_halfedges()))));
+    for(int i = 0; i < 8 && !mesh.is_border(h); ++i) {
+      count += is_feature[mesh.edge(h)] ? 0 : 1;
+      is_feature[mesh.edge(h)] = true;
+      h = mesh.next(h);
+      for(int turn = random.get_int(1, 4); turn > 0 && !mesh.is_border(mesh.opposite(h)); --turn)
+        h = mesh.next(mesh.opposite(h));
+    }
+  }
+  const Uv_map uv = new_uv_map(mesh);
+  const auto alignment = parameters::edge_is_constrained_map(is_feature);
+  const Report report =
+    SS::approximate_seamless_parametrization(mesh, uv, alignment.release_alignment(true));
+  for(const auto& [v, w] : report.released_edges) {
+    const Halfedge h = mesh.halfedge(v, w);
+    CHECK(h != Mesh::null_halfedge() && is_feature[mesh.edge(h)]); // and each once
+    is_feature[mesh.edge(h)] = false;
+  }
+  CHECK_EQUAL(report.number_of_aligned_edges + report.released_edges.size(), count);
+  CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+  check_result(mesh, uv, report, [&](const Mesh::Edge_index e) { return is_feature[e]; },
+               parameters::edge_is_constrained_map(is_feature));
+  CHECK(exact_check::check(mesh, uv).flipped_faces == 0); // after snapping
+}
+
+// A strip around a tube whose ends are held by steps of the features: nothing but the release of
+// an edge helps, and without it the number of flips is not raised by untangling.
+void test_untangling_without_release()
+{
+  Mesh mesh = icosphere(2);
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:some_feature", false).first;
+  for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(Mesh::Face_index(5))))
+    for(const Halfedge g : mesh.halfedges_around_face(mesh.opposite(h)))
+      is_feature[mesh.edge(g)] = g != mesh.opposite(h);
+  const Uv_map uv = new_uv_map(mesh);
+  const auto alignment = parameters::edge_is_constrained_map(is_feature);
+  const Report without = SS::approximate_seamless_parametrization(
+    mesh, uv, alignment.number_of_untangling_iterations(0));
+  CHECK_EQUAL(without.number_of_untangling_iterations, std::size_t(0));
+  CHECK_EQUAL(without.number_of_flipped_faces, without.number_of_flips_before_untangling);
+  const Report with = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  CHECK_EQUAL(with.number_of_flips_before_untangling, without.number_of_flipped_faces);
+  CHECK(with.number_of_flipped_faces <= without.number_of_flipped_faces);
+  CHECK(with.released_edges.empty());
+  check_result(mesh, uv, with, [&](const Mesh::Edge_index e) { return is_feature[e]; }, alignment);
+}
+
+void test_other_types()
+{
+  Mesh mesh = icosphere(1);
+  const Uv_map uv = new_uv_map(mesh);
+  using Solver = CGAL::Eigen_solver_traits<
+    Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >;
+  check_snappable("solver of Eigen", SS::approximate_seamless_parametrization(
+                    mesh, uv, parameters::sparse_linear_solver(Solver())), mesh, uv);
+
+  using Float_point = CGAL::Simple_cartesian<float>::Point_2;
+  auto float_uv = mesh.add_property_map<Halfedge, Float_point>("h:float_uv").first;
+  const Report float_report = SS::approximate_seamless_parametrization(mesh, float_uv);
+  CHECK(float_report);
+  const exact_check::Result measured = exact_check::check(mesh, float_uv);
+  CHECK(measured.largest_violation > 0);
+  CHECK(std::abs(float_report.violation - measured.largest_violation)
+        <= 1e-6 * measured.largest_violation);
+  CHECK_EQUAL(float_report.number_of_flipped_faces,
+              measured.degenerate_faces + measured.flipped_faces);
+  CHECK(SS::snap_to_seamless(mesh, float_uv));
+  CHECK(SS::is_seamless(mesh, float_uv));
+
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CGAL::make_icosahedron<CGAL::Polyhedron_3<Kernel>, Point_3>(polyhedron);
+  auto polyhedron_uv = get(CGAL::dynamic_halfedge_property_t<Point_2>(), polyhedron);
+  const auto points = get(CGAL::vertex_point, polyhedron);
+  CHECK(SS::approximate_seamless_parametrization(polyhedron, polyhedron_uv,
+                                                  CGAL::parameters::vertex_point_map(points)));
+  CHECK(SS::snap_to_seamless(polyhedron, polyhedron_uv));
+  CHECK(SS::is_seamless(polyhedron, polyhedron_uv));
+}
+
+// --- bad input -----------------------------------------------------------------------------------
+
+void test_refused_meshes()
+{
+  const auto none = parameters::default_values();
+  check_refused("no face", Mesh(), Outcome::INVALID_ARGUMENT, none);
+
+  Mesh quad;
+  CGAL::make_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), quad);
+  check_refused("quadrangle", quad, Outcome::NOT_TRIANGULAR, none,
+                "face 0 has 4 edges");
+
+  // Two triangles that have one vertex in common, and nothing else.
+  Mesh bow_tie;
+  std::array<Vertex, 5> v;
+  for(std::size_t i = 0; i < 5; ++i)
+    v[i] = bow_tie.add_vertex(Point_3(double(i % 3), double(i / 2), 0));
+  bow_tie.add_face(v[0], v[1], v[2]);
+  bow_tie.add_face(v[0], v[3], v[4]);
+  check_refused("two fans", bow_tie, Outcome::NOT_MANIFOLD, none,
+                "vertex of face ");
+
+  for(const double x : {std::numeric_limits<double>::quiet_NaN(),
+                        std::numeric_limits<double>::infinity()}) {
+    Mesh mesh = icosphere(0);
+    mesh.point(Vertex(3)) = Point_3(0, x, 0);
+    check_refused("not finite", mesh, Outcome::NOT_FINITE, none,
+                  "vertex of face ");
+  }
+}
+
+void test_ranges()
+{
+  Mesh point = scaled(icosphere(0), 0);
+  check_refused("point", point, Outcome::INVALID_ARGUMENT,
+                parameters::default_values());
+  for(const double length : {1e-310, 1e308})
+    check_refused("length out of range", scaled(icosphere(1), 1e-4),
+                  Outcome::INVALID_ARGUMENT,
+                  parameters::target_edge_length(length), "target_edge_length");
+
+  // What counts is the result.
+  for(const double scale : {1e-305, 1e-200, 1e-100, 1e100, 1e200, 1e307}) {
+    Mesh mesh = scaled(icosphere(1), scale);
+    const Uv_map uv = new_uv_map(mesh);
+    for(const double length : {(std::max)(1., scale / 1e290), scale})
+      for(const double curvature_alignment : {0., 1.}) {
+        const Report report = SS::approximate_seamless_parametrization(
+          mesh, uv, parameters::target_edge_length(length)
+                    .curvature_alignment(curvature_alignment));
+        check_result(mesh, uv, report, exact_check::No_edge_aligned(),
+                     parameters::default_values());
+      }
+    using Float_point = CGAL::Simple_cartesian<float>::Point_2;
+    auto float_uv = mesh.add_property_map<Halfedge, Float_point>("h:float_uv",
+                                                                 Float_point(-7, 7)).first;
+    CHECK_EQUAL(int(SS::approximate_seamless_parametrization(mesh, float_uv).status),
+                int(Outcome::INVALID_ARGUMENT));
+    CHECK(*float_uv.begin() == Float_point(-7, 7));
+    CHECK(SS::approximate_seamless_parametrization(mesh, float_uv,
+                                                    parameters::target_edge_length(scale)));
+  }
+}
+
+// Each component counts by itself, however small it is.
+void test_components_of_all_sizes()
+{
+  Mesh mesh;
+  for(const double size : {1e8, 1., 1e-4, 1e-8}) {
+    mesh += scaled(height_field(6), size);
+    mesh += scaled(grid(4), size);
+    mesh += scaled(icosphere(1), size);
+    mesh += scaled(torus(9, 7), size);
+  }
+  check_parametrization("components of all sizes", mesh);
+}
+
+// The smoothest field has all its turns at the tips, where no angle would be left.
+void test_spikes()
+{
+  Mesh mesh; // two long pyramids on a hexagon
+  std::array<Vertex, 6> ring;
+  const Vertex a = mesh.add_vertex(Point_3(0, 0, -50)), b = mesh.add_vertex(Point_3(0, 0, 50));
+  for(std::size_t i = 0; i < 6; ++i) {
+    const double angle = 3.141592653589793 / 3 * double(i);
+    ring[i] = mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 0));
+  }
+  for(std::size_t i = 0; i < 6; ++i) {
+    mesh.add_face(ring[(i + 1) % 6], ring[i], a);
+    mesh.add_face(ring[i], ring[(i + 1) % 6], b);
+  }
+  check_parametrization("two spikes", mesh);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
+  check_parametrization("two spikes, smooth", mesh);
+}
+
+void test_tiny_meshes()
+{
+  Mesh triangle;
+  CGAL::make_triangle(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), triangle);
+  check_refused("triangle with aligned border", triangle,
+                Outcome::INVALID_ALIGNMENT, parameters::align_border(true));
+  const CGAL::Static_boolean_property_map<Mesh::Edge_index, false> no_feature;
+  check_alignment("square", grid(1), no_feature, true);
+  Mesh mesh = tetrahedron();
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(const auto e : mesh.edges()) { // two opposite edges, then a circle of four
+    is_feature[e] = true;
+    check_alignment("tetrahedron with a feature", mesh, is_feature, false);
+    is_feature[e] = false;
+  }
+  check_given_cones("tetrahedron of half turns", mesh, {{0, 2}, {1, 2}, {2, 2}, {3, 2}});
+  check_given_cones("tetrahedron of three quarters", mesh, {{0, 3}, {1, 3}, {2, 3}, {3, -1}});
+  check_given_cones("triangle", triangle, {});
+}
+
+void test_refused_parameters()
+{
+  const Mesh sphere = icosphere(0);
+  check_refused("length 0", sphere, Outcome::INVALID_ARGUMENT,
+                parameters::target_edge_length(0.));
+  check_refused("length NaN", sphere, Outcome::INVALID_ARGUMENT,
+                parameters::target_edge_length(std::numeric_limits<double>::quiet_NaN()));
+  check_refused("negative curvature alignment", sphere, Outcome::INVALID_ARGUMENT,
+                parameters::curvature_alignment(-1.));
+  check_refused("negative number of iterations", sphere, Outcome::INVALID_ARGUMENT,
+                parameters::number_of_iterations(-1));
+
+  Mesh mesh = sphere;
+  auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
+  check_refused("sphere without cones", mesh, Outcome::INVALID_CONES,
+                parameters::cone_index_map(index));
+  for(int i = 0; i < 9; ++i)
+    index[Vertex(Mesh::size_type(i))] = 1;
+  check_refused("nine cones", mesh, Outcome::INVALID_CONES,
+                parameters::cone_index_map(index));
+  index[Vertex(8)] = 0;
+  index[Vertex(0)] = 4;
+  index[Vertex(1)] = -2;
+  check_refused("cone without an angle", mesh, Outcome::INVALID_CONES,
+                parameters::cone_index_map(index), "a vertex of face ");
+  index[Vertex(0)] = index[Vertex(1)] = 1;
+  check_refused("cones and curvature", mesh, Outcome::INVALID_ARGUMENT,
+                parameters::cone_index_map(index).curvature_alignment(1.));
+
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(*mesh.faces().begin())))
+    is_feature[mesh.edge(h)] = true;
+  check_refused("three features", mesh, Outcome::INVALID_ALIGNMENT,
+                parameters::edge_is_constrained_map(is_feature));
+  check_refused("cones and features", mesh, Outcome::INVALID_ARGUMENT,
+                parameters::edge_is_constrained_map(is_feature).cone_index_map(index));
+}
+
+// --- the elimination -----------------------------------------------------------------------------
+
+// Equations without a coefficient of 1 or -1, which meshes hardly ever lead to: the free unknowns
+// span the solutions.
+void test_equations_without_units()
+{
+  using Row = SS::internal::Entries<std::int64_t>;
+  constexpr std::size_t number_of_columns = 7, rank = 4;
+  SS::internal::Integer_system system(number_of_columns);
+  const std::vector<Row> rows = {{{0, 2}, {1, 3}}, {{1, 4}, {2, -6}, {3, 9}}, {{3, 1}, {4, 2}},
+                                 {{5, 10}}, {{1, 8}, {2, -12}, {3, 18}}};
+  for(const Row& row : rows)
+    system.add_row(row, 0);
+  const SS::internal::Free_unknowns unknowns(system);
+  CHECK_EQUAL(unknowns.size(), number_of_columns - rank);
+
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(number_of_columns, Eigen::Index(unknowns.size()));
+  for(std::size_t c = 0; c < number_of_columns; ++c)
+    for(const auto& [unknown, coefficient] : unknowns.sum(c))
+      sums(Eigen::Index(c), Eigen::Index(unknown)) = coefficient;
+  CHECK_EQUAL(std::size_t(sums.fullPivLu().rank()), unknowns.size());
+  for(const Row& row : rows) {
+    Eigen::RowVectorXd left_hand_side = Eigen::RowVectorXd::Zero(sums.cols());
+    for(const auto& entry : row)
+      left_hand_side += double(entry.coefficient) * sums.row(entry.column);
+    CHECK(left_hand_side.isZero(0));
+  }
+}
+
+// --- input that is handled -----------------------------------------------------------------------
+
+void test_poor_meshes()
+{
+  Mesh isolated = icosphere(1);
+  isolated.add_vertex(Point_3(9, 9, 9));
+  Uv_map uv = new_uv_map(isolated);
+  check_snappable("isolated vertex", SS::approximate_seamless_parametrization(isolated, uv),
+                  isolated, uv);
+
+  Mesh holes = icosphere(2); // with removed elements: indices are not contiguous
+  for(const int f : {3, 40, 41, 200})
+    CGAL::Euler::remove_face(holes.halfedge(Mesh::Face_index(Mesh::size_type(f))), holes);
+  uv = new_uv_map(holes);
+  check_snappable("removed faces", SS::approximate_seamless_parametrization(holes, uv), holes, uv);
+
+  // Collinear, and then also coincident vertices.
+  Mesh degenerate = icosphere(2);
+  const Halfedge h = degenerate.halfedge(Mesh::Face_index(7));
+  const Point_3 a = degenerate.point(degenerate.source(h));
+  const Point_3 b = degenerate.point(degenerate.target(h));
+  degenerate.point(degenerate.target(degenerate.next(h))) = CGAL::midpoint(a, b);
+  uv = new_uv_map(degenerate);
+  check_snappable("collinear", SS::approximate_seamless_parametrization(degenerate, uv),
+                  degenerate, uv);
+  degenerate.point(degenerate.target(h)) = a;
+  degenerate.point(degenerate.target(degenerate.next(h))) = a;
+  check_snappable("coincident", SS::approximate_seamless_parametrization(degenerate, uv),
+                  degenerate, uv);
+}
+
+// --- threads of BLAS -----------------------------------------------------------------------------
+
+#if defined(CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE) && defined(__ELF__) && defined(__GNUC__)
+
+// These stand in for those of OpenBLAS.
+int blas_threads = 7;
+std::size_t times_at_one = 0;
+
+extern "C" int openblas_get_num_threads() { return blas_threads; }
+
+extern "C" void openblas_set_num_threads(const int n)
+{
+  blas_threads = n;
+  times_at_one += n == 1 ? 1 : 0;
+}
+
+// Threads that wait for each other would take many times as long on a machine with other work.
+void test_blas_threads()
+{
+  times_at_one = 0;
+  Mesh mesh = icosphere(2);
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:threads").first;
+  CHECK(bool(CGAL::Seamless_snapping::approximate_seamless_parametrization(mesh, uv)));
+  CHECK(times_at_one > 0 && blas_threads == 7);
+  {
+    const CGAL::Seamless_snapping::internal::One_blas_thread first;
+    CHECK(blas_threads == 1);
+    { const CGAL::Seamless_snapping::internal::One_blas_thread second; }
+    CHECK(blas_threads == 1);
+  }
+  CHECK(blas_threads == 7);
+}
+
+#else
+
+void test_blas_threads() { }
+
+#endif
+
+int main()
+{
+  const Floating_point_traps traps; // for all functions that are called
+  test_blas_threads();
+  test_generated_meshes();
+  test_cube_with_creases();
+  test_meshes_of_all_kinds();
+  test_reproducibility();
+  test_target_edge_length();
+  test_curvature_alignment();
+  test_given_cones();
+  test_given_cones_around_handles();
+  test_unavoidable_flips();
+  for(unsigned int seed = 0; seed < 20; ++seed)
+    test_release(seed);
+  test_untangling_without_release();
+  test_other_types();
+  test_refused_meshes();
+  test_refused_parameters();
+  test_ranges();
+  test_components_of_all_sizes();
+  test_spikes();
+  test_tiny_meshes();
+  test_equations_without_units();
+  test_poor_meshes();
+  return report_checks();
+}
