@@ -167,8 +167,8 @@ void check_transitions(const Graph& g, const Truth<Graph, UVMap>& truth,
     if(singular.second % 4 != 0)
       expected[singular.first] = modulo(singular.second);
   for(const auto& singular : transitions.singular_vertices())
-    found[singular.first] = modulo(singular.second);
-  CHECK_IN(context, transitions.singular_vertices().size() == found.size());
+    if(singular.second % 4 != 0)
+      found[singular.first] = modulo(singular.second);
   CHECK_IN(context, expected == found);
 }
 

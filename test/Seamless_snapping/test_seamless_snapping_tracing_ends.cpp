@@ -248,7 +248,8 @@ void test_contracted_edges()
     const auto seams = SS::seam_transitions(mesh, uv);
     std::set<Vertex> rotating;
     for(const auto& [v, index] : seams.singular_vertices())
-      rotating.insert(v);
+      if(index % 4 != 0)
+        rotating.insert(v);
     for(const auto h : mesh.halfedges()) {
       std::vector<Kernel::Point_2> kept;
       for(const auto g : mesh.halfedges())

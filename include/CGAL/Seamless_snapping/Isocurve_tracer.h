@@ -121,10 +121,10 @@ public:
   bool is_exact() const { return m_is_valid && m_mesh.is_exact; }
 
   /*!
-  returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees. Other
-  than in `Seam_transitions::singular_vertices()`, these may be 720 degrees, which the rotations of
-  the transitions around `v` don't tell from 360. Where an edge at `v` has no length in the domain,
-  the angle is not known, and `v` is taken for singular if those rotations are not the identity.
+  returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees. Among
+  faces that are positive, these are `Seam_transitions::singular_vertices()`. Where an edge at `v`
+  has no length in the domain, the angle is not known, and `v` is taken for singular if the
+  rotations of the transitions around it don't add up to the identity.
   \pre `operator bool()`
   */
   bool is_singular(const vertex_descriptor v) const

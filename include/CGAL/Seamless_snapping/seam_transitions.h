@@ -86,10 +86,12 @@ public:
       put(m_index, edge(h, tmesh), static_cast<int>(i) + 1);
       (m_data.edges[i].is_cut ? m_cut_halfedges : m_merged_halfedges).push_back(h);
     }
-    if(*this)
-      m_singular_vertices = internal::singular_vertices<Group>(tmesh, uv_map,
-                                                        internal::unit_scale(m_data.extent),
-                                                        m_data.edges);
+    if(*this) {
+      const double scale = internal::unit_scale(m_data.extent);
+      m_singular_vertices =
+        internal::singular_vertices<Group>(tmesh, uv_map, scale, m_data.edges);
+      internal::add_full_turns<Group>(tmesh, uv_map, scale, m_singular_vertices);
+    }
   }
 
   const internal::Transition_data<TriangleMesh>& data() const { return m_data; }
@@ -133,9 +135,9 @@ public:
   /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
   const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_merged_halfedges; }
 
-  /// returns the interior vertices around which the rotations do not add up to the identity. An
-  /// angle of 720 degrees, which `Isocurve_tracer::is_singular()` tells from 360, is not found this
-  /// way.
+  /// returns the interior vertices around which the rotations do not add up to the identity; then
+  /// those whose angle is 720 degrees or a larger multiple of 360, which rotations don't tell from
+  /// 360, provided that all faces around them are positive in the domain.
   const std::vector<Singular_vertex>& singular_vertices() const { return m_singular_vertices; }
 
   /// returns `true` if all transitions hold exactly and nothing is to be merged.
@@ -240,7 +242,8 @@ estimate: the topology that explains the coordinates with the smallest residuals
 \return the transitions, or the reason why they could not be read; test with `operator bool()`
 
 \par Complexity
-One pass over the edges, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose sides differ.
+One pass over the edges and one over the faces, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose
+sides differ.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

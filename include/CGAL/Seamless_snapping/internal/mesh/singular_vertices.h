@@ -17,8 +17,9 @@
 
 // Singular vertices from the product of the rotations around them, the holonomy. Angle sums alone
 // miscount wherever a fold touches a vertex; they only choose among indices that differ by full
-// turns.
+// turns, and find those without holonomy where all faces are positive.
 
+#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
@@ -93,6 +94,30 @@ singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const 
     result.emplace_back(v, turns + Group::order * full_turns);
   }
   return result;
+}
+
+// Those without holonomy: of 720 degrees, and other multiples of 360, in positive faces. In the
+// order of the mesh; all faces are looked at.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Result>
+void add_full_turns(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
+                    Result& result)
+{
+  for(const auto v : vertices(tmesh)) {
+    double angles = 0;
+    bool is_unfolded = halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge();
+    if(is_unfolded)
+      for(const auto h : CGAL::halfedges_around_target(v, tmesh)) {
+        is_unfolded = !is_border(h, tmesh) &&
+                      orientation({get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
+                                   get_uv(uv_map, next(h, tmesh))}) == CGAL::POSITIVE;
+        if(!is_unfolded)
+          break;
+        angles += corner_angle<Group>(tmesh, uv_map, h, scale);
+      }
+    const double full_turns = std::round(angles / Group::order);
+    if(is_unfolded && full_turns > 1 && std::abs(angles - full_turns * Group::order) < 0.5)
+      result.emplace_back(v, Group::order * (1 - static_cast<int>(full_turns)));
+  }
 }
 
 } // namespace internal
