@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -114,7 +115,6 @@ private:
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLVER_H

@@ -20,7 +20,10 @@
 
 #include <CGAL/Seamless_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
+#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <optional>
 #include <vector>
@@ -41,7 +44,6 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vecto
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
 #include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_LINEAR_SNAP_VALUES_H
