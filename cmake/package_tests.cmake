@@ -136,8 +136,8 @@ seamless_snapping_benchmark_table(extraction_speed 7 "" "${data}/genus2.obj" --r
   --faces 20000 --nodes 20)
 seamless_snapping_benchmark_table(volume_scaling 0 "adjacency;lost" --cubes 4 --repeats 1)
 
-# The other benchmarks compile, where they are not built: with the flags of the precompiled headers,
-# which are those of all programs, or these would not be taken.
+# The other benchmarks compile, where they are not built: all together, with the flags of the
+# precompiled headers, which are those of all programs, or these would not be taken.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
@@ -148,20 +148,21 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
   set(precompiled "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
   set(options "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>")
-  file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping/*.cpp")
-  foreach(benchmark IN LISTS benchmarks)
-    get_filename_component(name "${benchmark}" NAME_WE)
-    if(TARGET ${name})
-      continue()
-    endif()
-    add_test(NAME "benchmark_${name}"
-      COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
-        "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-        -I "${PROJECT_SOURCE_DIR}/include"
-        "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
-        -include "${precompiled}" "${benchmark}" COMMAND_EXPAND_LISTS)
-    set_tests_properties("benchmark_${name}" PROPERTIES LABELS headers)
-  endforeach()
+  set(folder "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping")
+  file(GLOB benchmarks CONFIGURE_DEPENDS "${folder}/*.cpp")
+  list(FILTER benchmarks EXCLUDE REGEX "/${built_benchmark}\\.cpp$")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${benchmarks})
+  set(source "${PROJECT_BINARY_DIR}/headers/benchmarks.cpp")
+  execute_process(COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${source}" "-DSOURCES=${benchmarks}"
+    "-DFIRST=${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.h"
+    -P "${PROJECT_SOURCE_DIR}/cmake/programs_in_one.cmake")
+  add_test(NAME benchmarks
+    COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
+      "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
+      -I "${PROJECT_SOURCE_DIR}/include" -I "${folder}"
+      "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
+      -include "${precompiled}" "${source}" COMMAND_EXPAND_LISTS)
+  set_tests_properties(benchmarks PROPERTIES LABELS headers COST 700)
 endif()
 
 # Two translation units that include all public headers twice go into one program: nothing is
