@@ -52,7 +52,7 @@ public:
   }
 
   template <typename Right_hand_side>
-  Eigen::VectorXd solve(const Right_hand_side& b) const
+  typename Right_hand_side::PlainObject solve(const Right_hand_side& b) const
   {
     const One_blas_thread guard;
     return Base::solve(b);

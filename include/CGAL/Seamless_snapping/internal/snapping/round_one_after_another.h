@@ -33,8 +33,11 @@ namespace Seamless_snapping {
 namespace internal {
 
 // A part of those that are left is chosen at a time, and all that nothing keeps from being integers
-// any more. So n of them take at most 4 log(n) + 4 solutions.
+// any more. So n of them take at most 4 log(n) + 4 steps, each a solution of the factorized system
+// or, for those that move others, some more. How these respond to each other is a dense matrix: to
+// bound it, all but so many are chosen at once.
 constexpr std::size_t parts_of_roundings = 4;
+constexpr std::size_t most_that_follow = 4000;
 constexpr double nearly_integer = 1e-4;
 
 // \param spreader of the complex
@@ -46,22 +49,27 @@ bool round_one_after_another(const Cut_complex<Group>& complex,
                              Spreader& spreader, std::vector<Rounding<Group> >& roundings)
 {
   Cut_complex<Group> moved = complex;
-  std::vector<Rounding<Group> > now = roundings, chosen;
+  std::vector<Rounding<Group> > now = roundings, chosen, more;
   std::vector<std::size_t> left(now.size());
   std::iota(left.begin(), left.end(), std::size_t(0));
   for(;;) {
     std::sort(left.begin(), left.end(), [&](const std::size_t i, const std::size_t j) {
       return std::make_pair(now[i].distance(), i) < std::make_pair(now[j].distance(), j);
     });
-    const std::size_t part = (left.size() + parts_of_roundings - 1) / parts_of_roundings;
-    std::size_t n = 0;
-    for(; n < left.size() && (n < part || now[left[n]].distance() < nearly_integer); ++n)
-      chosen.push_back(now[left[n]]);
+    std::size_t part = (left.size() + parts_of_roundings - 1) / parts_of_roundings, n = 0;
+    if(left.size() > most_that_follow)
+      part = (std::max)(part, left.size() - most_that_follow);
+    more.clear();
+    for(; n < left.size() && (n < part || now[left[n]].distance() < nearly_integer); ++n) {
+      more.push_back(now[left[n]]);
+      more.back().value = roundings[left[n]].value;
+    }
     left.erase(left.begin(), left.begin() + std::ptrdiff_t(n));
     if(left.empty())
       break;
-    if(!spreader.compute(chosen))
+    if(!(chosen.empty() ? spreader.compute(more) : spreader.compute_further(more)))
       return false;
+    chosen.insert(chosen.end(), more.begin(), more.end());
     for(std::size_t s = 0; s < moved.number_of_sectors(); ++s) {
       const auto d = spreader(Sector_index(s));
       for(std::size_t c = 0; c < Group::dimension; ++c)

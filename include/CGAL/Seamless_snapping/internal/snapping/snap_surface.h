@@ -292,12 +292,12 @@ private:
   Choice choose_integers(const Cuts& cuts, const std::vector<Rounding<Group> >& nearest) const
   {
     Spreader spreader(m_tmesh, m_uv_map, m_vertex_indices, cuts);
-    Choice result{nearest, cost(spreader, nearest)};
     std::vector<Rounding<Group> > others = nearest;
-    if(!round_one_after_another(cuts.complex, cuts.grid_points, format(), spreader, others))
-      return result;
+    const bool has_others =
+      round_one_after_another(cuts.complex, cuts.grid_points, format(), spreader, others);
+    Choice result{nearest, cost(spreader, nearest)};
     const Rounding<Group>* const worst = farthest(others, cuts);
-    if(worst != nullptr && worst->distance() > m_options.rounding_tolerance)
+    if(!has_others || (worst != nullptr && worst->distance() > m_options.rounding_tolerance))
       return result;
     const Cost with_others = cost(spreader, others);
     if(with_others < result.cost)

@@ -23,6 +23,7 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/exact/orientation.h>
+#include <CGAL/Seamless_snapping/internal/linear/Range_space_solver.h>
 #include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
@@ -32,12 +33,14 @@
 #include <boost/container/small_vector.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -55,6 +58,8 @@ class Rounding_spreader
   using Cuts = Surface_cuts<Group, TriangleMesh>;
   using Vector = typename Cut_complex<Group>::Vector;
   using Element = typename Group::Element;
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Solver = Sparse_cholesky<Matrix>;
   static constexpr std::size_t dimension = Group::dimension;
   static constexpr std::size_t number_of_functionals = std::size_t(Group::number_of_functionals);
 
@@ -116,7 +121,8 @@ public:
   // can't be computed.
   bool compute(const Roundings& roundings)
   {
-    m_rhs.assign(m_number_of_unknowns, 0);
+    m_further.reset();
+    m_rhs = Eigen::VectorXd::Zero(Eigen::Index(m_number_of_unknowns));
     m_triplets = m_free_faces;
     link_sectors(roundings);
     m_places.assign(m_complex.number_of_sectors(), {});
@@ -127,7 +133,20 @@ public:
       if(!is_free(f))
         add_face(f);
     add_conditions();
-    return solve();
+    return factorize(roundings) && solve();
+  }
+
+  // As computed last, but with these roundings of the complex, too. Takes less time.
+  bool compute_further(const Roundings& roundings)
+  {
+    if(!m_further)
+      m_further.emplace(m_solver, m_rhs);
+    for(const Rounding<Group>& r : roundings) {
+      const Form f = change(r);
+      m_further->add({f.terms.begin(), f.terms.end()}, r.rounded - r.value - f.constant);
+    }
+    m_solution = m_further->solution();
+    return m_solution.allFinite();
   }
 
   // Of the displacement, once it is computed: by how much edge vectors change.
@@ -399,6 +418,21 @@ private:
     }
   }
 
+  // Of what the rounding is of.
+  Form change(const Rounding<Group>& r) const
+  {
+    const auto& term = r.equation.terms.front();
+    switch(r.kind) {
+    case Rounding<Group>::BRANCH:
+      return number_and_unknown(0, m_first_translation + dimension * r.index +
+                                     std::size_t(term.coordinate));
+    case Rounding<Group>::CHAIN:
+      return number_and_unknown(0, m_first_level + r.index);
+    default:
+      return form(m_places[std::size_t(term.sector)], term.coordinate);
+    }
+  }
+
   // What the unknowns don't say by themselves: once around a vertex, nothing changes; and chains
   // have one level.
   void add_conditions()
@@ -435,30 +469,38 @@ private:
   {
     for(const auto& [u, s] : form.terms) {
       if(form.constant != 0)
-        m_rhs[u] -= weight * s * form.constant;
+        m_rhs[Eigen::Index(u)] -= weight * s * form.constant;
       for(const auto& [v, t] : form.terms)
         if(v <= u)
           m_triplets.emplace_back(int(u), int(v), weight * s * t);
     }
   }
 
-  bool solve()
+  // The matrix is the same for all that round the same.
+  bool factorize(const Roundings& roundings)
   {
-    const int n = int(m_rhs.size());
+    std::vector<std::pair<std::size_t, int> > rounded;
+    for(const Rounding<Group>& r : roundings)
+      rounded.emplace_back(3 * r.index + r.kind, r.equation.terms.front().coordinate);
+    if(rounded == m_rounded)
+      return true;
+    m_rounded = std::move(rounded);
+    const Eigen::Index n = m_rhs.size();
     double largest = 0;
     for(const auto& t : m_triplets)
       largest = (std::max)(largest, std::abs(t.value()));
-    for(int i = 0; i < n; ++i) // the displacement of a part may be free otherwise
-      m_triplets.emplace_back(i, i, 1e-12 * (std::max)(largest, 1.));
-    Eigen::SparseMatrix<double> matrix(n, n);
+    for(Eigen::Index i = 0; i < n; ++i) // the displacement of a part may be free otherwise
+      m_triplets.emplace_back(int(i), int(i), weight_of_nothing + 1e-12 * largest);
+    Matrix matrix(n, n);
     matrix.setFromTriplets(m_triplets.begin(), m_triplets.end());
-    m_triplets.clear();
-    Sparse_cholesky<Eigen::SparseMatrix<double> > solver;
-    solver.compute(matrix);
-    if(solver.info() != Eigen::Success)
-      return false;
-    m_solution = solver.solve(Eigen::Map<const Eigen::VectorXd>(m_rhs.data(), n));
-    return solver.info() == Eigen::Success && m_solution.allFinite();
+    m_solver.compute(matrix);
+    return m_solver.info() == Eigen::Success;
+  }
+
+  bool solve()
+  {
+    m_solution = m_solver.solve(m_rhs);
+    return m_solver.info() == Eigen::Success && m_solution.allFinite();
   }
 
   Vector displacement(const Place& p) const
@@ -476,7 +518,9 @@ private:
   // Twice the area of a face, relative to the squares of its sides, that weights are bounded by.
   static constexpr double thinnest = 1e-5;
   // Relative to edges of faces of good shape.
-  static constexpr double weight_of_conditions = 1e4;
+  static constexpr double weight_of_conditions = 1e6;
+  // Of displacements as such: where charts lie means nothing.
+  static constexpr double weight_of_nothing = 1e-8;
 
   const TriangleMesh& m_tmesh;
   HalfedgeUVMap m_uv_map;
@@ -492,8 +536,10 @@ private:
   std::unordered_map<std::size_t, Form> m_fixed;
   std::vector<char> m_has_level;           // per chain
   std::vector<Eigen::Triplet<double> > m_triplets, m_free_faces;
-  std::vector<double> m_rhs;
-  Eigen::VectorXd m_solution;
+  Eigen::VectorXd m_rhs, m_solution;
+  std::vector<std::pair<std::size_t, int> > m_rounded; // by the matrix
+  Solver m_solver;
+  std::optional<Range_space_solver<Solver> > m_further; // roundings
 };
 
 } // namespace internal
