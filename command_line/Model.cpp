@@ -32,6 +32,10 @@ std::string with_options(std::string message)
     {"by grid_scale, or call extract_quad_soup()",
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
      "a mesh of quads"},
+    {"; raise maximum_number, or shrink the map by grid_scale",
+     "; shrink the map by --grid-scale, or ask for fewer by --number"},
+    {"; raise maximum_number, or let curves end where they meet others",
+     "; let curves end where they meet others: leave out --base-complex"},
     {"by grid_scale", "by --grid-scale or --number"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};

@@ -101,8 +101,10 @@ void layout(const Arguments& arguments)
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
     junctions += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 1 : 0;
   os << counted(graph.number_of_patches() - cut, "rectangle") << ", "
-     << (cut > 0 ? std::to_string(cut) + (cut == 1 ? " patch" : " patches") + " cut by the border, "
-                 : "") << counted(graph.number_of_arcs(), "arc") << " between "
-     << graph.number_of_nodes() - junctions << " cones and corners and "
+     << (cut > 0 ? counted(cut, "patch") + " cut by the border, " : "")
+     << counted(graph.number_of_arcs(), "arc") << " between "
+     << (graph.number_of_nodes() == junctions + 1
+           ? "1 cone or corner"
+           : std::to_string(graph.number_of_nodes() - junctions) + " cones and corners") << " and "
      << counted(junctions, "point") << " at which curves meet\n";
 }

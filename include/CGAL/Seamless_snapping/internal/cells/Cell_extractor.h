@@ -27,6 +27,7 @@
 #include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/charts/remove_faces.h>
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
@@ -375,8 +376,8 @@ private:
     Corner_index h = 0;
     while(m_mesh.opposite(h) != no_index || is_border_on_grid(m_mesh, h))
       ++h;
-    m_report.message = std::to_string(m_report.number_of_cut_cells) +
-                       " pieces of cells were left out: the border cuts them" +
+    m_report.message = "left out: " + counted(m_report.number_of_cut_cells, "piece") +
+                       " of cells, as the border cuts them" +
                        (m_kept_faces.empty() ? ", first at " : " or holes do, first at ") +
                        edge_name(h) + "; snap_to_seamless() with integer_grid(true) and "
                        "align_border(true) moves it to the grid";

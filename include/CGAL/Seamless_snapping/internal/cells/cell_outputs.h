@@ -20,6 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/cells/Grid_embedding.h>
 #include <CGAL/Seamless_snapping/internal/cells/inverted_quads.h>
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 
@@ -212,8 +213,8 @@ bool fits(Extraction_report& report)
   if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
     return true;
   return refuse(report, Outcome::NOT_INTEGER,
-                std::to_string(report.number_of_other_polygons) + " cells around cones are no " +
-                  Shape::plural() + ", which arrays of " +
+                "the cells around " + counted(report.number_of_other_polygons, "cone") +
+                  " are no " + Shape::plural() + ", which arrays of " +
                   std::to_string(Shape::number_of_corners) + " indices can't hold; double the "
                   "map, grid_scale(2), if the cones are half-integers, or use "
                   "std::vector<std::size_t> for polygons");

@@ -18,6 +18,7 @@
 // The edges of alignment constraints, [MC19] Eq. (5), and which functional of the coordinates is
 // constant along each.
 
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
@@ -160,7 +161,7 @@ private:
         (Group::is_signed_permutation ? "neither coordinate" : "none of u, v, and u + v") +
         " is constant along it: the least change is " +
         short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
-        (count > 1 ? ", as with " + std::to_string(count - 1) + " other edges" : std::string()) +
+        (count > 1 ? ", as with " + counted(count - 1, "other edge") : std::string()) +
         "; constrain only edges that lie on isocurves, or raise the tolerance";
     m_refusal = Refusal(Outcome::NOT_ALIGNED, message);
   }

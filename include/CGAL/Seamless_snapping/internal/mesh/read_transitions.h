@@ -18,6 +18,7 @@
 // From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from
 // noise.
 
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
@@ -234,7 +235,7 @@ private:
     fail(data, Outcome::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
-         (count > 1 ? ", as do " + std::to_string(count - 1) + " other edges" : std::string()) +
+         (count > 1 ? ", as with " + counted(count - 1, "other edge") : std::string()) +
          (hint.empty() ? "; if this is the accuracy of the parametrization, raise the tolerance"
                        : hint));
     return false;

@@ -19,6 +19,7 @@
 // mesh data structure.
 
 #include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
@@ -91,8 +92,10 @@ private:
     }
     return first == no_index ||
            refuse(m_result, Outcome::NOT_ALIGNED,
-                  std::to_string(m_result.number_of_unaligned_border_edges) +
-                    " border edges don't lie on isocurves, the first leads from vertex " +
+                  counted(m_result.number_of_unaligned_border_edges, "border edge") +
+                    (m_result.number_of_unaligned_border_edges == 1 ? " doesn't lie"
+                                                                    : " don't lie") +
+                    " on isocurves, the first leads from vertex " +
                     m_vertex_name(m_mesh.source(first)) + " to vertex " +
                     m_vertex_name(m_mesh.vertex(first)) +
                     "; parametrize and snap with align_border(true)");

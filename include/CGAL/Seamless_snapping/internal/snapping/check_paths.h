@@ -19,6 +19,7 @@
 // distort the whole map, so that it is refused.
 
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
@@ -66,7 +67,7 @@ std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
                  short_number(report.connection_violation_before / report.extent) +
                  " of the extent, more than the connection_tolerance of " +
                  short_number(tolerance) +
-                 (count > 1 ? ", as do " + std::to_string(count - 1) + " others" : std::string()) +
+                 (count > 1 ? ", as with " + counted(count - 1, "other") : std::string()) +
                  "; see whether its path is the one that is meant, and raise the tolerance if so");
 }
 

@@ -495,13 +495,15 @@ Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_r
 }
 
 // Changes and orientations against the input times a number, where there were steps between.
+// Returns the area of the result in the domain.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename ScaledMap>
-void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+double compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                         const ScaledMap& result, const double scale, Snapping_report& report)
 {
   report.largest_change = 0;
   report.lost_faces.clear();
   report.remaining_flips.clear();
+  double area = 0;
   std::size_t index = 0;
   for(const auto f : faces(tmesh)) {
     Uv_triangle before, after;
@@ -513,11 +515,14 @@ void compare_with_input(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
       for(const double change : Group::to_cartesian({v[0] - scale * u[0], v[1] - scale * u[1]}))
         report.largest_change = (std::max)(report.largest_change, std::abs(change));
     }
+    area += ((after[1][0] - after[0][0]) * (after[2][1] - after[0][1]) -
+             (after[1][1] - after[0][1]) * (after[2][0] - after[0][0])) / 2;
     if(orientation(after) != CGAL::POSITIVE)
       (orientation(before) == CGAL::POSITIVE ? report.lost_faces : report.remaining_flips)
         .push_back(index);
     ++index;
   }
+  return area;
 }
 
 inline std::string number_of_faces_in_words(const std::vector<std::size_t>& faces,
@@ -593,11 +598,11 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   Snapping_report report = snap_surface<Group>(tmesh, scaled, np);
   if(!report)
     return report;
-  compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);
-  if(report.lost_faces.size() + report.remaining_flips.size() == report.run.number_of_faces &&
-     !report.lost_faces.empty()) {
-    refuse(report, Outcome::NOT_INTEGER, "at the nearest integers, no face is positive; "
-                                                "scale the map up by grid_scale");
+  const double area = compare_with_input<Group>(tmesh, uv_map, scaled, scale, report);
+  // nothing but flips makes it less than half a cell, and faces between no integers
+  if(area < 0.25 && !report.lost_faces.empty()) {
+    refuse(report, Outcome::NOT_INTEGER,
+           "at the nearest integers, the map covers no cell; scale the map up by grid_scale");
     return report;
   }
   report.status = Outcome::SNAPPED;

@@ -18,6 +18,7 @@
 // Snapping of volumes where it may change cells away from cuts and boundary, too: to integer-grid
 // maps, and with repairs of cells that are not positive. An exactly seamless map comes first.
 
+#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_rounder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
@@ -158,8 +159,9 @@ private:
     if(2 * m_report.lost_faces.size() < m_volume.number_of_cells() && is_integer_grid(m_volume))
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER,
-                   "at the nearest integers, " + std::to_string(m_report.lost_faces.size()) +
-                     " cells lose their orientation" +
+                   "at the nearest integers, " + counted(m_report.lost_faces.size(), "cell") +
+                     (m_report.lost_faces.size() == 1 ? " loses its orientation"
+                                                      : " lose their orientation") +
                      (m_report.lost_faces.empty()
                         ? std::string()
                         : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
@@ -231,7 +233,7 @@ private:
       m_report.message += (flips > 0 ? "; " : "") + std::string("cells that had the orientation of "
                           "most cells and lost it: ") + names(m_report.lost_faces);
     if(const std::size_t n = m_report.run.number_of_faces_without_area; n > 0)
-      m_report.message += "; alignments leave " + std::to_string(n) + " cells no volume, whatever "
+      m_report.message += "; alignments leave " + counted(n, "cell") + " no volume, whatever "
                           "the coordinates are: align less, or divide them";
     else if(m_report.run.number_of_untangling_iterations ==
             m_options.number_of_untangling_iterations)
