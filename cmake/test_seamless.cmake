@@ -372,7 +372,7 @@ seamless(1 quads genus2.obj quads.obj --grid-scale 1e-300 --rounding 99)
 expect_message("${err}" "the map covers no cell; scale the map up by --grid-scale or --number")
 seamless(1 quads genus2.obj quads.obj --grid-scale 1e6 --rounding 99)
 expect_message("${err}" "shrink the map by --grid-scale, or ask for fewer by --number")
-seamless(1 quads genus2.obj quads.obj --grid-scale 3 --rounding 99)
+seamless(1 quads genus2.obj quads.obj --grid-scale 2 --rounding 99)
 expect_message("${err}" "try --repair-flips, or leave out the quads around these faces")
 expect("written all the same" NOT EXISTS "${WORK_DIR}/quads.obj")
 

@@ -13,6 +13,8 @@
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/extract_grid_mesh.h>
+#include <CGAL/Seamless_snapping/internal/linear/Range_space_solver.h>
+#include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/repair_integer_grid.h>
@@ -23,6 +25,10 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +41,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace quad_reference;
@@ -943,6 +950,52 @@ void test_integers_one_after_another(const std::string& name, const double numbe
   CHECK(std::abs(measure.area - number_of_quads) < 0.1 * number_of_quads);
 }
 
+// Equations that come one after another, against the system with all multipliers; among them one
+// that follows from others, and one that holds by itself.
+void test_range_space()
+{
+  constexpr Eigen::Index n = 30, m = 8;
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> number(-1, 1);
+  Eigen::MatrixXd matrix = 2 * Eigen::MatrixXd::Identity(n, n), rows = Eigen::MatrixXd::Zero(m, n);
+  Eigen::VectorXd rhs(n), values(m);
+  for(Eigen::Index i = 0; i < n; ++i) {
+    rhs[i] = number(random);
+    if(i > 0)
+      matrix(i, i - 1) = matrix(i - 1, i) = number(random);
+  }
+  for(Eigen::Index i = 0; i < m; ++i) {
+    for(const Eigen::Index j : {3 * i, (7 * i + 1) % n})
+      rows(i, j) += number(random);
+    values[i] = number(random);
+  }
+  const Eigen::SparseMatrix<double> sparse = matrix.sparseView();
+  internal::Sparse_cholesky<Eigen::SparseMatrix<double> > solver;
+  solver.compute(sparse);
+  internal::Range_space_solver<decltype(solver)> minimum(solver, rhs);
+  CHECK((matrix * minimum.solution() - rhs).norm() < 1e-12);
+  const auto add = [&](const Eigen::VectorXd& row, const double value) {
+    std::vector<std::pair<Eigen::Index, double> > terms;
+    for(Eigen::Index j = 0; j < n; ++j)
+      if(row[j] != 0)
+        terms.emplace_back(j, row[j]);
+    minimum.add(terms, value);
+  };
+  add(rows.row(0), rows.row(0).dot(minimum.solution()));
+  CHECK((matrix * minimum.solution() - rhs).norm() < 1e-12);
+  for(const Eigen::Index end : {3, 4, 8}) { // with those before
+    for(Eigen::Index i = end == 3 ? 0 : end == 4 ? 3 : 4; i < end; ++i)
+      add(rows.row(i), values[i]);
+    add(rows.row(1) - 2 * rows.row(2), values[1] - 2 * values[2]);
+    const Eigen::VectorXd x = minimum.solution();
+    CHECK((rows.topRows(end) * x - values.head(end)).norm() < 1e-10);
+    const Eigen::MatrixXd forces = rows.topRows(end).transpose();
+    const Eigen::VectorXd rest = matrix * x - rhs;
+    const Eigen::MatrixXd products = forces.transpose() * forces;
+    CHECK((forces * products.ldlt().solve(forces.transpose() * rest) - rest).norm() < 1e-10);
+  }
+}
+
 void test_integer_grids()
 {
   test_integers_one_after_another("genus1", 400);
@@ -964,6 +1017,13 @@ void test_integer_grids()
   CHECK(refusal.status == SS::Outcome::NOT_INTEGER);
   CHECK(refusal.largest_rounding >= 0.5);
   CHECK(refusal.message.find("grid_scale") != std::string::npos);
+  for(const double tiny : {1e-300, 1e-3}) {
+    const auto nothing = SS::snap_to_seamless(
+      map.mesh, map.uv,
+      parameters::integer_grid(true).grid_scale(tiny).rounding_tolerance(1.));
+    CHECK_EQUAL(nothing.status, SS::Outcome::NOT_INTEGER);
+    CHECK(nothing.message.find("no cell; scale the map up") != std::string::npos);
+  }
   const auto report = SS::snap_to_seamless(map.mesh, map.uv,
                                            parameters::integer_grid(true).grid_scale(2));
   CHECK(bool(report));
@@ -993,6 +1053,7 @@ int main()
   test_forms();
   test_forms_of_files();
   test_refusals();
+  test_range_space();
   test_integer_grids();
   return report_checks();
 }

@@ -72,7 +72,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh
+\param tmesh the mesh. Points in space mean nothing to a map: they may coincide, and are read only
+       for a note on border edges that do.
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex
        may share a place in memory where no cut runs between them; all others need their own.
@@ -227,7 +228,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `NOT_CONNECTED`: a connection or cycle constraint misses by more than its tolerance;
-        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance;
+        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or, with
+          `grid_scale`, so much collapses that the result covers no cell of the grid;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
           other, or an edge that is given as no cut has a rotation;
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,

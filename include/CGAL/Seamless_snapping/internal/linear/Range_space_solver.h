@@ -49,8 +49,7 @@ public:
 
   void add(Row row, const double value) { m_equations.push_back({std::move(row), value, false}); }
 
-  // The minimum under all equations that were added; of those that contradict others, the first
-  // ones hold.
+  // The minimum under all equations that were added, but for those that contradict others.
   const Eigen::VectorXd& solution()
   {
     for(std::vector<std::size_t> violated = most_violated(); !violated.empty();
