@@ -3,7 +3,7 @@
 # The linker takes what a program calls: each line here is a source of its own.
 
 set(linear internal/linear/Linear_solver internal/linear/snap_values)
-set(surfaces internal/complex/Free_unknowns internal/surface_solvers)
+set(surfaces internal/complex/Free_unknowns internal/snapping/surface_solvers)
 set(volumes internal/volume/volume_snappers)
 set(layouts internal/layout/Refined_faces internal/layout/make_layout)
 set(quads internal/quantization/quantize_surface quad_remesh)

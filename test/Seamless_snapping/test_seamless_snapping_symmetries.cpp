@@ -966,7 +966,7 @@ void test_isocurves(Mesh mesh, const std::string& name)
     const SS::Isocurve_tracer tracer(mesh, uv, symmetry<N>());
     CHECK_IN(context, tracer.is_exact());
     check_rays<N>(tracer, mesh, context);
-    const auto ends = check_isocurves<N>(tracer, mesh, uv, 20, context);
+    const auto ends = check_isocurves<N>(tracer, mesh, uv, 12, context);
     std::cout << context << ends << std::endl;
   }
 }

@@ -27,7 +27,9 @@ namespace internal {
 
 inline std::string note_on_coinciding_border_edges(const std::size_t number)
 {
-  return std::to_string(number) + " border edges coincide: is this a mesh that was cut open?";
+  return (number == 1 ? std::string("1 border edge coincides with others")
+                      : std::to_string(number) + " border edges coincide") +
+         ": is this a mesh that was cut open?";
 }
 
 } // namespace internal

@@ -27,7 +27,7 @@
 #include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
 #include <CGAL/Seamless_snapping/internal/charts/remove_faces.h>
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
+#include <CGAL/Seamless_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>

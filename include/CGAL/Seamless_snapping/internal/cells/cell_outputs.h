@@ -20,7 +20,7 @@
 
 #include <CGAL/Seamless_snapping/internal/cells/Grid_embedding.h>
 #include <CGAL/Seamless_snapping/internal/cells/inverted_quads.h>
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
+#include <CGAL/Seamless_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 

@@ -18,7 +18,6 @@
 // Whether a mesh looks as if it was cut open along its seams: its border edges then lie on each
 // other, and what is a seam to the user is a border to every function here.
 
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
 
 #include <CGAL/boost/graph/helpers.h>

@@ -18,7 +18,7 @@
 // From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from
 // noise.
 
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
+#include <CGAL/Seamless_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>

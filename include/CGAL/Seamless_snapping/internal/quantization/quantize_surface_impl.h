@@ -19,7 +19,7 @@
 // mesh data structure.
 
 #include <CGAL/Seamless_snapping/internal/charts/nonpositive_faces.h>
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
+#include <CGAL/Seamless_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
 #include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>

@@ -19,7 +19,7 @@
 // distort the whole map, so that it is refused.
 
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
-#include <CGAL/Seamless_snapping/internal/exact/counted.h>
+#include <CGAL/Seamless_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>

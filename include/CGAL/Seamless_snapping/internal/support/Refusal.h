@@ -38,8 +38,8 @@ struct Refusal
 {
   using Certificate = std::vector<std::pair<std::size_t, CGAL::Exact_integer> >;
 
-  Refusal(const Outcome status, std::string message, Certificate c = {})
-    : Report(status, std::move(message)), certificate(std::move(c))
+  Refusal(const Outcome outcome, std::string words, Certificate c = {})
+    : Report(outcome, std::move(words)), certificate(std::move(c))
   { }
 
   Certificate certificate; // see `Snapping_report`

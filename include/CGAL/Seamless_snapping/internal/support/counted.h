@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_COUNTED_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_COUNTED_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_COUNTED_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_COUNTED_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -40,4 +40,4 @@ inline std::string counted(const std::size_t n, const std::string& noun)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_EXACT_COUNTED_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_COUNTED_H
