@@ -259,6 +259,38 @@ void test_repair(const bool per_corner)
   CHECK(per_corner || number_of_lost_cells > 0); // else the vertex is one that moves anyway
 }
 
+// The middle of a face of a cube comes so near to one of its edges that several rotations fit their
+// facet, or two coordinates of the boundary. With a wrong one it would have to lie on the edge, and
+// its cells would have no volume. Each cell has a chart of its own, so that all facets around count.
+void test_thin_facets(const bool is_at_boundary)
+{
+  for(unsigned int seed = 1; seed <= 30; ++seed) {
+    Tet_map map = box_map(seed);
+    std::mt19937 generator(seed);
+    std::vector<std::size_t> candidates;
+    for(const auto& [facet, cells] : volume_reference::cells_of_facets(map))
+      for(const std::size_t c : cells)
+        if((cells.size() == 1) == is_at_boundary &&
+           std::find(facet.begin(), facet.end(), map.cells[c][0]) == facet.end())
+          candidates.push_back(c);
+    const std::size_t cell = candidates[generator() % candidates.size()];
+    const Point a = map.corners[4 * cell + 2], b = map.corners[4 * cell + 3];
+    for(std::size_t i = 0; i < map.corners.size(); ++i)
+      for(std::size_t c = 0; c < 3 && map.cells[i / 4][i % 4] == map.cells[cell][1]; ++c)
+        map.corners[i][c] = 0.5 * (a[c] + b[c]) +
+                            (1e-7 + 1e-8 * (seed % 30)) * (map.corners[i][c] - 0.5 * (a[c] + b[c]));
+    volume_generator::Chart chart;
+    for(std::size_t i = 0; i < map.corners.size(); ++i) {
+      if(i % 4 == 0)
+        chart = volume_generator::Chart::random(generator);
+      map.corners[i] = chart(map.corners[i]);
+    }
+    volume_generator::add_noise(map, 1e-8, true, seed);
+    const std::string name = "thin facet, seed " + std::to_string(seed);
+    CHECK_IN(name, snap_and_check(map, name).lost_faces.empty());
+  }
+}
+
 // Fifty hexahedra along a side: fewer would need better integers than the nearest.
 void test_grid_of_file(Tet_map map, const std::string& name)
 {
@@ -312,6 +344,8 @@ int main(int argc, char** argv)
   test_features();
   test_repair(false);
   test_repair(true);
+  test_thin_facets(false);
+  test_thin_facets(true);
   test_refusals();
   test_neighbors();
   test_two_cells();
