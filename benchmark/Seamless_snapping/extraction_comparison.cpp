@@ -86,7 +86,7 @@ void compare(const std::string& file, const double number)
   for(const double gap : {0., 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
     SS::internal::Chart_mesh opened = chart_mesh(mesh, uv);
     open_cuts(opened, gap);
-    const naive::Counts counts = naive::Extraction(opened).run();
+    const naive_extraction::Counts counts = naive_extraction::Extraction(opened).run();
     std::cout << std::setw(10) << gap << std::setw(11) << counts.points << std::setw(11)
               << counts.darts << std::setw(11) << counts.lost << std::setw(11) << counts.uneven
               << std::endl;

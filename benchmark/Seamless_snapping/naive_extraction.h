@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace naive {
+namespace naive_extraction {
 
 namespace I = CGAL::Seamless_snapping::internal;
 using I::Chart_mesh;
@@ -196,6 +196,6 @@ private:
   Counts m_counts;
 };
 
-} // namespace naive
+} // namespace naive_extraction
 
 #endif // SEAMLESS_SNAPPING_BENCHMARK_NAIVE_EXTRACTION_H

@@ -261,7 +261,7 @@ void test_repair(const bool per_corner)
 
 // The middle of a face of a cube comes so near to one of its edges that several rotations fit their
 // facet, or two coordinates of the boundary. With a wrong one it would have to lie on the edge, and
-// its cells would have no volume. Each cell has a chart of its own, so that all facets around count.
+// its cells would have no volume. Each cell has a chart of its own: all facets around count.
 void test_thin_facets(const bool is_at_boundary)
 {
   for(unsigned int seed = 1; seed <= 30; ++seed) {
