@@ -314,6 +314,11 @@ inline std::vector<Cube_complex> all_complexes()
   result.push_back(lattice_cubes("cubes with a common vertex", {{{0, 0, 0}}, {{2, 2, 2}}}));
   result.push_back(lattice_cubes("ring of cubes around an edge",
                                  {{{0, 0, 0}}, {{2, 0, 0}}, {{2, 2, 0}}, {{0, 2, 0}}}));
+  // four sheets meet along several vertices, between the two first bars and the two others
+  result.push_back(lattice_cubes("bars around an edge", {}));
+  for(int i = 0; i < 16; ++i)
+    result.back().cubes.push_back({i % 4, {{i % 4 == 1 || i % 4 == 2 ? 2 : 0,
+                                            i % 2 == 1 ? 2 : 0, i / 4 * 2}}});
   return result;
 }
 
