@@ -64,7 +64,8 @@ list(GET entries 0 entry)
 expect_once("${bibliography}" "${entry}")
 
 # All public headers in one source, and two programs: one of them adds parameters to those that are
-# given, the other tells parameters from values.
+# given, the other tells parameters from values. Without what the library holds, which takes long
+# and is no other code within CGAL.
 set(cgal "${WORK_DIR}/cgal")
 set(package "${cgal}/Seamless_snapping")
 into_cgal("${cgal}")
@@ -81,4 +82,4 @@ foreach(program IN ITEMS orbifold_pipeline snap_linear_constraints)
 endforeach()
 file(WRITE "${WORK_DIR}/all.cpp" "${source}")
 run("${COMPILER}" ${OPTIONS} -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include"
-  -I "${package}/include" "${WORK_DIR}/all.cpp")
+  -I "${package}/include" -DCGAL_SEAMLESS_SNAPPING_COMPILED "${WORK_DIR}/all.cpp")

@@ -86,7 +86,7 @@ while(NOT language STREQUAL "")
   next_block()
 endwhile()
 
-if(number_of_programs LESS 3 OR compile_command STREQUAL "" OR commands STREQUAL "")
+if(number_of_programs LESS 2 OR compile_command STREQUAL "" OR commands STREQUAL "")
   message(FATAL_ERROR "README.md lacks programs or commands, or they are not found")
 endif()
 # The last one, without GMP.

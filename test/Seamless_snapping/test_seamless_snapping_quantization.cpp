@@ -631,7 +631,7 @@ void test_map(const std::filesystem::path& file, Sizes& sizes)
     ++sizes.runs;
     check_mesh(model, quantization, number, run, sizes);
   }
-  test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 2e5, name);
+  test_steps(read_integers(model.mesh, model.uv, model.is_aligned), 1, 1e5, name);
 }
 
 void test_maps()

@@ -883,7 +883,7 @@ std::map<Status, std::size_t> check_isocurves(const SS::Isocurve_tracer<Mesh, D>
             walk.from_vertex(start.halfedge, lattice_walk::vector_of<D>(direction), Rational(0)));
   std::size_t i = 0;
   for(const Halfedge h : mesh.halfedges()) {
-    if(mesh.is_border(h) || ++i % 7 != 0)
+    if(mesh.is_border(h) || ++i % 21 != 0)
       continue;
     const Exact_vector a = lattice_walk::exact_point(uv[mesh.prev(h)]);
     const Exact_vector p =
