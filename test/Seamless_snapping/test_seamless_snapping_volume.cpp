@@ -276,9 +276,11 @@ void test_thin_facets(const bool is_at_boundary)
     const std::size_t cell = candidates[generator() % candidates.size()];
     const Point a = map.corners[4 * cell + 2], b = map.corners[4 * cell + 3];
     for(std::size_t i = 0; i < map.corners.size(); ++i)
-      for(std::size_t c = 0; c < 3 && map.cells[i / 4][i % 4] == map.cells[cell][1]; ++c)
-        map.corners[i][c] = 0.5 * (a[c] + b[c]) +
-                            (1e-7 + 1e-8 * (seed % 30)) * (map.corners[i][c] - 0.5 * (a[c] + b[c]));
+      for(std::size_t c = 0; c < 3 && map.cells[i / 4][i % 4] == map.cells[cell][1]; ++c) {
+        const double middle = (a[c] + b[c]) / 2;
+        const double part = 1e-7 + 1e-8 * (seed % 30);
+        map.corners[i][c] = middle + part * (map.corners[i][c] - middle);
+      }
     volume_generator::Chart chart;
     for(std::size_t i = 0; i < map.corners.size(); ++i) {
       if(i % 4 == 0)

@@ -98,6 +98,18 @@ inline void test_neighbors()
   neighbors.pop_back();
   check_refusal(Outcome::INVALID_ARGUMENT, map, "size",
                 parameters::cell_neighbors(neighbors));
+
+  // three cells at a facet, two of which are neighbors, say
+  map.cells = {{{0, 1, 2, 3}}, {{4, 1, 2, 3}}, {{5, 1, 2, 3}}};
+  map.corners.resize(12);
+  for(const std::array<int, 3>& first :
+      {std::array<int, 3>{{1, -1, -1}}, {{-1, 0, -1}}, {{1, 0, 0}}, {{2, 2, 0}}, {{1, 2, 1}}}) {
+    neighbors.assign(3, {{-1, -1, -1, -1}});
+    for(std::size_t c = 0; c < 3; ++c)
+      neighbors[c][0] = first[c];
+    check_refusal(Outcome::INVALID_ARGUMENT, map, "not the other way round",
+                  parameters::cell_neighbors(neighbors));
+  }
 }
 
 // The sides of one facet, which differ at one vertex, by so little that rounded differences of
