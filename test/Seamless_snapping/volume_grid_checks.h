@@ -43,7 +43,7 @@ inline Matrix rotation_across(const Tet_map& map, const Facet& facet, const std:
                               const std::size_t to)
 {
   static const std::vector<Matrix> all = rotations();
-  const auto p = facet_points(map, from, facet), q = facet_points(map, to, facet);
+  const auto p = edges(facet_points(map, from, facet)), q = edges(facet_points(map, to, facet));
   const auto found = std::find_if(all.begin(), all.end(), [&](const Matrix& m) {
     return is_rotated(p, q, m);
   });

@@ -103,7 +103,8 @@ inline void test_neighbors()
   map.cells = {{{0, 1, 2, 3}}, {{4, 1, 2, 3}}, {{5, 1, 2, 3}}};
   map.corners.resize(12);
   for(const std::array<int, 3>& first :
-      {std::array<int, 3>{{1, -1, -1}}, {{-1, 0, -1}}, {{1, 0, 0}}, {{2, 2, 0}}, {{1, 2, 1}}}) {
+      {std::array<int, 3>{{1, -1, -1}}, {{-1, 0, -1}}, {{1, 0, 0}}, {{2, 2, 0}}, {{2, 2, 1}},
+       {{1, 2, 1}}}) {
     neighbors.assign(3, {{-1, -1, -1, -1}});
     for(std::size_t c = 0; c < 3; ++c)
       neighbors[c][0] = first[c];

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -47,8 +48,6 @@ inline std::vector<Matrix> rotations()
   return result;
 }
 
-using Rational_facet = std::array<std::array<Rational, 3>, 3>;
-
 // The coordinates of the vertices of a facet, in the order of the vertices' numbers.
 inline std::array<Point, 3> facet_points(const Tet_map& map, const std::size_t cell,
                                          const Facet& facet)
@@ -61,18 +60,25 @@ inline std::array<Point, 3> facet_points(const Tet_map& map, const std::size_t c
   return result;
 }
 
-inline bool is_rotated(const std::array<Point, 3>& p, const std::array<Point, 3>& q,
-                       const Matrix& m)
+// The edges of a facet from its first vertex.
+using Edge_pair = std::array<std::array<Rational, 3>, 2>;
+
+inline Edge_pair edges(const std::array<Point, 3>& p)
 {
-  for(int i = 1; i < 3; ++i)
-    for(int r = 0; r < 3; ++r) {
-      Rational sum = Rational(q[0][r]) - Rational(q[i][r]);
+  Edge_pair result;
+  for(int i = 0; i < 2; ++i)
+    for(int c = 0; c < 3; ++c)
+      result[i][c] = Rational(p[i + 1][c]) - Rational(p[0][c]);
+  return result;
+}
+
+inline bool is_rotated(const Edge_pair& p, const Edge_pair& q, const Matrix& m)
+{
+  for(int i = 0; i < 2; ++i)
+    for(int r = 0; r < 3; ++r)
       for(int c = 0; c < 3; ++c)
-        if(m[r][c] != 0)
-          sum += m[r][c] * (Rational(p[i][c]) - Rational(p[0][c]));
-      if(sum != 0)
-        return false;
-    }
+        if(m[r][c] != 0 && q[i][r] != (m[r][c] > 0 ? p[i][c] : Rational(-p[i][c])))
+          return false;
   return true;
 }
 
@@ -123,8 +129,9 @@ inline Result check(const Tet_map& map, const bool align_boundary = true,
     if(p == q)
       continue;
     ++result.cuts;
+    const Edge_pair e = edges(p), f = edges(q);
     result.inexact += std::size_t(std::none_of(all.begin(), all.end(), [&](const Matrix& m) {
-      return is_rotated(p, q, m);
+      return is_rotated(e, f, m);
     }));
   }
   for(Facet facet : features) {
@@ -137,17 +144,31 @@ inline Result check(const Tet_map& map, const bool align_boundary = true,
   return result;
 }
 
-// The sign of the volume of a cell in the domain.
-inline int orientation(const Tet_map& map, const std::size_t cell)
+// The sign of the volume of a cell in the domain: that of a number of more digits where it is far
+// from 0, else in rational numbers.
+template <typename Number>
+int sign_of_volume(const Tet_map& map, const std::size_t cell, const Number& least_part)
 {
-  std::array<std::array<Rational, 3>, 3> e;
+  std::array<std::array<Number, 3>, 3> e;
   for(int i = 0; i < 3; ++i)
     for(int c = 0; c < 3; ++c)
-      e[i][c] = Rational(map.corners[4 * cell + i + 1][c]) - Rational(map.corners[4 * cell][c]);
-  const Rational det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-                       e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                       e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
-  return det > 0 ? 1 : det < 0 ? -1 : 0;
+      e[i][c] = Number(map.corners[4 * cell + i + 1][c]) - Number(map.corners[4 * cell][c]);
+  Number det(0), size(0);
+  for(int i = 0; i < 3; ++i)
+    for(int j = 1; j < 3; ++j) {
+      const Number term = e[0][i] * e[1][(i + j) % 3] * e[2][(i + 3 - j) % 3];
+      det += j == 1 ? term : Number(-term);
+      size += term < 0 ? Number(-term) : term;
+    }
+  size *= least_part;
+  return det > size ? 1 : det < -size ? -1 : 0;
+}
+
+inline int orientation(const Tet_map& map, const std::size_t cell)
+{
+  static_assert(std::numeric_limits<long double>::digits >= 64, "the bound is for these");
+  const int sign = sign_of_volume<long double>(map, cell, 1e-15L);
+  return sign != 0 ? sign : sign_of_volume<Rational>(map, cell, Rational(0));
 }
 
 // Cells that were positive, and are not.
