@@ -79,10 +79,10 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
                       {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
                       {"multiprecision", r.linear_solver.multiprecision}}},
-          {"change", {{"grid_step", r.run.grid_step}, {"largest", r.largest_change},
+          {"change", {{"grid_step", r.grid_step}, {"largest", r.largest_change},
                       {"mean", r.mean_change}, {"rms", r.rms_change}}},
           {"seconds", {{"reading", s.reading_time}, {"snapping", s.snapping_time},
-                       {"writing", s.writing_time}, {"steps", json_of_steps(r.run.step_times)}}}};
+                       {"writing", s.writing_time}, {"steps", json_of_steps(r.step_times)}}}};
 }
 
 } // namespace

@@ -270,7 +270,7 @@ nlohmann::json json_of(const Result& result)
           {"nonpositive_faces", report.nonpositive_faces},
           {"integers", result.integers},
           {"largest_rounding", result.snapped.largest_rounding},
-          {"steps", json_of_steps(result.snapped.run.step_times)}};
+          {"steps", json_of_steps(result.snapped.step_times)}};
 }
 
 } // namespace

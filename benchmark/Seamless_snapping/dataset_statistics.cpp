@@ -121,7 +121,7 @@ std::vector<double> measure(const std::filesystem::path& file, const Settings& s
     return {};
   }
   const auto after = SS::measure_seamlessness(mesh, uv);
-  benchmark::Step_times times = benchmark::summed(report.run.step_times);
+  benchmark::Step_times times = benchmark::summed(report.step_times);
   const auto ms = [&](const char* step) { return 1e3 * benchmark::time_of(step, times); };
   const SS::Linear_solver_figures& system = report.linear_solver;
   const double cells = double(system.number_of_constraints) * double(system.number_of_unknowns);

@@ -73,7 +73,7 @@ struct Measurement
   std::string name;
   std::size_t rows, columns, entries;
   benchmark::Shortest_times run;
-  CGAL::Seamless_snapping::Snapping_report report;
+  CGAL::Seamless_snapping::Linear_report report;
   bool exact;
   double largest_change;
 };
@@ -94,7 +94,7 @@ Measurement measure(const Matrix& matrix, const Settings& settings)
     Values x = input;
     const std::clock_t start = std::clock();
     result.report = CGAL::Seamless_snapping::snap_to_linear_constraints(matrix, x);
-    result.run.add(result.report.run.step_times, double(std::clock() - start) / CLOCKS_PER_SEC);
+    result.run.add(result.report.step_times, double(std::clock() - start) / CLOCKS_PER_SEC);
     result.exact = is_exact(matrix, x);
     result.largest_change = largest_difference(input, x);
   }

@@ -74,8 +74,8 @@ Eigen::SparseMatrix<Scalar> sparse_matrix(const System& system)
 }
 
 template <typename Matrix, typename Values, typename NamedParameters>
-CS::Snapping_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
-                                const NamedParameters& np)
+CS::Linear_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
+                              const NamedParameters& np)
 {
   std::vector<double> b;
   for(const Rational& value : system.b)
@@ -89,8 +89,8 @@ CS::Snapping_report snap_matrix(const Matrix& matrix, const System& system, Valu
 
 // The form is drawn from those that can hold the system.
 template <typename Values>
-CS::Snapping_report snap(random_systems::Random& random, const System& system, Values& x,
-                         const std::vector<double>& weights)
+CS::Linear_report snap(random_systems::Random& random, const System& system, Values& x,
+                       const std::vector<double>& weights)
 {
   const auto np = CS::parameters::value_weights(weights);
   const bool are_small = are_integers(system, 1000000);

@@ -59,12 +59,12 @@ double largest_difference(const Values& a, const Values& b)
 
 // Snaps, and tells how far the values moved; and how long that took, which is not checked.
 template <typename Coefficient>
-CS::Snapping_report snap(const std::string& name, const CS::Linear_constraints<Coefficient>& c,
-                         Values& x)
+CS::Linear_report snap(const std::string& name, const CS::Linear_constraints<Coefficient>& c,
+                       Values& x)
 {
   const Values before(x);
   const auto start = std::chrono::steady_clock::now();
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(c, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(c, x);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   std::cout << name << ": " << report << ", largest change " << largest_difference(before, x)
             << ", optimal rms " << report.optimal_rms_change << ", " << time.count() << " s"
@@ -105,7 +105,7 @@ void test_hub(const std::size_t n)
     c.add_constraint({{0, 1}, {j, -1}});
   Values x(n, 0.);
   x[0] = 1;
-  const CS::Snapping_report report = snap("hub of " + std::to_string(n), c, x);
+  const CS::Linear_report report = snap("hub of " + std::to_string(n), c, x);
   const double mean = 1. / static_cast<double>(n);
   CHECK(std::abs(x[0] - mean) <= 1e-9 * mean);
   const double rms = std::sqrt((1 - mean) * mean);
@@ -151,7 +151,7 @@ void test_knapsack_row(const std::size_t n, const int bits, const unsigned int s
     x.push_back(random_real(random));
   }
   c.add_constraint(row);
-  const CS::Snapping_report report = snap("row of " + std::to_string(n), c, x);
+  const CS::Linear_report report = snap("row of " + std::to_string(n), c, x);
   CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
 }
 
@@ -180,7 +180,7 @@ void test_nearly_parallel_rows(const std::size_t n, const int bits, const unsign
   system.add_row(second_row);
   const exact_reference::Optimum optimum =
     exact_reference::optimum_in_closed_form(system, exact_reference::to_rationals(x));
-  const CS::Snapping_report report =
+  const CS::Linear_report report =
     snap("parallel rows of " + std::to_string(n) + ", " + std::to_string(bits) + " bits", c, x);
   const double rms = std::sqrt(CGAL::to_double(optimum.value) / static_cast<double>(n));
   if(!CHECK(std::abs(report.optimal_rms_change - rms) <= 0.01 * rms))
@@ -284,7 +284,7 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
     c.add_constraint(row, p.system.b[i]);
   }
   Values x(p.x);
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(c, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(c, x);
   ++tally.outcomes[CS::to_string(report.status)];
   if(report && !CHECK(is_solution(c, x)))
     std::cout << "  seed " << seed << std::endl;
@@ -443,7 +443,7 @@ void test_planted_problems(const std::string& name, const Make& make, const std:
     Random random(seed + i);
     const Planted_problem p = make(random);
     Values x(p.x);
-    const CS::Snapping_report report = CS::snap_to_linear_constraints(p.constraints, x);
+    const CS::Linear_report report = CS::snap_to_linear_constraints(p.constraints, x);
     if(report.status == CS::Outcome::ALREADY_EXACT)
       continue;
     ++changed;
@@ -475,12 +475,12 @@ void test_planted_problems(const std::uint64_t count, const std::uint64_t seed)
 
 // --- figures -------------------------------------------------------------------------------------
 
-CS::Snapping_report snap_row(const std::vector<std::pair<std::size_t, Rational> >& row,
-                             const Rational& b, Values x)
+CS::Linear_report snap_row(const std::vector<std::pair<std::size_t, Rational> >& row,
+                           const Rational& b, Values x)
 {
   CS::Linear_constraints<Rational> c(x.size());
   c.add_constraint(row, b);
-  const CS::Snapping_report report = snap("row", c, x);
+  const CS::Linear_report report = snap("row", c, x);
   for(const double figure : {report.rms_change, report.optimal_rms_change, report.largest_change,
                              report.mean_change, report.distance_ratio})
     CHECK(std::isfinite(figure));
@@ -490,7 +490,7 @@ CS::Snapping_report snap_row(const std::vector<std::pair<std::size_t, Rational> 
 // Whose squares exceed all numbers.
 void test_large_figures()
 {
-  CS::Snapping_report report = snap_row({{0, 1}, {1, -1}}, Rational(0x1p115), {1e-126, 0});
+  CS::Linear_report report = snap_row({{0, 1}, {1, -1}}, Rational(0x1p115), {1e-126, 0});
   CHECK_EQUAL(report.rms_change, 0x1p114);
   CHECK_EQUAL(report.optimal_rms_change, 0x1p114);
   report = snap_row({{0, 1}, {1, -1}}, Rational(0), {1e300, 0});
@@ -506,7 +506,7 @@ void test_told_distances()
 {
   for(const int k : {20, 50, 60}) {
     const double factor = std::ldexp(1., k), x = 1.1 * (1 + 0x1p-45);
-    const CS::Snapping_report report =
+    const CS::Linear_report report =
       snap_row({{0, 1}, {1, Rational(-factor)}}, Rational(0), {1.1 * factor, x});
     CHECK(report.message.empty() && report.distance_ratio < 10);
     CHECK(report.largest_change <= 0x1p-44 * factor);
@@ -517,7 +517,7 @@ void test_told_distances()
                 .largest_change, 0.03125);
   // below 2^53, only 0 is a multiple
   const Rational multiple(Rational(0x1p60) + Rational(1));
-  const CS::Snapping_report report = snap_row({{0, multiple}, {1, -1}}, Rational(0), {1, 0x1p60});
+  const CS::Linear_report report = snap_row({{0, multiple}, {1, -1}}, Rational(0), {1, 0x1p60});
   CHECK(report.distance_ratio > 1e15);
   CHECK(report.message.find("constraints 0 moved more than 10^1") != std::string::npos);
 }

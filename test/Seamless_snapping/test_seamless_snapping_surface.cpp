@@ -122,13 +122,13 @@ void test_against_optimum(const Named_mesh<Kernel>& original, unsigned int seed,
   const double found =
     std::sqrt(CGAL::to_double(exact_reference::squared_distance(values, full.xbar)));
   // rounding to the grid adds a step or so to each unknown
-  const double rounding = snapped.report.run.grid_step * std::sqrt(double(full.system.columns));
+  const double rounding = snapped.report.grid_step * std::sqrt(double(full.system.columns));
   if(snapped.report.run.number_of_lost_faces > 0)
     return void(++tally.repaired); // repairs cost distance
   ++tally.compared;
   tally.worst = (std::max)(tally.worst, (found - 1.001 * best) / rounding);
   CHECK_IN(context, found <= 1.001 * best + 2 * rounding);
-  const double step = snapped.report.run.grid_step, optimal = snapped.report.optimal_rms_change;
+  const double step = snapped.report.grid_step, optimal = snapped.report.optimal_rms_change;
   CHECK_IN(context, snapped.report.rms_change <= 1.001 * optimal + 2 * step);
   CHECK_IN(context, snapped.report.rms_change >= optimal - 1e-6 * optimal - step / 1024);
 }
@@ -173,7 +173,7 @@ void test_local_grids()
     alone.push_back(named.mesh);
     const auto report = SS::snap_to_seamless(alone.back(), test_meshes::uv_map(alone.back()));
     CHECK_IN(named.name, bool(report));
-    steps.push_back(report.run.grid_step);
+    steps.push_back(report.grid_step);
   }
   for(std::size_t i = 0; i + 1 < inputs.size(); ++i) {
     Mesh together = inputs[i];
@@ -416,7 +416,7 @@ double snap_vertex_at_origin(double ratio, std::size_t closest)
   CHECK_IN(context, SS::is_seamless(mesh, uv));
   const Point_2 p = uv[mesh.halfedge(v)];
   CHECK_IN(context, std::abs(p.x() - sum / double(i)) <= 1e-24 && p.y() == 0);
-  return report.run.grid_step;
+  return report.grid_step;
 }
 
 void test_vertex_at_origin()

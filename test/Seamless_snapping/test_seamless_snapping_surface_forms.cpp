@@ -415,7 +415,7 @@ void test_flushing_to_zero(const Named_mesh<Kernel>& original, unsigned int seed
   SS::Linear_constraints<> constraints(1);
   constraints.add_constraint({{0, 1}});
   _mm_setcsr(normal | flushing);
-  const SS::Snapping_report report = SS::snap_to_linear_constraints(constraints, x);
+  const SS::Linear_report report = SS::snap_to_linear_constraints(constraints, x);
   const bool restored = is_restored();
   reset();
   CHECK(report.status == SS::Outcome::SNAPPED && x[0] == 0 && restored);

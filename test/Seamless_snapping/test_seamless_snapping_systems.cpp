@@ -150,7 +150,7 @@ void check_system(Random& random, const System& system, const std::vector<Number
   }
 
   std::vector<Number> after = before;
-  const CS::Snapping_report report =
+  const CS::Linear_report report =
     snap_in_any_form::snap(random, system, after, weights);
   ++tally.outcomes[CS::to_string(report.status)];
   const bool was_exact = exact_reference::exactly_satisfies(system, before);
@@ -302,7 +302,7 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
     return CS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system),
                                           x);
   };
-  const CS::Snapping_report report = snap();
+  const CS::Linear_report report = snap();
   const std::size_t failed = checking::counts().failed;
   CHECK(bool(report));
   CHECK(report.linear_solver.multiprecision);
@@ -311,7 +311,7 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
   CHECK(x == solution);
 
   system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
-  const CS::Snapping_report contradiction = snap();
+  const CS::Linear_report contradiction = snap();
   CHECK(contradiction.status == CS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, contradiction.certificate));
   CHECK(same_bits(x, before));
@@ -323,13 +323,13 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
 // --- particular systems --------------------------------------------------------------------------
 
 template <typename Constraints, typename Values>
-CS::Snapping_report snap_and_check(const std::string& name,
-                                   const Constraints& constraints,
-                                   Values& x,
-                                   const System& system)
+CS::Linear_report snap_and_check(const std::string& name,
+                                 const Constraints& constraints,
+                                 Values& x,
+                                 const System& system)
 {
   const Values before = x;
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(constraints, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(constraints, x);
   const bool is_exact = exact_reference::exactly_satisfies(system, x);
   if(!CHECK_EQUAL(bool(report), is_exact) || !CHECK(bool(report) || same_bits(before, x)))
     std::cerr << "    " << name << ": " << report << std::endl;
@@ -341,8 +341,8 @@ using Rows = std::vector<std::pair<std::vector<std::pair<std::size_t, Rational> 
 
 // Must succeed, with values close to those that are expected.
 template <typename Number>
-CS::Snapping_report test_rows(const std::string& name, const Rows& rows, std::vector<Number> x,
-                              const std::vector<double>& expected, const double relative)
+CS::Linear_report test_rows(const std::string& name, const Rows& rows, std::vector<Number> x,
+                            const std::vector<double>& expected, const double relative)
 {
   System system;
   system.columns = x.size();
@@ -355,7 +355,7 @@ CS::Snapping_report test_rows(const std::string& name, const Rows& rows, std::ve
     system.b.back() = b;
     constraints.add_constraint(terms, b);
   }
-  const CS::Snapping_report report = snap_and_check(name, constraints, x, system);
+  const CS::Linear_report report = snap_and_check(name, constraints, x, system);
   bool is_close = bool(report);
   for(std::size_t i = 0; i < x.size(); ++i)
     is_close = is_close && std::abs(double(x[i]) - expected[i]) <= relative * std::abs(expected[i]);
@@ -484,7 +484,7 @@ void test_coefficient_type(const std::string& name)
 
 void test_figures()
 {
-  CS::Snapping_report report =
+  CS::Linear_report report =
     test_rows<double>("violation", {{{{0, 0.25}, {1, -0.75}}, 0}}, {3 + 1e-7, 1}, {3, 1}, 1e-6);
   CHECK(report.violation_before > 2.4e-8 && report.violation_before < 2.6e-8);
   report =
@@ -504,7 +504,7 @@ void test_figures()
   }
 }
 
-bool contains(const CS::Snapping_report& report, const std::string& words)
+bool contains(const CS::Linear_report& report, const std::string& words)
 {
   const bool result = report.message.find(words) != std::string::npos;
   if(!result)
@@ -521,7 +521,7 @@ void test_refusals()
   const auto snap = [&](const auto&... arguments)
   {
     const std::vector<double> before = x;
-    const CS::Snapping_report report = CS::snap_to_linear_constraints(arguments..., x);
+    const CS::Linear_report report = CS::snap_to_linear_constraints(arguments..., x);
     CHECK(same_bits(before, x));
     return report;
   };
@@ -537,7 +537,7 @@ void test_refusals()
   no_solution.add_constraint({{0, 1}, {1, -1}}, 1);
   no_solution.add_constraint({{2, 1}, {3, -1}});
   no_solution.add_constraint({{2, 1}, {3, 2}}, 1);
-  const CS::Snapping_report report = snap(no_solution);
+  const CS::Linear_report report = snap(no_solution);
   CHECK(report.status == CS::Outcome::NOT_REPRESENTABLE);
   CHECK(contains(report, "constraints 2 to "));
 }
@@ -598,7 +598,7 @@ void test_many_rows()
     repeated.add_constraint({{i % 100, 1}, {(i + 1 + i / 100 % 50) % 100, -1}});
   repeated.add_constraint({{0, 2}, {100, 3}, {101, 5}}, 1);
   std::vector<double> x(102, 1.);
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(repeated, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(repeated, x);
   CHECK(report.status == CS::Outcome::SNAPPED);
   CHECK_EQUAL(report.linear_solver.number_of_redundant_constraints, 50001u - 100u);
   CHECK_EQUAL(report.linear_solver.number_of_non_unit_pivots, 1u);
@@ -627,7 +627,7 @@ void test_contradiction(const std::size_t columns, const std::vector<Difference>
     system.b.back() = d.b;
   }
   std::vector<double> x(columns, 1.);
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(constraints, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(constraints, x);
   CHECK(report.status == CS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, report.certificate));
   CHECK_EQUAL(report.certificate.size(), size);
@@ -664,7 +664,7 @@ void test_file(const std::string& path)
   std::vector<double> x(std::size_t(matrix.cols()));
   for(double& value : x)
     value = random_real(random);
-  const CS::Snapping_report report = CS::snap_to_linear_constraints(matrix, x);
+  const CS::Linear_report report = CS::snap_to_linear_constraints(matrix, x);
   CHECK(bool(report));
 
   Rationals sums(std::size_t(matrix.rows()), Rational(0));

@@ -124,8 +124,8 @@ void test_optimum()
       for(std::size_t i = 0; i < optimum.size(); ++i)
         for(int c = 0; c < 3; ++c)
           distance = (std::max)(distance, std::abs(optimum[i][c] - map.corners[i][c]));
-      CHECK_IN(complex.name + ": " + std::to_string(distance / report.run.grid_step) + " steps",
-               distance <= 16 * report.run.grid_step);
+      CHECK_IN(complex.name + ": " + std::to_string(distance / report.grid_step) + " steps",
+               distance <= 16 * report.grid_step);
     }
 }
 
@@ -179,7 +179,7 @@ void test_renumbering()
       for(std::size_t c = 0; c < 3; ++c)
         distance = (std::max)(distance,
                               std::abs(other.corners[i][c] - map.corners[corner[i]][c]));
-    CHECK_IN(complex.name, distance <= 4 * report.run.grid_step);
+    CHECK_IN(complex.name, distance <= 4 * report.grid_step);
   }
 }
 

@@ -78,8 +78,8 @@ inline Snapping_report snap_and_check(Tet_map& map, const std::string& name)
   CHECK_IN(name, is_seamless(before) == volume_reference::check(before).is_exact());
   CHECK_IN(name, is_seamless(map) == bool(report));
   const double change = volume_reference::largest_change(before, map);
-  CHECK_IN(name + ": change " + std::to_string(change / report.run.grid_step) + " steps",
-           change <= 2 * report.violation_before + 8 * report.run.grid_step);
+  CHECK_IN(name + ": change " + std::to_string(change / report.grid_step) + " steps",
+           change <= 2 * report.violation_before + 8 * report.grid_step);
   CHECK_IN(name, std::abs(change - report.largest_change) <= 1e-12 * change);
   CHECK_IN(name, volume_reference::lost_cells(before, map) == report.lost_faces.size());
   return report;

@@ -181,7 +181,7 @@ inline void test_floats_and_components()
                                                                    Corner_map<float>{&map});
   CHECK(report.status == Outcome::SNAPPED && volume_reference::check(map).is_exact());
   CHECK(volume_reference::largest_change(before, map) <=
-        2 * report.violation_before + 8 * report.run.grid_step);
+        2 * report.violation_before + 8 * report.grid_step);
   for(const Point& p : map.corners)
     for(const double x : p)
       CHECK(x == double(float(x)));

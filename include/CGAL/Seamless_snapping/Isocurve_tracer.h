@@ -21,10 +21,10 @@
 #include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Exact_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/Floating_point_decisions.h>
 #include <CGAL/Seamless_snapping/internal/tracing/start_walk.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Exact_rational.h>

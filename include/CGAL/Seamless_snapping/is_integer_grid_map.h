@@ -24,8 +24,8 @@
 #include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 

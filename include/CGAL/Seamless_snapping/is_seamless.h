@@ -27,8 +27,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 

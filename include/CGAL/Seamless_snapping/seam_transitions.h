@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 

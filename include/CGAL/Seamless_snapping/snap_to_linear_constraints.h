@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/types/Linear_constraints.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -87,8 +87,8 @@ std::string read_weights(const Weights& range, const std::size_t size,
 }
 
 template <typename Constraints, typename RightHandSide, typename Values, typename NamedParameters>
-Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b,
-                                           Values& values, const NamedParameters& np)
+Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b,
+                                         Values& values, const NamedParameters& np)
 {
   using Value = std::decay_t<decltype(*std::begin(values))>;
   using CGAL::parameters::choose_parameter;
@@ -97,20 +97,20 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
 
   const Protect_exact_arithmetic protect;
   if(const auto refusal = inexact_arithmetic())
-    return refused<Snapping_report>(*refusal);
+    return refused<Linear_report>(*refusal);
   const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
-  Snapping_report report;
-  Step_timer timer(report.run, verbose);
+  Linear_report report;
+  Step_timer timer(report, verbose);
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
   if(x.size() != number_of_columns(c))
-    return refused<Snapping_report>(
+    return refused<Linear_report>(
       Outcome::INVALID_ARGUMENT,
       "there are " + std::to_string(x.size()) + " values, but the constraints have " +
         std::to_string(number_of_columns(c)) + " unknowns");
   if(unbounded != x.size())
-    return refused<Snapping_report>(
+    return refused<Linear_report>(
       Outcome::NOT_FINITE, "value " + std::to_string(unbounded) +
                              " is NaN or infinite; only finite values can be snapped");
   std::vector<double> weights;
@@ -118,7 +118,7 @@ Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHand
     get_parameter_reference(np, CGAL::internal_np::value_weights), x.size(), weights);
   Scaled_system system;
   if(!problem.empty() || !read_constraints(c, b, system, problem))
-    return refused<Snapping_report>(Outcome::INVALID_ARGUMENT, problem);
+    return refused<Linear_report>(Outcome::INVALID_ARGUMENT, problem);
   report.linear_solver.number_of_unknowns = x.size();
   report.linear_solver.number_of_constraints = number_of_rows(c);
   if(const std::optional<Refusal> refusal =
@@ -185,11 +185,11 @@ pivots first, and a least-squares target.
 \cgalNamedParamsEnd
 
 \return the status and figures; converts to `true` if and only if \f$ C x = b \f$ holds exactly. On
-        failure, `Snapping_report::status` is
+        failure, `Linear_report::status` is
         - `INVALID_ARGUMENT`: sizes do not match, an index is out of range, a weight is not
           positive, or a coefficient or right-hand side is not finite;
         - `NOT_FINITE`: a value is NaN or infinite;
-        - `INCONSISTENT`: there is no solution; `Snapping_report::certificate` holds the constraints
+        - `INCONSISTENT`: there is no solution; `Linear_report::certificate` holds the constraints
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
@@ -203,8 +203,8 @@ looked for with a grid for each unknown: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ n
 optimum, then those of a solution for which all values change by about the same factor. Up to twelve
 times for each, a grid becomes finer where a right-hand side wants that, or coarser where a value is
 too large. So a solution near by can be missed, but rarely is (see \ref SSnappingGuarantees). If
-what is found is farther than ten times what can be expected, `Snapping_report::distance_ratio` and
-`Snapping_report::message` say so.
+what is found is farther than ten times what can be expected, `Linear_report::distance_ratio` and
+`Linear_report::message` say so.
 
 \par Complexity
 Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless
@@ -226,9 +226,9 @@ template <typename Constraints, typename RightHandSide, typename Values,
           , std::enable_if_t<!internal::is_named_parameters<Values>::value>* = nullptr
 #endif
           >
-Snapping_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b, Values& x,
-                                           const NamedParameters& np =
-                                             CGAL::parameters::default_values())
+Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b, Values& x,
+                                         const NamedParameters& np =
+                                           CGAL::parameters::default_values())
 {
   return internal::snap_to_linear_constraints(c, b, x, internal::strip(np));
 }
@@ -245,9 +245,9 @@ template <typename Constraints, typename Values,
           , std::enable_if_t<internal::is_named_parameters<NamedParameters>::value>* = nullptr
 #endif
           >
-Snapping_report snap_to_linear_constraints(const Constraints& c, Values& x,
-                                           const NamedParameters& np =
-                                             CGAL::parameters::default_values())
+Linear_report snap_to_linear_constraints(const Constraints& c, Values& x,
+                                         const NamedParameters& np =
+                                           CGAL::parameters::default_values())
 {
   return internal::snap_to_linear_constraints(c, internal::No_right_hand_side(), x,
                                               internal::strip(np));

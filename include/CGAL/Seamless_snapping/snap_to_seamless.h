@@ -21,7 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>

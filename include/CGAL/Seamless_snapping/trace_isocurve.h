@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/Isocurve.h>
 #include <CGAL/Seamless_snapping/Isocurve_tracer.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
 #include <CGAL/Seamless_snapping/types/isocurve_types.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>

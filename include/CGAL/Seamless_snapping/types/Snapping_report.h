@@ -15,16 +15,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What the snapping functions return: whether the result is exact and, if not, why; the sizes of
-// the problem; how far the values moved; where the time went.
+// What functions return that snap surfaces and volumes: beside the report of their linear system,
+// what was found on the surface, and what became of its faces.
 
-#include <CGAL/Seamless_snapping/types/Report.h>
-
-#include <CGAL/Exact_integer.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 
 #include <cstddef>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,32 +29,8 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Figures of the linear system that a snapping function solved, and of its elimination. They are
-summed over its independent components, or are the largest of any.
-*/
-struct Linear_solver_figures
-{
-  std::size_t number_of_unknowns = 0;              ///< columns
-  std::size_t number_of_constraints = 0;           ///< rows
-  std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
-  /// independent rows for which no pivot \f$ \pm 1 \f$ was found
-  std::size_t number_of_non_unit_pivots = 0;
-  std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
-  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
-  /// eliminations of the matrix; one, however often it is solved for other values
-  std::size_t number_of_eliminations = 0;
-  std::size_t coefficient_bits = 0; ///< bits of the largest coefficient met during the elimination
-  double largest_coefficient = 0;   ///< its absolute value, rounded
-  double largest_pivot = 0;         ///< the largest absolute value of a pivot, rounded
-  bool multiprecision = false;      ///< whether the elimination needed more than 64 bits
-};
-
-/*!
-\ingroup PkgSeamlessSnappingRef
-
-Figures of a run: what was found on the surface, what was done about its faces, and how long each
-step took. Those of a step that was not reached are zero, as are those of the surface for the
-generic function.
+Figures of a run: what was found on the surface, and what was done about its faces. Those of a step
+that was not reached are zero.
 */
 struct Snapping_figures
 {
@@ -77,10 +49,6 @@ struct Snapping_figures
   std::size_t number_of_cut_branches = 0;   ///< sequences of cut edges between nodes
   std::size_t number_of_align_branches = 0; ///< sequences of aligned edges between nodes
   /// @}
-
-  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are
-  /// several
-  double grid_step = 0;
 
   /// \name Orientation
   /// @{
@@ -104,72 +72,32 @@ struct Snapping_figures
   /// parameter `number_of_untangling_iterations` allows
   std::size_t number_of_untangling_iterations = 0;
   /// @}
-
-  /// the steps in the order in which they were made, with their wall-clock times in seconds
-  std::vector<std::pair<std::string, double> > step_times;
 };
 
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-What `snap_to_seamless()` and `snap_to_linear_constraints()` return: the outcome, the place and
-remedy of a failure, and how far the values moved. Converts to `bool`: `true` if and only if all
-constraints hold exactly in the caller's values.
+What functions return that snap surfaces and volumes: the report of a linear system, and what
+concerns the faces. Converts to `bool`: `true` if and only if all constraints hold exactly in the
+caller's values.
 
-Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
-was not reached, or that has no meaning for the function that was called, are zero.
+Figures of a step that was not reached are zero.
 */
 struct Snapping_report
-  : public Report
+  : public Linear_report
 {
-  /// \cond SKIP_IN_MANUAL
-  Snapping_report() : Report(Outcome::ALREADY_EXACT) { }
-  /// \endcond
-
-  /// \name Outcome
-  /// @{
-  /*!
-  After `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and a nonzero
-  multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0
-  \f$. For the surface function, rows are those of its internal system; `message` names what they
-  stand for.
-  */
-  std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
-  /// @}
-
-  /// \name Distances
-  /// Means are over the values of those parts of the system that had to be changed: parts that
-  /// share no unknown with others and hold exactly in the input are left out.
+  /// \name Further Violations
   /// @{
 
-  /// the larger side of the bounding box of the coordinates; for the generic function the largest
-  /// absolute value
-  double extent = 0;
-  /// the largest violation of a constraint by the input; for the surface function, of a transition
-  /// or an alignment
-  double violation_before = 0;
   /// the largest distance by which the isocurve of a connection or cycle constraint misses its end
   /// in the input
   double connection_violation_before = 0;
   /// with `integer_grid`: the largest distance of a translation, a cone, or the level of an aligned
   /// edge from the integer it was rounded to
   double largest_rounding = 0;
-  double largest_change = 0;    ///< the largest absolute change of a value
-  /// the mean absolute change (of each sector, for the surface function)
-  double mean_change = 0;
-  double rms_change = 0;        ///< the root-mean-square change, over the same values
-  /// the same for the real-valued least-squares optimum that was approximated
-  double optimal_rms_change = 0;
-  /*!
-  of the generic function: the distance of the result from the input, in terms of that of the
-  optimum or of the spacing of numbers of the values' size, whichever is larger; the largest of any
-  part of the system. Some units are usual. If it exceeds 10, then so few numbers solve the part, or
-  they are so hard to find, that the result is far; `message` says so.
-  */
-  double distance_ratio = 0;
   /// @}
 
-  /// \name Orientation (Surface Function Only)
+  /// \name Orientation
   /// Faces are counted in the order of iteration over all faces of the mesh, from 0.
   /// @{
 
@@ -179,8 +107,7 @@ struct Snapping_report
   std::vector<std::size_t> remaining_flips;
   /// @}
 
-  Snapping_figures run;                ///< figures of the run
-  Linear_solver_figures linear_solver; ///< figures of the linear system
+  Snapping_figures run; ///< figures of the run
 };
 
 } // namespace Seamless_snapping

@@ -20,7 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 
 #include <CGAL/tags.h>
 

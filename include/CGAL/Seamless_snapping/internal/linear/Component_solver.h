@@ -24,7 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
 #include <CGAL/Seamless_snapping/internal/linear/reduced_rows.h>
 #include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 
 #include <algorithm>
 #include <cmath>

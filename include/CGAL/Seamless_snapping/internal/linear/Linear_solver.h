@@ -22,7 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 
 #include <optional>
 #include <vector>
@@ -36,7 +36,7 @@ namespace internal {
 // alone. Where it refuses, that is all of them.
 std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vector<double>& weights,
                                    const Number_format& format, std::vector<double>& x,
-                                   Snapping_report& report, Step_timer& timer);
+                                   Linear_report& report, Step_timer& timer);
 
 } // namespace internal
 } // namespace Seamless_snapping

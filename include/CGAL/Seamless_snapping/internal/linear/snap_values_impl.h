@@ -25,7 +25,7 @@
 #include <CGAL/Seamless_snapping/internal/linear/snap_values.h>
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
-#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Linear_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +117,7 @@ public:
                                               m_format.minimum_exponent)), weight);
   }
 
-  void fill_in(Snapping_report& report) const
+  void fill_in(Linear_report& report) const
   {
     report.largest_change = m_changes.largest();
     report.mean_change = m_changes.mean();
@@ -260,10 +260,10 @@ public:
     return true;
   }
 
-  void fill_in(Snapping_report& report) const
+  void fill_in(Linear_report& report) const
   {
     m_figures.fill_in(report);
-    report.run.grid_step = m_coarsest_step;
+    report.grid_step = m_coarsest_step;
     report.distance_ratio = m_ratio;
     if(m_ratio > far_ratio)
       report.message = note_on_distance(m_solver, m_farthest, m_ratio);
@@ -323,7 +323,7 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<Refusal> snap_values(const Scaled_system& scaled,
                                    const std::vector<double>& weights,
                                    const Number_format& format, std::vector<double>& x,
-                                   Snapping_report& report, Step_timer& timer)
+                                   Linear_report& report, Step_timer& timer)
 {
   const Integer_system& system = scaled.system;
   std::vector<bool> row_holds(system.number_of_rows());

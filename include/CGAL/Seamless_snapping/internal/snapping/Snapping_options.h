@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

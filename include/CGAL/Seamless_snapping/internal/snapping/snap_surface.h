@@ -103,7 +103,7 @@ public:
     , m_vertex_indices(vertex_indices)
     , m_given(given)
     , m_options(options)
-    , m_timer(m_report.run, options.is_verbose)
+    , m_timer(m_report, options.is_verbose)
     , m_flip_repair(options.flip_repair)
     , m_iterations(options.number_of_untangling_iterations)
   { }
@@ -447,7 +447,7 @@ private:
                      "it, so that what it had was written back; each corner needs a place of its "
                      "own, and the full precision of the points' number type");
     figures.fill_in(m_report, snapped.optimal_changes);
-    m_report.run.grid_step = snapped.unit;
+    m_report.grid_step = snapped.unit;
     m_report.status = Outcome::SNAPPED;
     m_timer.finish("writing");
     return std::nullopt;

@@ -42,7 +42,7 @@ struct Refusal
     : Report(outcome, std::move(words)), certificate(std::move(c))
   { }
 
-  Certificate certificate; // see `Snapping_report`
+  Certificate certificate; // see `Linear_report`
 };
 
 // Writes to a report why something can't be done, and returns `false`.

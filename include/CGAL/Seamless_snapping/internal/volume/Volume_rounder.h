@@ -249,7 +249,7 @@ private:
     const Grid grid = Grid::finest(m_format, largest);
     if(grid.exponent() > 0)
       return false;
-    m_report.run.grid_step = grid.step();
+    m_report.grid_step = grid.step();
     const std::int64_t unit = std::int64_t(1) << -grid.exponent();
     for(std::size_t i = 0; i < rounded.size(); ++i) {
       if(!is_spread && is_unconstrained(m_members.member_of_corner(Corner_index(i))))

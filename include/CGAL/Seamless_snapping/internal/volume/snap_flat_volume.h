@@ -89,7 +89,7 @@ public:
     Place_solver solver(m_volume, joined.charts, sectors, places,
                         inexact_columns(is_inexact, joined.charts, sectors, places), m_format);
     m_report.linear_solver = solver.linear_solver().figures();
-    m_report.run.grid_step = solver.coarsest_step();
+    m_report.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
     if(!solver.solve(snapped))
       return Refusal(Outcome::NOT_REPRESENTABLE,
@@ -139,7 +139,7 @@ private:
   // Each sector counts once.
   void fill_in_changes(const Volume_sectors& sectors, const std::vector<Uvw>& snapped)
   {
-    const double unit = m_report.run.grid_step;
+    const double unit = m_report.grid_step;
     double sum = 0, squares = 0;
     for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
       const auto begin = sectors.corners_begin(Sector_number(s));

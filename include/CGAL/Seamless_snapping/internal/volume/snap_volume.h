@@ -18,7 +18,7 @@
 // The part of the functions on volumes that knows the caller's types: reads them, and writes.
 
 #include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/chosen_options.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
 #include <CGAL/Seamless_snapping/types/parameters.h>
@@ -256,7 +256,7 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
   using CGAL::parameters::get_parameter;
   Snapping_report report;
   const Volume_options options = volume_options(np);
-  Step_timer timer(report.run,
+  Step_timer timer(report,
                    choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false));
   Flat_volume volume;
   std::vector<Uvw> snapped;

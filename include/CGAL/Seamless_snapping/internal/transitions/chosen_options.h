@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CHOSEN_OPTIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CHOSEN_OPTIONS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -80,4 +80,4 @@ std::size_t chosen_number_of_untangling_iterations(const NamedParameters& np)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SUPPORT_CHOSEN_OPTIONS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CHOSEN_OPTIONS_H
