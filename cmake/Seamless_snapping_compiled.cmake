@@ -2,17 +2,20 @@
 # and coordinates: programs that link it compile the rest only. It is built where it is linked.
 # The linker takes what a program calls: each line here is a source of its own.
 
-set(linear internal/linear/Linear_solver internal/linear/snap_values)
-set(surfaces internal/complex/Free_unknowns internal/snapping/surface_solvers)
-set(volumes internal/volume/volume_snappers)
-set(layouts internal/layout/Refined_faces internal/layout/make_layout)
-set(quads internal/quantization/quantize_surface quad_remesh)
+set(linear Linear_snapping/internal/linear/Linear_solver
+  Linear_snapping/internal/linear/snap_values)
+set(surfaces Seamless_snapping/internal/complex/Free_unknowns
+  Seamless_snapping/internal/snapping/surface_solvers)
+set(volumes Seamless_snapping/internal/volume/volume_snappers)
+set(layouts Isocurves_and_layouts/internal/layout/Refined_faces
+  Isocurves_and_layouts/internal/layout/make_layout)
+set(quads Quad_remeshing/internal/quantization/quantize_surface Quad_remeshing/quad_remesh)
 
 if(NOT TARGET Seamless_snapping_compiled)
   set(Seamless_snapping_compiled_SOURCES "")
   foreach(part IN ITEMS linear surfaces volumes layouts quads)
     list(TRANSFORM ${part} REPLACE
-      "(.+)" "#include <CGAL/Seamless_snapping/\\1_impl.h>\n" OUTPUT_VARIABLE includes)
+      "(.+)" "#include <CGAL/\\1_impl.h>\n" OUTPUT_VARIABLE includes)
     list(JOIN includes "" includes)
     set(source "${CMAKE_CURRENT_BINARY_DIR}/Seamless_snapping_compiled/${part}.cpp")
     file(GENERATE OUTPUT "${source}" CONTENT "${includes}")

@@ -19,12 +19,13 @@ endif()
 # What is included first, after the licence, is compiled as if it were alone: a header that another
 # one includes so is not compiled once more. Only includes without a condition count.
 set(headers_to_compile ${headers})
+list(FILTER headers_to_compile EXCLUDE REGEX "^CGAL/license/")
 foreach(header IN LISTS headers)
   set(file "${PROJECT_SOURCE_DIR}/include/${header}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
   file(STRINGS "${file}" directives LIMIT_COUNT 4 REGEX "^ *#")
   if(directives MATCHES "^#ifndef .*;#define .*;#include <CGAL/license/.*;#include <(CGAL/.*)>")
-    list(REMOVE_ITEM headers_to_compile "${CMAKE_MATCH_1}" CGAL/license/Seamless_snapping.h)
+    list(REMOVE_ITEM headers_to_compile "${CMAKE_MATCH_1}")
   endif()
 endforeach()
 
@@ -167,7 +168,7 @@ endif()
 
 # Two translation units that include all public headers twice go into one program: nothing is
 # defined twice. As both are the same, one is a copy of the other one's object.
-list(FILTER public_headers INCLUDE REGEX "^CGAL/Seamless_snapping/")
+list(FILTER public_headers EXCLUDE REGEX "^CGAL/license/")
 list(TRANSFORM public_headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN public_headers "" includes)
 set(unit "${PROJECT_BINARY_DIR}/headers/two_units")

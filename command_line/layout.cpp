@@ -11,8 +11,8 @@
 #include "snap_model.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/IO/layout.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/IO/layout.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
 
 #include <cstddef>
 #include <ostream>

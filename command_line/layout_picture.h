@@ -7,7 +7,7 @@
 #include "Model.h"
 #include "surface_picture.h"
 
-#include <CGAL/Seamless_snapping/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
 
 #include <array>
 #include <cstddef>

@@ -12,7 +12,7 @@
 #include "plain_meshes.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -14,8 +14,8 @@
 #include "snap_model.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <nlohmann/json.hpp>

@@ -11,7 +11,7 @@
 #include "quad_picture.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/quad_remesh.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 

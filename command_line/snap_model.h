@@ -5,8 +5,8 @@
 
 #include "measures.h"
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 // What the options say of snapping.
 inline auto snapping_parameters(const Alignment& alignment, const Seam_options& options)

@@ -13,8 +13,8 @@
 #include "tracing_overview.h"
 #include "tracing_types.h"
 
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <algorithm>
 #include <array>

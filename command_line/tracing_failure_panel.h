@@ -8,7 +8,7 @@
 
 #include "tracing_pieces.h"
 
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
 #include <algorithm>
 #include <array>

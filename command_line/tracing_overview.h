@@ -6,7 +6,7 @@
 #include "depth_buffer.h"
 #include "tracing_pieces.h"
 
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -5,7 +5,7 @@
 
 #include "Model.h"
 
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
 #include <iomanip>
 #include <ostream>

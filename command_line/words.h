@@ -3,7 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_WORDS_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_WORDS_H
 
-#include <CGAL/Seamless_snapping/internal/support/counted.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
 
 #include <cstddef>
 

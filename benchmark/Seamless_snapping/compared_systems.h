@@ -11,8 +11,8 @@
 #include "../../test/Seamless_snapping/reduced_seamless_system.h"
 #include "../../test/Seamless_snapping/snap_in_any_form.h"
 
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
 #include <Eigen/SparseCore>
 #include <unsupported/Eigen/SparseExtra>

@@ -8,7 +8,7 @@
 #include "benchmark_tools.h"
 #include "command_line.h"
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include <CGAL/Exact_rational.h>
 

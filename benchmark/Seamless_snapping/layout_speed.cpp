@@ -6,11 +6,11 @@
 
 #include "../../test/Seamless_snapping/Height_field_surface.h"
 
+#include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/Isocurve_tracer.h>
-#include <CGAL/Seamless_snapping/copy_to_face_graph.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

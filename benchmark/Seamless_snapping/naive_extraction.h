@@ -4,8 +4,8 @@
 // Quads as code extracts them that decides in floating point, with a tolerance: the points of the
 // grid, and a march along each of their darts. What it loses is counted; nothing is repaired.
 
-#include <CGAL/Seamless_snapping/internal/cells/Integer_decisions.h>
-#include <CGAL/Seamless_snapping/internal/charts/build_chart_mesh.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
+#include <CGAL/Quad_remeshing/internal/cells/Integer_decisions.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 
 #include "command_line.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -7,9 +7,9 @@
 
 #include "command_line.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
-#include <CGAL/Seamless_snapping/quad_remesh.h>
-#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
+#include <CGAL/Quad_remeshing/quantize.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

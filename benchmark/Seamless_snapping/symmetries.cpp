@@ -13,9 +13,9 @@
 #include "benchmark_tools.h"
 #include "command_line.h"
 
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include <algorithm>
 #include <cmath>

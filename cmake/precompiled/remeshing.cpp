@@ -2,8 +2,8 @@
 
 #include "remeshing.h"
 
-#include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
-#include <CGAL/Seamless_snapping/quad_remesh_impl.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quantize_surface_impl.h>
+#include <CGAL/Quad_remeshing/quad_remesh_impl.h>
 
 namespace CGAL {
 namespace Seamless_snapping {

@@ -6,8 +6,8 @@
 
 #include "mesh.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
-#include <CGAL/Seamless_snapping/quad_remesh.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
 
 namespace seamless_snapping_precompiled {
 

@@ -1,11 +1,11 @@
 // Makes a parametrization exactly seamless, divides the surface into rectangles, and writes them as
 // polygons, and as a mesh refined along their sides.
 
+#include <CGAL/Isocurves_and_layouts/IO/layout.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/IO/layout.h>
-#include <CGAL/Seamless_snapping/copy_to_face_graph.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

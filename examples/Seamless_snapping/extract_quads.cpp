@@ -1,9 +1,9 @@
 // Makes a parametrization an exact integer-grid map of about as many quads as asked for, and
 // extracts them.
 
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -3,9 +3,9 @@
 // rotational symmetry of its own. In the end, makes a mesh of triangles, nearly all of valence six,
 // from one of them. Writes them as OBJ and OFF files to a folder, if one is given.
 
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>

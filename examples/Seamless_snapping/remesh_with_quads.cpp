@@ -1,7 +1,7 @@
 // Remeshes a triangle mesh with about as many quads as asked for.
 
+#include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/quad_remesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,6 +1,6 @@
 // Moves values that nearly satisfy linear equations to values that satisfy them exactly.
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include <cstdlib>
 #include <iomanip>

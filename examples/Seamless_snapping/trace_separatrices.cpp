@@ -1,9 +1,9 @@
 // Snaps a parametrization, traces the isocurves from all its singular vertices, and counts how they
 // end.
 
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -8,7 +8,7 @@
 #include "checking.h"
 #include "hexagonal_maps.h"
 
-#include <CGAL/Seamless_snapping/Isocurve_walker.h>
+#include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
 
 #include <array>
 #include <cstddef>

@@ -6,8 +6,8 @@
 
 #include "checking.h"
 
-#include <CGAL/Seamless_snapping/copy_to_face_graph.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

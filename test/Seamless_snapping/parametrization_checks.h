@@ -8,7 +8,7 @@
 #include "checking.h"
 #include "exact_seamless_check.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>

@@ -6,7 +6,7 @@
 #include "Square_complex_mesh.h"
 #include "checking.h"
 
-#include <CGAL/Seamless_snapping/Isocurve_tracer.h>
+#include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
 #include <CGAL/Simple_cartesian.h>

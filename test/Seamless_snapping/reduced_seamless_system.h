@@ -6,10 +6,10 @@
 
 #include "exact_reference.h"
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Snapping_options.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <cstddef>
 #include <optional>

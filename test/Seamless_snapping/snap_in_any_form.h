@@ -5,9 +5,9 @@
 #ifndef SEAMLESS_SNAPPING_TEST_SNAP_IN_ANY_FORM_H
 #define SEAMLESS_SNAPPING_TEST_SNAP_IN_ANY_FORM_H
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
-#include <CGAL/Seamless_snapping/types/Linear_constraints.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/types/Linear_constraints.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 
 #include "exact_reference.h"
 #include "random_systems.h"

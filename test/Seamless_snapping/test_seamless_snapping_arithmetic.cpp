@@ -3,7 +3,7 @@
 // told from one that was not. package_tests.cmake compiles this file with many options; it returns
 // 3 where the arithmetic is refused.
 
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include "checking.h"
 #include "floating_point_traps.h"

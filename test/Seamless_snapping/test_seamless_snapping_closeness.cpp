@@ -7,7 +7,7 @@
 //
 // runs NUMBER random small systems instead of a few thousand.
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include "checking.h"
 #include "exact_reference.h"

@@ -3,16 +3,16 @@
 // orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds
 // of number types.
 
-#include <CGAL/Seamless_snapping/internal/cells/measure_grid.h>
-#include <CGAL/Seamless_snapping/internal/cells/points_in_triangle.h>
-#include <CGAL/Seamless_snapping/internal/charts/Exact_level.h>
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
-#include <CGAL/Seamless_snapping/internal/exact/checked_integer.h>
-#include <CGAL/Seamless_snapping/internal/exact/exact_sum.h>
-#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
-#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/linear/exact_evaluation.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+#include <CGAL/Linear_snapping/internal/exact/exact_sum.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/linear/System_builder.h>
+#include <CGAL/Linear_snapping/internal/linear/exact_evaluation.h>
+#include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
+#include <CGAL/Quad_remeshing/internal/cells/points_in_triangle.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 

@@ -4,7 +4,7 @@
 
 #include "checking.h"
 
-#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Linear_algebraHd.h>

@@ -10,13 +10,13 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Isocurves_and_layouts/IO/layout.h>
+#include <CGAL/Isocurves_and_layouts/integer_arc_lengths.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
-#include <CGAL/Seamless_snapping/IO/layout.h>
-#include <CGAL/Seamless_snapping/integer_arc_lengths.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

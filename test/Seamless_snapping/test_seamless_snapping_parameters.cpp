@@ -1,7 +1,7 @@
 // Tests the named parameters: names of the package and of CGAL's in any order, plain chains of
 // CGAL's, which value counts if a name occurs twice, and what is handed on to CGAL.
 
-#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>

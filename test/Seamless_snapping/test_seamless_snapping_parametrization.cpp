@@ -6,7 +6,7 @@
 #include "parametrization_checks.h"
 #include "test_meshes.h"
 
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -11,13 +11,13 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Linear_snapping/internal/linear/Range_space_solver.h>
+#include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/is_integer_grid_map.h>
+#include <CGAL/Quad_remeshing/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/internal/linear/Range_space_solver.h>
-#include <CGAL/Seamless_snapping/internal/linear/Sparse_cholesky.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -8,18 +8,18 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/internal/quantization/Face_graph_search.h>
-#include <CGAL/Seamless_snapping/internal/quantization/coarsen.h>
-#include <CGAL/Seamless_snapping/internal/quantization/quantize_complex.h>
-#include <CGAL/Seamless_snapping/internal/quantization/read_integer_mesh.h>
-#include <CGAL/Seamless_snapping/internal/remeshing/divide_quads.h>
-#include <CGAL/Seamless_snapping/internal/remeshing/improve_quads.h>
-#include <CGAL/Seamless_snapping/quad_remesh.h>
-#include <CGAL/Seamless_snapping/quantize.h>
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
+#include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
+#include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
+#include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
 
 #include <CGAL/Polyhedron_3.h>
 

@@ -6,8 +6,8 @@
 
 #include "Polyhedron_copy.h"
 
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 #include <CGAL/Seamless_snapping/snap_soup_to_seamless.h>
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
 
 #include <CGAL/FPU.h>
 #include <CGAL/Polyhedron_3.h>

@@ -16,15 +16,15 @@
 #include "tracing_checks.h"
 #include "triangle_checks.h"
 
+#include <CGAL/Isocurves_and_layouts/intercepted_connections.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
+#include <CGAL/Quad_remeshing/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/intercepted_connections.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/FPU.h>

@@ -2,7 +2,7 @@
 // references: the verdict, the exactness of the result, its distance to the input, and that nothing
 // is touched where there is nothing to do or nothing to be done. Then those of the data folder.
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include "checking.h"
 #include "exact_reference.h"

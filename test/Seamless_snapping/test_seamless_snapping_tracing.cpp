@@ -7,12 +7,12 @@
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
+#include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/Isocurve_walker.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 

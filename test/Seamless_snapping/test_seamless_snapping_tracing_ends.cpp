@@ -7,8 +7,8 @@
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions_behaviour.h>

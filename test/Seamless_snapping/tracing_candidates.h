@@ -6,10 +6,10 @@
 
 #include "tracing_checks.h"
 
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "checking.h"
 #include "uv_noise.h"
 
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

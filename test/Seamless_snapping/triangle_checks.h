@@ -10,8 +10,8 @@
 #include "random_complexes.h"
 #include "test_meshes.h"
 
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/repair_integer_grid.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/repair_integer_grid.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

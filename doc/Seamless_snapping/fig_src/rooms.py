@@ -12,7 +12,7 @@ from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
 from style import BLACK, PALE, PALE_BLUE, PALE_GREEN, PALE_ORANGE, plt, save
 
-PACKAGE = "CGAL/Seamless_snapping"
+PACKAGES = ("Linear_snapping", "Seamless_snapping", "Isocurves_and_layouts", "Quad_remeshing")
 WIDTH, HEIGHT = 3.1, 1.25
 WORDS = {  # what a room is for, and the color of its kind
     "public functions": ("what callers include", PALE_ORANGE),
@@ -41,18 +41,19 @@ WORDS = {  # what a room is for, and the color of its kind
 
 def read_rooms(include):
     """Room -> the rooms it includes, without itself."""
-    root = pathlib.Path(include) / PACKAGE
+    root = pathlib.Path(include) / "CGAL"
+    names = r"#\s*include <CGAL/((?:%s)/[^>]+)>" % "|".join(PACKAGES)
 
     def room(name):
-        *folders, _ = name.split("/")
+        _, *folders, _ = name.split("/")
         if folders[:1] == ["internal"]:
             return folders[1]
         return {(): "public functions", ("IO",): "public IO"}.get(tuple(folders), *folders[:1])
 
     uses = {}
-    for header in sorted(root.rglob("*.h")):
+    for header in sorted(h for p in PACKAGES for h in (root / p).rglob("*.h")):
         text = header.read_text(encoding="utf-8")
-        used = {room(n) for n in re.findall(r"#\s*include <%s/([^>]+)>" % PACKAGE, text)}
+        used = {room(n) for n in re.findall(names, text)}
         uses.setdefault(room(str(header.relative_to(root))), set()).update(used)
     return {r: others - {r} for r, others in uses.items()}
 

@@ -17,22 +17,17 @@
 
 // All that does not depend on the caller's types, for the one source of a program that compiles it.
 
+#include <CGAL/Linear_snapping/compiled.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_unknowns_impl.h>
-#include <CGAL/Seamless_snapping/internal/layout/Refined_faces_impl.h>
-#include <CGAL/Seamless_snapping/internal/layout/make_layout_impl.h>
-#include <CGAL/Seamless_snapping/internal/linear/Linear_solver_impl.h>
-#include <CGAL/Seamless_snapping/internal/linear/snap_values_impl.h>
-#include <CGAL/Seamless_snapping/internal/quantization/quantize_surface_impl.h>
 #include <CGAL/Seamless_snapping/internal/snapping/surface_solvers_impl.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers_impl.h>
-#include <CGAL/Seamless_snapping/quad_remesh_impl.h>
 
 /*!
   \file CGAL/Seamless_snapping/compiled.h
   \ingroup PkgSeamlessSnappingRef
 
-  compiles what does not depend on the types of meshes and coordinates, which is most of this
-  package.
+  compiles what does not depend on the types of meshes and coordinates: most of this package, and of
+  those that it needs.
 
   It is not needed: each source that calls a function of this package compiles for itself what this
   function needs. In a program where that takes too long, link the CMake target

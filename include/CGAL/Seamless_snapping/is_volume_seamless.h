@@ -18,11 +18,11 @@
 // Checking and measuring the parametrizations of volumes: whether they are exactly seamless, and
 // whether they are integer-grid maps.
 
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/volume/Integer_grid_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/measure_volume.h>
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -17,14 +17,14 @@
 
 // The surface function: makes an approximately seamless parametrization exactly seamless.
 
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>

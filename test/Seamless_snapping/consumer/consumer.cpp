@@ -1,7 +1,7 @@
 // A program of a project that uses the package: it compiles, links and runs, with no more than what
 // the target of the package brings along.
 
-#include <CGAL/Seamless_snapping/snap_to_linear_constraints.h>
+#include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include <cstdlib>
 #include <iostream>

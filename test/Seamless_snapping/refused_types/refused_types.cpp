@@ -2,18 +2,18 @@
 // a uv map. The compiler is to say why, once for each type, and nothing else, which
 // cmake/test_refused_types.cmake checks.
 
+#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/is_integer_grid_map.h>
+#include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
-#include <CGAL/Seamless_snapping/approximate_seamless_parametrization.h>
-#include <CGAL/Seamless_snapping/extract_grid_mesh.h>
-#include <CGAL/Seamless_snapping/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/lattice_coordinates.h>
-#include <CGAL/Seamless_snapping/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/surface_layout.h>
-#include <CGAL/Seamless_snapping/trace_isocurve.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

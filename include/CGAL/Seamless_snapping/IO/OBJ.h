@@ -18,12 +18,12 @@
 // Triangle meshes with coordinates per corner, from and to the OBJ format. CGAL's own reader drops
 // the texture coordinates, and refuses files with feature edges.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_text_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <istream>
 #include <ostream>

@@ -17,12 +17,12 @@
 
 // Triangle meshes with coordinates per corner, from and to the PLY format.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_text_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <istream>
 #include <ostream>

@@ -18,7 +18,7 @@
 // What functions return that snap surfaces and volumes: beside the report of their linear system,
 // what was found on the surface, and what became of its faces.
 
-#include <CGAL/Seamless_snapping/types/Linear_report.h>
+#include <CGAL/Linear_snapping/types/Linear_report.h>
 
 #include <cstddef>
 #include <vector>

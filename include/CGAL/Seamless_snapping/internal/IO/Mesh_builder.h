@@ -17,11 +17,11 @@
 
 // From what a file holds to a mesh with its property maps: the steps that all readers share.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>

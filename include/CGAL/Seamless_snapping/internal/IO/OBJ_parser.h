@@ -19,10 +19,10 @@
 // as a polygon soup without coordinates. Checks each statement, and no relation between statements
 // but that indices are in range.
 
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include <array>
 #include <charconv>

@@ -17,9 +17,9 @@
 
 // From a mesh with its property maps to the text of an OBJ file: the steps of `write_OBJ()`.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -19,11 +19,11 @@
 // a list `texcoord` of six numbers for each face. Where coordinates of type `void` are asked for, a
 // polygon soup without coordinates.
 
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
-#include <CGAL/Seamless_snapping/internal/exact/Protect_exact_arithmetic.h>
 
 #include <array>
 #include <cstddef>

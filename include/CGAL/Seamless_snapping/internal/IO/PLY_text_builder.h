@@ -17,10 +17,10 @@
 
 // From a mesh with its property maps to the text of a binary PLY file: the steps of `write_PLY()`.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

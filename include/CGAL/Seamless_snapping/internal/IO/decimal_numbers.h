@@ -17,8 +17,8 @@
 
 // The numbers of a file: decimals to floating point and back, and what is refused.
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 
 #include <algorithm>
 #include <charconv>

@@ -17,9 +17,9 @@
 
 // A triangle soup as a face graph, and the coordinates of its corners as those of halfedges.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>

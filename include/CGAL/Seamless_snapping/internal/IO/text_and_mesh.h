@@ -18,6 +18,7 @@
 // From the text of a file to a mesh, and from the mesh to a text with its coordinates, in any
 // format.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>

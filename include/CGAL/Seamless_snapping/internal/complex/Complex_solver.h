@@ -18,10 +18,10 @@
 // Solves a complex: exact coordinates of its sectors, near the input or near targets beside it. The
 // elimination and the factorization are made once, and serve all targets.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/exact_components.h>
 #include <CGAL/Seamless_snapping/internal/complex/expand_solution.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <algorithm>
 #include <cmath>

@@ -17,9 +17,9 @@
 
 // The solutions of integer equations, over unknowns that are free.
 
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
+#include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
-#include <CGAL/Seamless_snapping/internal/linear/Integer_system.h>
-#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
 
 #include <cstddef>
 #include <vector>

@@ -17,9 +17,9 @@
 
 // How the equations are eliminated, exactly, to find the free unknowns.
 
+#include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Linear_snapping/internal/linear/eliminate.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_unknowns.h>
-#include <CGAL/Seamless_snapping/internal/linear/Integer_lattice.h>
-#include <CGAL/Seamless_snapping/internal/linear/eliminate.h>
 
 #include <CGAL/number_utils.h>
 

@@ -19,9 +19,9 @@
 // of the reduced system that shares no unknown with others: each has a grid of its own, as fine as
 // its coordinates allow.
 
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
-#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
-#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
 
 #include <algorithm>
 #include <array>

@@ -19,8 +19,8 @@
 // branch and the level of each aligned chain are unknowns too, and stand for the vertices between
 // the nodes in the least-squares target. So the small system has the optimum of the full one.
 
+#include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
 
 #include <cstddef>
 #include <cstdint>

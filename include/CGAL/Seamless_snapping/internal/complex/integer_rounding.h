@@ -25,9 +25,9 @@
 // translations: where branches meet without such a point, all sectors are shifted by the
 // coordinates of the first, turned as the branches turn them.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -18,8 +18,8 @@
 // The verification: whether coordinates satisfy all that a complex asks for, exactly. It knows the
 // values as they will be written, and nothing of how they were found.
 
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <CGAL/Exact_rational.h>

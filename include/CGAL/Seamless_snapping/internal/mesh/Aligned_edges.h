@@ -18,11 +18,11 @@
 // The edges of alignment constraints, [MC19] Eq. (5), and which functional of the coordinates is
 // constant along each.
 
-#include <CGAL/Seamless_snapping/internal/support/counted.h>
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

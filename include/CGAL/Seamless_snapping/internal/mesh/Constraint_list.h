@@ -17,8 +17,8 @@
 
 // The further constraints that the caller gave, brought into one form and checked.
 
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -17,10 +17,10 @@
 
 // Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/for_each_chunk.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>

@@ -18,15 +18,15 @@
 // From a uv map to its transitions: surveys the edges, measures the open ones, and tells cuts from
 // noise.
 
-#include <CGAL/Seamless_snapping/internal/support/counted.h>
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -19,9 +19,9 @@
 // same to the bit, and checks on the way that faces are triangles and coordinates are finite. What
 // follows looks at open edges only.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/support/prefetch.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 

@@ -19,8 +19,8 @@
 // coordinates they may change. To the steps that repair, faces are triples of indices; the mesh is
 // read when they ask, and nowhere else.
 
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <array>
 #include <cstddef>

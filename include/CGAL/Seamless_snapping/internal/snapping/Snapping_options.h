@@ -19,12 +19,12 @@
 // different parameters share all code that knows these values only: it is compiled once for a mesh
 // and a uv map.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

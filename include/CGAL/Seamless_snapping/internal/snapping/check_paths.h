@@ -18,12 +18,12 @@
 // How far connections and cycles are from being met before anything moves. A wrong path would
 // distort the whole map, so that it is refused.
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
-#include <CGAL/Seamless_snapping/internal/support/counted.h>
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/number_utils.h>

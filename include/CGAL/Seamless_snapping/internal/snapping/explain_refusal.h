@@ -18,12 +18,12 @@
 // Translates a refusal of the solver into the words of the caller: which edges and constraints of
 // the mesh the rows of the system stand for.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
 
 #include <cstddef>
 #include <set>

@@ -17,8 +17,8 @@
 
 // What an integer-grid map asks for beyond a seamless one, added to the complex of a mesh.
 
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
-#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>

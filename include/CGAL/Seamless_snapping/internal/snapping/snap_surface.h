@@ -18,10 +18,12 @@
 // The function `snap_to_seamless()`, a step a line: what each step returns is all that the next
 // ones know of it.
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
@@ -35,8 +37,6 @@
 #include <CGAL/Seamless_snapping/internal/snapping/round_one_after_another.h>
 #include <CGAL/Seamless_snapping/internal/snapping/spread_rounding.h>
 #include <CGAL/Seamless_snapping/internal/snapping/write_coordinates.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>

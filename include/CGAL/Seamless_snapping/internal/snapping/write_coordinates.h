@@ -18,7 +18,7 @@
 // Writes exact coordinates to the uv map, all or nothing: what a map had is written back if it
 // throws, or does not keep what is written, which would void the verification.
 
-#include <CGAL/Seamless_snapping/internal/exact/Magnitudes.h>
+#include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/support/prefetch.h>

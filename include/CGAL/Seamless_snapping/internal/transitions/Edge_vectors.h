@@ -18,9 +18,9 @@
 // The two sides of an edge, and which transition takes the one to the other: [MC19] Eq. (4),
 // exactly. The rest is floating point: how far a transition misses, and which misses least.
 
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
-#include <CGAL/Seamless_snapping/internal/exact/exact_sum.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/exact_sum.h>
 
 #include <algorithm>
 #include <array>

@@ -18,8 +18,8 @@
 // The two sides of a facet between tetrahedra, and which rotation takes the one to the other,
 // exactly. The rest is floating point: how far a rotation misses, and which misses least.
 
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Cube_rotations.h>
 
 #include <algorithm>

@@ -18,10 +18,10 @@
 // Which transition group the named parameters ask for. The parameter's type tells, so that a call
 // compiles the code of one group only.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

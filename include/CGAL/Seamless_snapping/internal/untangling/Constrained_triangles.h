@@ -18,9 +18,9 @@
 // A piecewise linear map of triangles whose corners are not free: their coordinates are those of a
 // start and sums of free unknowns, so that linear constraints hold whatever the unknowns are.
 
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
-#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
-#include <CGAL/Seamless_snapping/internal/exact/orientation.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

@@ -18,7 +18,7 @@
 // What is known of a parametrized tetrahedral mesh where constraints concern it: cells with their
 // corners in plain arrays, and the lists of facets and edges that constraints are about.
 
-#include <CGAL/Seamless_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
 
 #include <array>

@@ -18,7 +18,7 @@
 // The verification of integer-grid maps of volumes: whether translations and levels are integers,
 // exactly, facet by facet. It knows nothing of how they became so.
 
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/volume/Grid_edges.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>

@@ -19,7 +19,7 @@
 // system of places is solved on the grid of the integers. Rounding each on its own would contradict
 // itself where sheets meet.
 
-#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
+#include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 

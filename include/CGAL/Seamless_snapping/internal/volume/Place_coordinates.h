@@ -18,7 +18,7 @@
 // Which coordinates of the slots of places depend on each other, and what is to be approximated:
 // the mean of the members of a place, on a common grid for all that depend on each other.
 
-#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 

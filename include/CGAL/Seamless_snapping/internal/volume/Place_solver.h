@@ -18,7 +18,7 @@
 // From the places to exact coordinates of all corners near the input: solves the system of places,
 // and lets each member go to the grid point nearest to its optimum.
 
-#include <CGAL/Seamless_snapping/internal/linear/Linear_solver.h>
+#include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_freedom.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
 

@@ -18,7 +18,7 @@
 // The constraint system of [MC19] Sec. 5.3 for volumes: the coordinates of the slots of all places,
 // such that the arcs of a sheet have one translation, and levels one value.
 
-#include <CGAL/Seamless_snapping/internal/linear/System_builder.h>
+#include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_coordinates.h>
 
 #include <cstddef>

@@ -17,7 +17,7 @@
 
 // The combinatorics of the caller's tetrahedra, checked: vertices and neighbors of all cells.
 
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/match_facets.h>
 
 #include <algorithm>

@@ -18,9 +18,9 @@
 // From an exactly seamless map of a volume to an integer-grid map near by: translations, levels of
 // aligned facets, and singular curves become integers, and the change is spread over the volume.
 
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/volume/Integer_grid_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Rounding_displacement.h>
 #include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>

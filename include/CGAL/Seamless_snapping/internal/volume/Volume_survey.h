@@ -19,7 +19,7 @@
 // copies the cells at the vertices that constraints concern. What follows knows neither the
 // caller's mesh nor its map.
 
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Tetrahedra.h>
 
 #include <boost/property_map/property_map.hpp>

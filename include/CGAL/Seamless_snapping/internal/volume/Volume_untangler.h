@@ -18,8 +18,8 @@
 // Cells of a volume that are not positive become so by exact moves of vertices, one at a time, with
 // all their sectors, within their freedom: transitions, levels, and integers stay as they are.
 
-#include <CGAL/Seamless_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Seamless_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
 #include <Eigen/Cholesky>

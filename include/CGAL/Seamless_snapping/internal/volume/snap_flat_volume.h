@@ -17,9 +17,9 @@
 
 // The function `snap_volume_to_seamless()` for a volume in plain arrays, a step a line.
 
-#include <CGAL/Seamless_snapping/internal/exact/locale_free_decimals.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_fitter.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>

@@ -17,11 +17,11 @@
 
 // The part of the functions on volumes that knows the caller's types: reads them, and writes.
 
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
-#include <CGAL/Seamless_snapping/types/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -17,10 +17,10 @@
 
 // Exact maps of volumes in plain arrays: what is the same for all types of callers.
 
-#include <CGAL/Seamless_snapping/internal/exact/Grid.h>
-#include <CGAL/Seamless_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/support/Step_timer.h>
-#include <CGAL/Seamless_snapping/internal/support/compiled_once.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>

@@ -1,0 +1,201 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_WALKER_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_WALKER_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// Isocurves a segment at a time, which the caller continues or leaves.
+
+#include <CGAL/Isocurves_and_layouts/Isocurve.h>
+#include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <boost/iterator/iterator_facade.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+walks along an isocurve of an exactly seamless parametrization, one segment at a time. It is what
+algorithms are built on that trace many curves at once, or decide themselves where a curve ends. A
+copy goes on by itself from where it was made.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam D the number of directions, as for `Isocurve_tracer`
+
+\cgalModels{CopyConstructible, Assignable}
+\sa `isocurve_segments()`
+*/
+template <typename TriangleMesh, int D = 4>
+class Isocurve_walker
+{
+  using Group = internal::Rotation_group<D>;
+
+public:
+  using Tracer = Isocurve_tracer<TriangleMesh, D>;   ///< the tracer
+  using Start = Isocurve_start<TriangleMesh>;        ///< where a curve starts
+  using Segment = Isocurve_segment<TriangleMesh, D>; ///< a part of it
+
+  /*!
+  begins at a point, as `Isocurve_tracer::trace()` does.
+  \param tracer has to outlive the walker
+  \param start where the curve starts
+  \param direction its direction in the chart of `face(start.halfedge)`
+  \pre `start` is as `Isocurve_start` asks for
+  */
+  Isocurve_walker(const Tracer& tracer, const Start& start, const Isocurve_direction direction)
+    : m_tracer(&tracer)
+  {
+    const internal::Protect_exact_arithmetic protect;
+    if(tracer.is_exact())
+      m_walker.emplace(tracer.chart_mesh(), internal::no_limits(), tracer.chart_start(start),
+                       internal::chart_direction<Group>(direction));
+  }
+
+  /*!
+  goes on to the next segment, which the first call finds at the start, and returns
+  `Isocurve_status::CONTINUES`. Where the curve has ended, returns how it ends; then there is no
+  further segment. That is `TARGET`, `MAXIMUM_NUMBER`, or `MAXIMUM_LENGTH` never, and `NOT_EXACT` if
+  the parametrization is not exactly seamless.
+  */
+  Isocurve_status advance()
+  {
+    const internal::Protect_exact_arithmetic protect;
+    return m_walker ? m_walker->advance() : Isocurve_status::NOT_EXACT;
+  }
+
+  /// returns what the last call of `advance()` returned.
+  Isocurve_status status() const
+  { return m_walker ? m_walker->status() : Isocurve_status::NOT_EXACT; }
+
+  /*!
+  returns the last segment.
+  \pre a call of `advance()` has returned `Isocurve_status::CONTINUES`
+  */
+  Segment segment() const
+  {
+    return Segment(m_tracer->mesh(), m_tracer->chart_mesh(), m_tracer->correspondence(),
+                   m_walker->segment());
+  }
+
+private:
+  const Tracer* m_tracer;
+  std::optional<internal::Basic_segment_walker<Group> > m_walker;
+};
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+iterates over the segments of an isocurve, from its start to its end; see `isocurve_segments()`.
+
+\cgalModels{InputIterator}
+*/
+template <typename TriangleMesh, int D = 4>
+class Isocurve_segment_iterator
+  : public boost::iterator_facade<Isocurve_segment_iterator<TriangleMesh, D>,
+                                  const Isocurve_segment<TriangleMesh, D>,
+                                  boost::single_pass_traversal_tag,
+                                  Isocurve_segment<TriangleMesh, D> >
+{
+public:
+  Isocurve_segment_iterator() = default; ///< the end of any curve
+
+  /// \cond SKIP_IN_MANUAL
+  Isocurve_segment_iterator(const Isocurve_walker<TriangleMesh, D>& walker,
+                            const std::size_t number)
+    : m_walker(walker), m_number_left(number)
+  {
+    increment();
+  }
+  /// \endcond
+
+private:
+  friend class boost::iterator_core_access;
+
+  void increment()
+  {
+    if(m_number_left == 0 || m_walker->advance() != Isocurve_status::CONTINUES)
+      m_walker.reset();
+    else
+      --m_number_left;
+  }
+
+  bool equal(const Isocurve_segment_iterator& other) const
+  {
+    return m_walker.has_value() == other.m_walker.has_value() &&
+           (!m_walker || m_number_left == other.m_number_left);
+  }
+
+  Isocurve_segment<TriangleMesh, D> dereference() const { return m_walker->segment(); }
+
+  std::optional<Isocurve_walker<TriangleMesh, D> > m_walker; // none at the end
+  std::size_t m_number_left = 0;
+};
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+returns the segments of an isocurve as a range of `Isocurve_segment`, which walks along the curve
+while it is iterated over. It ends where `trace_isocurve()` without bounds ends. On a map that is
+not exactly seamless, it is empty.
+
+\param tracer has to outlive the range
+\param start where the curve starts
+\param direction its direction in the chart of `face(start.halfedge)`
+\pre `start` is as `Isocurve_start` asks for
+
+\sa `Isocurve_walker`
+*/
+template <typename TriangleMesh, int D>
+CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh, D> >
+isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                  const Isocurve_start<TriangleMesh>& start, const Isocurve_direction direction)
+{
+  using Iterator = Isocurve_segment_iterator<TriangleMesh, D>;
+  return {Iterator(Isocurve_walker<TriangleMesh, D>(tracer, start, direction),
+                   (std::numeric_limits<std::size_t>::max)()), Iterator()};
+}
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+returns the segments of a curve that was traced exactly, as many as it has between its points.
+
+\param tracer the tracer of the curve
+\param curve a curve with its points
+*/
+template <typename TriangleMesh, int D>
+CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh, D> >
+isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                  const Isocurve<TriangleMesh>& curve)
+{
+  using Iterator = Isocurve_segment_iterator<TriangleMesh, D>;
+  return {Iterator(Isocurve_walker<TriangleMesh, D>(tracer, curve.start, curve.direction),
+                   curve.points.empty() ? 0 : curve.points.size() - 1), Iterator()};
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_WALKER_H

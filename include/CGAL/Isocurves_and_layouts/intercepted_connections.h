@@ -1,0 +1,195 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERCEPTED_CONNECTIONS_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERCEPTED_CONNECTIONS_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// Connections that hold, but are interrupted. The equation of a connection says where its isocurve
+// would arrive if nothing was in its way; whether something is, is found by tracing it.
+
+#include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+#include <CGAL/Seamless_snapping/types/surface_constraints.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+A connection constraint whose isocurve does not arrive, as `intercepted_connections()` finds it.
+*/
+struct Intercepted_connection
+{
+  std::size_t index;   ///< the place in the range of connections
+  std::string message; ///< which constraint it is, and where its isocurve ends
+};
+
+namespace internal {
+
+// From corner a to corner b of a connection, in the chart of a, as if the faces of the path lay in
+// the plane. Rounded: it tells the direction, and about how far the isocurve has to go.
+template <typename TriangleMesh, int D>
+Uv displacement(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                const Connection_constraint<TriangleMesh>& connection)
+{
+  using Group = Rotation_group<D>;
+  const Basic_chart_mesh<Group>& mesh = tracer.chart_mesh();
+  const auto corner = [&](const auto h) { return tracer.correspondence().corner(h); };
+  Uv u = mesh.uv(corner(connection.a));
+  typename Group::Element g = Group::identity();
+  for(const auto h : connection.path) {
+    const auto t = mesh.corner(corner(h)).transition;
+    if(t == no_index)
+      continue;
+    const auto& transition = mesh.transitions[std::size_t(t)];
+    u = Group::apply(transition.rotation, u);
+    for(std::size_t c = 0; c < 2; ++c)
+      u[c] += nearest_double(transition.translation[c]);
+    g = Group::compose(transition.rotation, g);
+  }
+  const Uv b = mesh.uv(corner(connection.b));
+  return Group::apply(Group::inverse(g), Uv{b[0] - u[0], b[1] - u[1]});
+}
+
+// The direction along which this component is constant and the other coordinate grows.
+inline Isocurve_direction direction_of_connection(const int component)
+{
+  return component == 0 ? Isocurve_direction::PLUS_V
+                        : component == 1 ? Isocurve_direction::PLUS_U
+                                         : Isocurve_direction::MINUS_U_PLUS_V;
+}
+
+// Traces the isocurve of a connection until it is as long as it should be: this change of the other
+// coordinate.
+template <typename TriangleMesh, int D>
+Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                                        const Connection_constraint<TriangleMesh>& connection,
+                                        const double change)
+{
+  const Isocurve_direction growing = direction_of_connection(connection.component);
+  return tracer.trace(Isocurve_start<TriangleMesh>::at_vertex(connection.a),
+                      change > 0 ? growing : reversed(growing),
+                      parameters::target_vertex(target(connection.b, tracer.mesh()))
+                                 .maximum_length(1.001 * std::abs(change)));
+}
+
+// Where the isocurve of a connection ends, if it does not arrive; else empty.
+// \param point the distance of ends that may have become one point, with nothing between
+// \pre the map is exact
+template <typename TriangleMesh, int D, typename VertexIndexMap>
+std::string obstacle_of_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                                   const Connection_constraint<TriangleMesh>& connection,
+                                   const double point, const VertexIndexMap& vertex_indices)
+{
+  const double change = displacement(tracer, connection)
+    [other_coordinate(direction_of_connection(connection.component))];
+  if(std::abs(change) <= point)
+    return std::string();
+  const auto curve = trace_connection(tracer, connection, change);
+  if(curve.status == Isocurve_status::TARGET)
+    return std::string();
+  if(curve.status != Isocurve_status::SINGULAR_VERTEX)
+    return "does not arrive at its end";
+  const auto v = target(curve.points.back().halfedge(), tracer.mesh());
+  return "ends at vertex " + std::to_string(get(vertex_indices, v)) + " before its end";
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+finds the connection constraints that hold, but whose isocurve does not arrive at its end, since a
+singular vertex or the border is in its way. A constraint says where its isocurve arrives if nothing
+is; so does `snap_to_seamless()`, whose result this function checks.
+
+Where faces are flipped in the domain, an isocurve can turn back, and the result be wrong.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam D the number of directions of the tracer: 4 or 6
+\tparam ConnectionRange a range of `Connection_constraint<TriangleMesh>`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tracer of the map that was snapped with the connections
+\param connections the constraints
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+        below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of the mesh a unique index
+                          between `0` and the number of vertices minus 1; the indices appear in
+                          messages}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\pre `snap_to_seamless()` has taken the connections, and the map is as it left it
+
+\return the connections that are intercepted, in the order of the range; all of them, if
+        `tracer.is_exact()` is `false`
+
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+\par Complexity
+Linear in the number of edges that the isocurves cross.
+
+\sa `connection_along_isocurve()`
+*/
+template <typename TriangleMesh, int D, typename ConnectionRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Intercepted_connection>
+intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                        const ConnectionRange& connections,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  internal::require_exact_arithmetic();
+  const auto vertex_indices =
+    CGAL::get_initialized_vertex_index_map(tracer.mesh(), internal::strip(np));
+  const double point = 1e-12 * tracer.chart_mesh().extent;
+  std::vector<Intercepted_connection> result;
+  std::size_t index = 0;
+  for(const Connection_constraint<TriangleMesh>& connection : connections) {
+    const std::string obstacle =
+      tracer.is_exact()
+        ? internal::obstacle_of_connection(tracer, connection, point, vertex_indices)
+        : "can't be traced, as the map is not exactly seamless; call snap_to_seamless() first";
+    if(!obstacle.empty())
+      result.push_back({index, "the isocurve of connection constraint " + std::to_string(index) +
+                                 " " + obstacle});
+    ++index;
+  }
+  return result;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERCEPTED_CONNECTIONS_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_CHART_MESH_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_CHART_MESH_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// A parametrized mesh in plain arrays: what isocurves are traced on.
+
+#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Chart_corner : Flat_corner
+{
+  Uv uv;                   // of the target of the halfedge
+  std::int32_t transition; // no_index: the same coordinates on both sides
+};
+
+// u' = R u + t, from the face of a halfedge to the opposite one. The translation is that of the
+// source of the halfedge, exactly; in an exactly seamless map it is also that of the target. It is
+// stored by components: for N = 6, these are sums of three or four coordinates.
+template <typename Group>
+struct Basic_chart_transition
+{
+  using Translation =
+    std::conditional_t<Group::is_signed_permutation, Exact_difference, Exact_level>;
+
+  typename Group::Element rotation;
+  std::array<Translation, std::size_t(Group::number_of_functionals)> translation;
+};
+
+// Invariant: an interior halfedge has a transition if and only if its two sides have different
+// coordinates or charts.
+template <typename Group>
+struct Basic_chart_mesh : Flat_mesh<Chart_corner>
+{
+  std::vector<Basic_chart_transition<Group> > transitions;
+  std::vector<char> is_singular; // per vertex
+  double extent = 0;             // the larger side of the bounding box of the coordinates
+  double violation = 0;          // the largest one of a transition
+  bool is_exact = true;          // all transitions hold exactly
+
+  const Uv& uv(const Corner_index h) const { return corner(h).uv; }
+
+  // Of the coordinates of a corner; exactly, and rounded.
+  Component<Group> component(const Corner_index h, const std::size_t c) const
+  { return internal::component<Group>(uv(h), c); }
+  double rounded_component(const Corner_index h, const std::size_t c) const
+  { return Group::value(int(c), uv(h)); }
+
+  typename Group::Element rotation(const Corner_index h) const
+  {
+    const std::int32_t t = corner(h).transition;
+    return t == no_index ? Group::identity() : transitions[std::size_t(t)].rotation;
+  }
+};
+
+// Whether a component is constant along an edge, on a level that is asked for.
+template <typename Group, typename Is_level>
+bool is_on_isocurve(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                    const Is_level& is_level)
+{
+  for(std::size_t c = 0; c < std::size_t(Group::number_of_functionals); ++c) {
+    const auto a = mesh.component(mesh.prev(h), c);
+    if(a == mesh.component(h, c) && is_level(a))
+      return true;
+  }
+  return false;
+}
+
+template <typename Group>
+bool is_on_isocurve(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
+{ return is_on_isocurve(mesh, h, [](const auto&) { return true; }); }
+
+using Chart_transition = Basic_chart_transition<Quarter_turns>;
+using Chart_mesh = Basic_chart_mesh<Quarter_turns>;
+
+// What adds to sign * (a component in one chart) to make it that of the same point in another one.
+template <typename Group>
+typename Basic_chart_transition<Group>::Translation
+offset(const Component<Group>& from, const int sign, const Component<Group>& to)
+{
+  if constexpr(Group::is_signed_permutation) {
+    return Exact_difference(to, sign * from);
+  } else {
+    Exact_level result(from);
+    result.transform(-sign, to);
+    return result;
+  }
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_CHART_MESH_H

@@ -1,0 +1,223 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_CURVE_SET_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_CURVE_SET_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// Curves on a surface, each a list of segments, and where they meet others: the chords in each
+// face, and what passes each vertex.
+
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Walk_state.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Curve_index = std::int32_t;
+using Segment_index = std::int32_t;
+
+// A segment as one of the faces sees it that it lies in: two of them, if it lies along an edge.
+struct Chord
+{
+  Curve_index curve = no_index;
+  Segment_index segment = no_index;
+  Direction direction = Quarter_turns::identity();
+  std::int32_t next = no_index; // the next chord of the face
+  Exact_level level;            // the constant coordinate
+  Exact_level origin;           // the running coordinate of the start of the curve
+
+  // The length of the curve from its start to a point of the chord.
+  Exact_level length_up_to(const Exact_level& running) const
+  {
+    return running_sign(direction) > 0 ? running.minus(origin) : origin.minus(running);
+  }
+};
+
+struct Curve_segment
+{
+  Segment_end entry, exit;
+  Corner_index along;
+  std::int32_t chord; // in the chart of the face of entry and exit; none on an oblique border
+};
+
+struct Layout_curve
+{
+  std::vector<Curve_segment> segments;
+  std::size_t start = 0;                 // the vertex that it starts at
+  std::int32_t start_slot = 0;           // there
+  bool is_wall = false;
+  bool is_oblique = false;               // a piece of the border on no isocurve: no chords, and its
+                                         // length is counted in edges
+  bool is_closed = false;                // it is a wall that ends where it starts, at no corner
+  bool is_left_outside = false, is_right_outside = false;
+  std::optional<Exact_level> twice_length; // unless it runs on
+  Curve_index partner = no_index;        // that it meets head on, at the end of both
+  Segment_index last = no_index;         // in which it does
+};
+
+// Which of the rays around the vertex that a segment ends at leads back along it.
+inline std::size_t slot_of_arrival(const Chart_mesh& mesh, const Curve_segment& segment,
+                                   const Direction direction)
+{
+  Walk_state<Exact_level> state;
+  state.is_at_vertex = true;
+  state.halfedge = segment.exit.halfedge;
+  state.direction = direction;
+  if(segment.along != no_index)
+    state.arrival_key = mesh.edge_key(segment.along);
+  const Vertex_rays rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
+  return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
+                                  { return state.arrived_by(mesh, ray); }) - rays.begin());
+}
+
+// Invariant: each chord is in the list of its face, and each segment that ends at a vertex in the
+// list of the vertex, unless curves start there.
+class Curve_set
+{
+public:
+  explicit Curve_set(const Layout_domain& domain)
+    : m_domain(&domain), m_first_chord(std::size_t(domain.mesh.number_of_faces()), no_index),
+      m_first_visit(domain.mesh.number_of_vertices(), no_index)
+  { }
+
+  const Chart_mesh& mesh() const { return m_domain->mesh; }
+  std::size_t size() const { return m_curves.size(); }
+  const Layout_curve& operator[](const Curve_index c) const { return m_curves[std::size_t(c)]; }
+  Layout_curve& operator[](const Curve_index c) { return m_curves[std::size_t(c)]; }
+  const Chord& chord(const std::int32_t i) const { return m_chords[std::size_t(i)]; }
+
+  const Chord& chord(const Curve_index c, const Segment_index s) const
+  { return chord((*this)[c].segments[std::size_t(s)].chord); }
+
+  Curve_index add_curve(const std::size_t start, const std::int32_t slot)
+  {
+    m_curves.emplace_back();
+    m_curves.back().start = start;
+    m_curves.back().start_slot = slot;
+    return Curve_index(m_curves.size() - 1);
+  }
+
+  // Appends a halfedge of an oblique border.
+  void add_border_edge(const Curve_index c, const Corner_index h)
+  {
+    const Segment_end entry{Isocurve_place::VERTEX, Chart_mesh::prev(h)};
+    (*this)[c].segments.push_back({entry, {Isocurve_place::VERTEX, h}, h, no_index});
+  }
+
+  // The length of a curve up to the end of a segment at a vertex.
+  Exact_level length_at_vertex(const Curve_index c, const Segment_index s) const
+  {
+    if((*this)[c].is_oblique)
+      return Exact_level(double(s) + 1);
+    const Chord& chord = this->chord(c, s);
+    const Segment_end& exit = (*this)[c].segments[std::size_t(s)].exit;
+    return chord.length_up_to(
+      Exact_level(mesh().uv(exit.halfedge)[running_component(chord.direction)]));
+  }
+
+  // Appends a segment to a curve. Calls on_chord(chord, other) for the chords of its faces and the
+  // others there, and on_visit(curve, segment) for those that have come to the same vertex.
+  template <typename OnChord, typename OnVisit>
+  void add_segment(const Curve_index c, const Chart_segment& segment, const OnChord& on_chord,
+                   const OnVisit& on_visit)
+  {
+    Layout_curve& curve = (*this)[c];
+    const Segment_index s = Segment_index(curve.segments.size());
+    Chord chord;
+    chord.curve = c;
+    chord.segment = s;
+    chord.direction = segment.direction;
+    chord.level = segment.level;
+    chord.origin = segment.origin;
+    curve.segments.push_back(
+      {segment.entry, segment.exit, segment.along, std::int32_t(m_chords.size())});
+    add_chord(chord, segment.face(), on_chord);
+    if(segment.along != no_index && mesh().opposite(segment.along) != no_index) {
+      const Corner_index h = segment.along;
+      add_chord(carried_over_edge(chord, h), mesh().face(mesh().opposite(h)), on_chord);
+    }
+    if(segment.exit.place == Isocurve_place::VERTEX &&
+       !m_domain->is_start(mesh().vertex(segment.exit.halfedge)))
+      add_visit(c, s, mesh().vertex(segment.exit.halfedge), on_visit);
+  }
+
+private:
+  struct Visit
+  {
+    Curve_index curve;
+    Segment_index segment;
+    std::int32_t next;
+  };
+
+  template <typename OnChord>
+  void add_chord(const Chord& chord, const Flat_face_index face, const OnChord& on_chord)
+  {
+    std::int32_t& first = m_first_chord[std::size_t(face)];
+    for(std::int32_t i = first; i != no_index; i = m_chords[std::size_t(i)].next)
+      on_chord(chord, m_chords[std::size_t(i)], face);
+    m_chords.push_back(chord);
+    m_chords.back().next = first;
+    first = std::int32_t(m_chords.size() - 1);
+  }
+
+  template <typename OnVisit>
+  void add_visit(const Curve_index c, const Segment_index s, const std::size_t vertex,
+                 const OnVisit& on_visit)
+  {
+    std::int32_t& first = m_first_visit[vertex];
+    for(std::int32_t i = first; i != no_index; i = m_visits[std::size_t(i)].next)
+      on_visit(m_visits[std::size_t(i)].curve, m_visits[std::size_t(i)].segment);
+    m_visits.push_back({c, s, first});
+    first = std::int32_t(m_visits.size() - 1);
+  }
+
+  // A chord along an edge, in the chart of the other face.
+  Chord carried_over_edge(Chord chord, const Corner_index h) const
+  {
+    const Direction before = chord.direction;
+    chord.direction = turned(before, mesh().rotation(h));
+    chord.level =
+      Exact_level(mesh().uv(mesh().opposite(h))[constant_component(chord.direction)]);
+    const std::int32_t t = mesh().corner(h).transition;
+    if(t != no_index) {
+      const Chart_transition& transition = mesh().transitions[std::size_t(t)];
+      const Signed_functional running =
+        Quarter_turns::act(transition.rotation, int(running_component(before)));
+      chord.origin.transform(running.sign, transition.translation[std::size_t(running.index)]);
+    }
+    return chord;
+  }
+
+  const Layout_domain* m_domain;
+  std::vector<Layout_curve> m_curves;
+  std::vector<Chord> m_chords;
+  std::vector<Visit> m_visits;
+  std::vector<std::int32_t> m_first_chord; // per face
+  std::vector<std::int32_t> m_first_visit; // per vertex
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_CURVE_SET_H

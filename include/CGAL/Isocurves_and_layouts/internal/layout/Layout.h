@@ -1,0 +1,109 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// A partition of a surface into rectangles, and what an oblique border leaves of some: points,
+// arcs, and patches. Nothing here depends on the mesh data structure.
+
+#include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_place.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Halves 2 a and 2 a + 1 of arc a run forward and back.
+using Half_arc_index = std::int32_t;
+using Point_index = std::int32_t;
+using Patch_index = std::int32_t;
+
+inline Half_arc_index twin(const Half_arc_index h) { return h ^ 1; }
+
+struct Layout_point
+{
+  Layout_place place;            // in its unique description
+  Start_kind start = Start_kind::NONE;
+  std::int32_t first_slot = 0;   // one slot for each quarter turn; at the border, for each ray and
+                                 // each oblique border edge
+  std::int32_t number_of_slots = 0;
+  std::int32_t degree = 0;       // the number of arcs
+};
+
+// Those ends of segments of a curve that an arc passes.
+struct Curve_piece
+{
+  Curve_index curve;
+  Segment_index begin, end;
+  bool is_reversed;
+};
+
+struct Layout_arc
+{
+  std::array<Point_index, 2> points;
+  Exact_level length;                // 0 on an oblique border
+  std::array<Curve_piece, 2> pieces; // the second one may be empty
+  bool is_wall, is_oblique;
+};
+
+// The next half around the patch at the left; what lies outside of the surface is no patch.
+struct Half_arc
+{
+  Half_arc_index next = no_index;
+  std::int32_t turns = 0; // the angle at its end, in quarter turns; 0 next to an oblique border
+  Patch_index patch = no_index;
+  bool is_outside = false;
+};
+
+// A rectangle has one cycle around it, in four sides: the first and the third are of length
+// `width`. A patch that an oblique border has cut has any number of cycles, and no sides.
+struct Layout_patch
+{
+  std::vector<std::vector<Half_arc_index> > cycles; // each counterclockwise
+  bool is_cut = false;
+  std::array<std::vector<Half_arc_index>, 4> sides;
+  Exact_level width, height;
+  std::ptrdiff_t euler_characteristic = 1;
+  Exact_rational area{0}; // if it is cut
+};
+
+struct Layout
+{
+  std::vector<Layout_point> points;
+  std::vector<Half_arc_index> slots; // the half that leaves there, if any
+  std::vector<Layout_arc> arcs;
+  std::vector<Half_arc> half_arcs;
+  std::vector<Layout_patch> patches;
+
+  const Layout_arc& arc(const Half_arc_index h) const { return arcs[std::size_t(h / 2)]; }
+  Point_index source(const Half_arc_index h) const { return arc(h).points[std::size_t(h % 2)]; }
+  Point_index target(const Half_arc_index h) const { return source(twin(h)); }
+  const Half_arc& half(const Half_arc_index h) const { return half_arcs[std::size_t(h)]; }
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_H

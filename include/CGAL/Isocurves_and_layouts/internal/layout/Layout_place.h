@@ -1,0 +1,137 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_PLACE_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_PLACE_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// Places on the surface, exactly: what they lie on, and their coordinates there.
+
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
+#include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Exact_uv = std::array<Exact_level, 2>;
+
+// Invariant: at a vertex, `halfedge` points to it; inside of an edge, it lies on it; inside of a
+// face, it is one of the face. Coordinates are those of the chart of its face.
+struct Layout_place
+{
+  Isocurve_place place = Isocurve_place::FACE;
+  Corner_index halfedge = no_index;
+  Exact_uv uv;
+};
+
+// The sign of the area of a, b, x.
+inline int side_of_line(const Uv& a, const Uv& b, const Exact_uv& x)
+{
+  if(x[0].is_double() && x[1].is_double())
+    return int(orientation({a, b, {x[0].approximation(), x[1].approximation()}}));
+  const Exact_rational ax(a[0]), ay(a[1]);
+  const Exact_rational first((Exact_rational(b[0]) - ax) * (x[1].exact() - ay));
+  const Exact_rational second((Exact_rational(b[1]) - ay) * (x[0].exact() - ax));
+  return int(CGAL::compare(first, second));
+}
+
+// Whether a closed face, which is positive, contains the point `place.uv` of its chart. If so, sets
+// what the point lies on.
+// \pre `place.halfedge` is one of the face
+inline bool locate_in_face(const Chart_mesh& mesh, Layout_place& place)
+{
+  Corner_index on[3];
+  std::size_t number = 0;
+  Corner_index h = place.halfedge;
+  for(int i = 0; i < 3; ++i, h = Chart_mesh::next(h)) {
+    const int side = side_of_line(mesh.uv(Chart_mesh::prev(h)), mesh.uv(h), place.uv);
+    if(side < 0)
+      return false;
+    if(side == 0)
+      on[number++] = h;
+  }
+  place.place = number == 0 ? Isocurve_place::FACE
+                            : number == 1 ? Isocurve_place::EDGE : Isocurve_place::VERTEX;
+  if(number > 0)
+    place.halfedge = on[0];
+  if(number == 2 && on[1] != Chart_mesh::next(on[0])) // the vertex lies between both
+    place.halfedge = on[1];
+  return true;
+}
+
+// A point of the edge of `h`, in the chart of the opposite face.
+inline Exact_uv carried_over_edge(const Chart_mesh& mesh, const Corner_index h, const Exact_uv& uv)
+{
+  const std::int32_t t = mesh.corner(h).transition;
+  if(t == no_index)
+    return uv;
+  const Chart_transition& transition = mesh.transitions[std::size_t(t)];
+  Exact_uv result;
+  for(int c = 0; c < 2; ++c) {
+    const Signed_functional image = Quarter_turns::act(transition.rotation, c);
+    const std::size_t i = std::size_t(image.index);
+    result[i] = uv[std::size_t(c)];
+    result[i].transform(image.sign, transition.translation[i]);
+  }
+  return result;
+}
+
+// The one description of a place that has several: on edges, by their first halfedge; in faces, by
+// theirs; at vertices, by the first corner. Returns by how much directions turn that way; at
+// vertices they are not of any chart, and stay.
+inline Quarter_turns::Element make_unique(const Chart_mesh& mesh, Layout_place& place)
+{
+  const Corner_index h = place.halfedge;
+  switch(place.place) {
+  case Isocurve_place::VERTEX:
+    place.halfedge = mesh.corner_at_vertex[mesh.vertex(h)];
+    place.uv = {Exact_level(mesh.uv(place.halfedge)[0]), Exact_level(mesh.uv(place.halfedge)[1])};
+    break;
+  case Isocurve_place::FACE:
+    place.halfedge = 3 * mesh.face(h);
+    break;
+  case Isocurve_place::EDGE:
+    if(mesh.represents_edge(h))
+      break;
+    place.halfedge = mesh.opposite(h);
+    place.uv = carried_over_edge(mesh, h, place.uv);
+    return mesh.rotation(h);
+  }
+  return Quarter_turns::identity();
+}
+
+// An order of places whose description is unique.
+inline int compare(const Layout_place& a, const Layout_place& b)
+{
+  const auto key = [](const Layout_place& p) { return std::make_tuple(p.place, p.halfedge); };
+  if(key(a) != key(b))
+    return key(a) < key(b) ? -1 : 1;
+  const int u = compare(a.uv[0], b.uv[0]);
+  return u != 0 ? u : compare(a.uv[1], b.uv[1]);
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_PLACE_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Isocurves_and_layouts package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H
+#define CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H
+
+#include <CGAL/license/Isocurves_and_layouts.h>
+
+// What naive code decides, in floating point, on a map that is not exactly seamless: the same
+// questions as on an exact one, but the answers of two charts need not agree. What goes wrong is
+// classified as in [MC19] Sec. 6.2.
+
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Walk_state.h>
+#include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Group>
+class Basic_floating_point_decisions
+{
+  using Mesh = Basic_chart_mesh<Group>;
+
+public:
+  using Level = double;
+  using State = Walk_state<Level>;
+
+  // A curve that comes closer than `near_distance` to a singular vertex or a target is meant to
+  // meet it. A loop should return to `start`, in this direction, unless that is no_index.
+  Basic_floating_point_decisions(const Mesh& mesh, const Walk_limits& limits,
+                                 const Corner_index start, const Direction start_direction,
+                                 const double near_distance)
+    : m_mesh(mesh), m_limits(limits), m_start(start), m_start_direction(start_direction),
+      m_near(near_distance)
+  { }
+
+  // The translation and the sum are rounded.
+  static void cross(const Basic_chart_transition<Group>& transition, State& state)
+  {
+    const Signed_functional constant =
+      Group::act(transition.rotation, int(constant_component<Group>(state.direction)));
+    state.direction = turned<Group>(state.direction, transition.rotation);
+    state.level = constant.sign * state.level +
+                  nearest_double(transition.translation[std::size_t(constant.index)]);
+  }
+
+  static double approximation(const Level level) { return level; }
+  static int side_of(const Level level, const Component<Group>& component)
+  { return compare(nearest_double(component), level); }
+
+  bool enters(const State& state)
+  {
+    const std::size_t c = constant_component<Group>(state.direction);
+    const int left = left_sign<Group>(state.direction);
+    const double source = m_mesh.rounded_component(Mesh::prev(state.halfedge), c);
+    const double target = m_mesh.rounded_component(state.halfedge, c);
+    if(left * compare(source, target) <= 0)
+      m_failure = Isocurve_status::STUCK_AT_CUT; // here the edge faces the other way
+    else if(left * compare(source, state.level) < 0 || left * compare(target, state.level) > 0)
+      m_failure = Isocurve_status::FELL_INTO_GAP;
+    else
+      m_failure = near_miss(state);
+    return m_failure == Isocurve_status::CONTINUES;
+  }
+
+  Isocurve_status failure() const { return m_failure; }
+
+  // Every ray in the direction of the curve is a way out.
+  Isocurve_status choose_ray(const State& state, const Isocurve_rays& around,
+                             Vertex_ray& chosen) const
+  {
+    std::size_t count = 0;
+    for(std::size_t i = 0; i < around.rays.size(); ++i)
+      if(around.is_forward[i]) {
+        chosen = around.rays[i];
+        ++count;
+      }
+    if(count == 1)
+      return Isocurve_status::CONTINUES;
+    if(count > 1)
+      return Isocurve_status::SEVERAL_WAYS_OUT;
+    if(!m_mesh.is_border[m_mesh.vertex(state.halfedge)])
+      return Isocurve_status::NO_WAY_OUT;
+    return border_continues(state) ? Isocurve_status::FELL_OFF_BORDER : Isocurve_status::BORDER;
+  }
+
+  // After one turn, beside where it began.
+  Isocurve_status return_beside_start(const State& state, const State& start) const
+  {
+    return std::abs(state.level - start.level) <= m_near ? Isocurve_status::SPIRALS
+                                                         : Isocurve_status::CONTINUES;
+  }
+
+  Isocurve_status leave_over_border(const State& state) const
+  {
+    return is_nearly_along(state.halfedge, state.direction) ||
+           is_nearly_along(state.halfedge, reversed<Group>(state.direction))
+             ? Isocurve_status::FELL_OFF_BORDER : Isocurve_status::BORDER;
+  }
+
+private:
+  // Whether the edge was meant to run in this direction.
+  bool is_nearly_along(const Corner_index h, const Direction direction) const
+  {
+    const auto change = [&](const std::size_t c)
+    { return m_mesh.rounded_component(h, c) - m_mesh.rounded_component(Mesh::prev(h), c); };
+    const double along =
+      running_sign<Group>(direction) * change(running_component<Group>(direction));
+    const double across = std::abs(change(constant_component<Group>(direction)));
+    return across <= m_near && along > 4 * across;
+  }
+
+  // Whether one of the border edges at the vertex was meant to continue the curve.
+  bool border_continues(const State& state) const
+  {
+    Direction direction = state.direction;
+    Corner_index corner = first_corner(m_mesh, state.halfedge, direction);
+    if(is_nearly_along(Mesh::next(corner), direction))
+      return true;
+    while(m_mesh.opposite(corner) != no_index) {
+      direction = turned<Group>(direction, m_mesh.rotation(corner));
+      corner = m_mesh.counterclockwise(corner);
+    }
+    return is_nearly_along(corner, reversed<Group>(direction));
+  }
+
+  // Whether the curve is about to pass beside a vertex that it should meet.
+  Isocurve_status near_miss(const State& state) const
+  {
+    const Corner_index apex = Mesh::next(state.halfedge);
+    const std::size_t v = m_mesh.vertex(apex);
+    const double distance = std::abs(
+      m_mesh.rounded_component(apex, constant_component<Group>(state.direction)) - state.level);
+    if(distance == 0 || distance > m_near)
+      return Isocurve_status::CONTINUES;
+    const bool is_singular = m_mesh.is_singular[v] != 0;
+    if(!is_singular && is_start(apex, state.direction))
+      return Isocurve_status::SPIRALS;
+    return is_singular || m_limits.is_target(v) ? Isocurve_status::MISSED_TARGET
+                                                : Isocurve_status::CONTINUES;
+  }
+
+  // Whether the curve started from the vertex of this corner, in this direction.
+  bool is_start(Corner_index corner, Direction direction) const
+  {
+    if(m_start == no_index || m_mesh.vertex(corner) != m_mesh.vertex(m_start))
+      return false;
+    while(corner != m_start && m_mesh.opposite(corner) != no_index) {
+      direction = turned<Group>(direction, m_mesh.rotation(corner));
+      corner = m_mesh.counterclockwise(corner);
+    }
+    return corner == m_start && direction == m_start_direction;
+  }
+
+  const Mesh& m_mesh;
+  const Walk_limits& m_limits;
+  Corner_index m_start;
+  Direction m_start_direction;
+  double m_near;
+  Isocurve_status m_failure = Isocurve_status::CONTINUES;
+};
+
+using Floating_point_decisions = Basic_floating_point_decisions<Quarter_turns>;
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_INTEGER_SYSTEM_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_INTEGER_SYSTEM_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// A sparse system C x = b with integer coefficients, as flat rows. Rows of 64-bit integers are the
+// rule; one whose numbers do not fit is kept apart in multiprecision.
+
+#include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Column_index = std::int32_t;
+using Row_index = std::int32_t;
+
+template <typename Integer>
+struct Entry
+{
+  Column_index column;
+  Integer coefficient;
+};
+
+template <typename Integer>
+using Entries = std::vector<Entry<Integer> >; // sorted by column, no zeros, if not said otherwise
+
+// A row in the making: the coefficients of equal columns add up, the columns end up sorted.
+template <typename Integer>
+void sort_and_sum(Entries<Integer>& entries)
+{
+  const auto is_before = [](const Entry<Integer>& a, const Entry<Integer>& b)
+    { return a.column < b.column; };
+  if(!std::is_sorted(entries.begin(), entries.end(), is_before))
+    std::sort(entries.begin(), entries.end(), is_before);
+  std::size_t last = 0; // entries before `last` are done
+  for(std::size_t i = 0; i < entries.size();) {
+    const std::size_t first = i;
+    for(++i; i < entries.size() && entries[i].column == entries[first].column; ++i)
+      entries[first].coefficient = difference_with_product(entries[first].coefficient, Integer(-1),
+                                                           entries[i].coefficient);
+    if(entries[first].coefficient == 0)
+      continue;
+    if(last != first)
+      entries[last] = std::move(entries[first]);
+    ++last;
+  }
+  entries.erase(entries.begin() + std::ptrdiff_t(last), entries.end());
+}
+
+// The entry of a row, whose columns are sorted, in one column; null if there is none.
+template <typename Integer>
+const Entry<Integer>* find_entry(const Entries<Integer>& row, const Column_index column)
+{
+  const auto found = std::lower_bound(row.begin(), row.end(), column,
+    [](const Entry<Integer>& e, const Column_index c) { return e.column < c; });
+  return found == row.end() || found->column != column ? nullptr : &*found;
+}
+
+template <typename Integer>
+struct Integer_row
+{
+  Entries<Integer> entries;
+  Integer right_hand_side = Integer(0);
+};
+
+// Invariant: each row has sorted columns and no zeros, and is kept in multiprecision if and only if
+// one of its numbers exceeds 2^62. The right-hand sides are integers times 2^-right_hand_scale: a
+// solution on a grid of step 2^e, e <= -right_hand_scale, is an integer vector X with
+// C X = right_hand_side 2^(-right_hand_scale - e).
+class Integer_system
+{
+public:
+  explicit Integer_system(const std::size_t number_of_columns = 0)
+    : m_number_of_columns(number_of_columns), m_row_begin(1, 0)
+  { }
+
+  void reserve(const std::size_t number_of_rows, const std::size_t number_of_entries)
+  {
+    m_entries.reserve(number_of_entries);
+    m_row_begin.reserve(number_of_rows + 1);
+    m_right_hand_side.reserve(number_of_rows);
+  }
+
+  // \pre the entries are sorted by column, and all numbers fit
+  void add_row(const Entry<std::int64_t>* first, const Entry<std::int64_t>* last,
+               const std::int64_t b)
+  {
+    m_entries.insert(m_entries.end(), first, last);
+    end_row(b);
+  }
+
+  void add_row(const Entries<std::int64_t>& entries, const std::int64_t b)
+  {
+    add_row(entries.data(), entries.data() + entries.size(), b);
+  }
+
+  void add_row(Integer_row<Exact_integer> row)
+  {
+    if(fits(row)) {
+      for(const Entry<Exact_integer>& e : row.entries)
+        m_entries.push_back({e.column, to_64_bits(e.coefficient)});
+      end_row(to_64_bits(row.right_hand_side));
+      return;
+    }
+    m_large_row.resize(number_of_rows(), -1);
+    m_large_row.push_back(static_cast<std::int32_t>(m_large_rows.size()));
+    m_number_of_large_entries += row.entries.size();
+    m_large_rows.push_back(std::move(row));
+    end_row(0);
+  }
+
+  std::size_t number_of_columns() const { return m_number_of_columns; }
+  std::size_t number_of_rows() const { return m_right_hand_side.size(); }
+  std::size_t number_of_entries() const { return m_entries.size() + m_number_of_large_entries; }
+
+  // Whether all rows are of 64-bit integers.
+  bool is_small() const { return m_large_rows.empty(); }
+  bool is_small(const std::size_t row) const
+  { return row >= m_large_row.size() || m_large_row[row] < 0; }
+
+  // \pre is_small(row)
+  const Entry<std::int64_t>* begin(const std::size_t row) const
+  { return m_entries.data() + m_row_begin[row]; }
+  const Entry<std::int64_t>* end(const std::size_t row) const
+  { return m_entries.data() + m_row_begin[row + 1]; }
+  std::int64_t right_hand_side(const std::size_t row) const { return m_right_hand_side[row]; }
+
+  // \pre !is_small(row)
+  const Integer_row<Exact_integer>& large_row(const std::size_t row) const
+  { return m_large_rows[std::size_t(m_large_row[row])]; }
+
+  // Any row, in multiprecision.
+  Integer_row<Exact_integer> exact_row(const std::size_t row) const
+  {
+    if(!is_small(row))
+      return large_row(row);
+    Integer_row<Exact_integer> result;
+    for(const Entry<std::int64_t>* e = begin(row); e != end(row); ++e)
+      result.entries.push_back({e->column, Exact_integer(e->coefficient)});
+    result.right_hand_side = Exact_integer(right_hand_side(row));
+    return result;
+  }
+
+  bool has_right_hand_side(const std::size_t row) const
+  { return is_small(row) ? right_hand_side(row) != 0 : large_row(row).right_hand_side != 0; }
+
+  // Calls f(column) for all entries of a row.
+  template <typename F>
+  void for_each_column(const std::size_t row, const F& f) const
+  {
+    if(is_small(row))
+      for(const Entry<std::int64_t>* e = begin(row); e != end(row); ++e)
+        f(e->column);
+    else
+      for(const Entry<Exact_integer>& e : large_row(row).entries)
+        f(e.column);
+  }
+
+  int right_hand_scale() const { return m_right_hand_scale; }
+  void set_right_hand_scale(const int scale) { m_right_hand_scale = scale; }
+
+private:
+  static bool fits(const Integer_row<Exact_integer>& row)
+  {
+    return fits_64_bits(row.right_hand_side) &&
+           std::all_of(row.entries.begin(), row.entries.end(), [](const Entry<Exact_integer>& e)
+                       { return fits_64_bits(e.coefficient); });
+  }
+
+  void end_row(const std::int64_t b)
+  {
+    m_row_begin.push_back(m_entries.size());
+    m_right_hand_side.push_back(b);
+  }
+
+  std::size_t m_number_of_columns;
+  int m_right_hand_scale = 0;
+  Entries<std::int64_t> m_entries;
+  std::vector<std::size_t> m_row_begin;
+  std::vector<std::int64_t> m_right_hand_side;
+  std::vector<Integer_row<Exact_integer> > m_large_rows;
+  std::vector<std::int32_t> m_large_row; // per row, as far as there are large ones: -1 for others
+  std::size_t m_number_of_large_entries = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_INTEGER_SYSTEM_H

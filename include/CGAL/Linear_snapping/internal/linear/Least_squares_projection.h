@@ -1,0 +1,341 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LEAST_SQUARES_PROJECTION_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LEAST_SQUARES_PROJECTION_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// The real-valued target of the snapping: the weighted least-squares projection of the values onto
+// the solutions of C x = b, in floating point. [MC19] keeps the input on the free variables and
+// lets the implied ones absorb all the violation ([MC19] Sec. 4.2); this spreads it. Nothing here
+// decides exactness.
+
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
+#include <CGAL/Linear_snapping/internal/linear/Scaled_double.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The power of two by which a row is divided before it becomes one of doubles: 0 unless these
+// overflow.
+inline long row_exponent(const Integer_system& system, const std::size_t row)
+{
+  constexpr long large = 200; // sums of products with grid values stay far from the limit
+  long largest = 0;
+  if(!system.is_small(row))
+    for(const Entry<Exact_integer>& e : system.large_row(row).entries)
+      largest = (std::max)(largest, to_scaled_double(e.coefficient).exponent);
+  return largest > large ? largest : 0;
+}
+
+inline double divided_by_power(const Exact_integer& a, const long exponent)
+{
+  const Scaled_double scaled = to_scaled_double(a);
+  return scaled_by_power(scaled.mantissa, scaled.exponent - exponent);
+}
+
+// The coefficients of a row, divided by 2^row_exponent.
+inline void get_real_row(const Integer_system& system, const std::size_t row,
+                         Entries<double>& result)
+{
+  result.clear();
+  if(system.is_small(row)) {
+    for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
+      result.push_back({e->column, static_cast<double>(e->coefficient)});
+  } else {
+    const long exponent = row_exponent(system, row);
+    for(const Entry<Exact_integer>& e : system.large_row(row).entries)
+      result.push_back({e.column, divided_by_power(e.coefficient, exponent)});
+  }
+}
+
+// C base - b 2^right_hand_shift for one row. Returns false if it does not fit into 64 bits.
+inline bool small_violation(const Integer_system& system, const std::size_t row,
+                            const int right_hand_shift, const std::vector<Grid_value>& values,
+                            std::int64_t& sum)
+{
+  if(!system.is_small(row) || !shifted(-system.right_hand_side(row), right_hand_shift, sum))
+    return false;
+  for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
+    if(!add_product(e->coefficient, values[std::size_t(e->column)].base, sum))
+      return false;
+  return true;
+}
+
+// C (base + offset) - b 2^right_hand_shift for one row, divided by 2^row_exponent: exact in the
+// bases, so that violations below one ulp of the values are still seen.
+inline double row_violation(const Integer_system& system, const std::size_t row,
+                            const int right_hand_shift, const std::vector<Grid_value>& values)
+{
+  double offset = 0;
+  if(system.is_small(row)) {
+    for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
+      offset += static_cast<double>(e->coefficient) * values[std::size_t(e->column)].offset;
+    std::int64_t sum = 0;
+    if(small_violation(system, row, right_hand_shift, values, sum))
+      return static_cast<double>(sum) + offset;
+  }
+  // Where right-hand sides lie between grid points, both sides are taken to a finer grid.
+  const std::size_t up = std::size_t((std::max)(right_hand_shift, 0));
+  const std::size_t down = std::size_t((std::max)(-right_hand_shift, 0));
+  const Integer_row<Exact_integer> exact = system.exact_row(row);
+  const long exponent = row_exponent(system, row);
+  Exact_integer sum(0);
+  for(const Entry<Exact_integer>& e : exact.entries) {
+    const Grid_value& value = values[std::size_t(e.column)];
+    if(!system.is_small(row))
+      offset += divided_by_power(e.coefficient, exponent) * value.offset;
+    sum += product(e.coefficient, Exact_integer(value.base));
+  }
+  sum = difference(product(sum, power_of_two(down)),
+                   product(exact.right_hand_side, power_of_two(up)));
+  return divided_by_power(sum, exponent + static_cast<long>(down)) + offset;
+}
+
+// Minimum degree on a matrix that is symmetric, which Eigen would make so once more.
+struct Symmetric_ordering
+{
+  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+
+  template <typename Matrix>
+  void operator()(const Matrix& matrix, PermutationType& permutation) const
+  {
+    Eigen::AMDOrdering<int>()(matrix.template selfadjointView<Eigen::Lower>(), permutation);
+  }
+};
+
+// The linear algebra of the projection, for one set of independent rows. Invariant: the normal
+// matrix M^T M of the rows is factorized, where M holds them as columns, or, where unknowns that
+// many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
+class Least_squares_projection
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  using Vector = Eigen::VectorXd;
+
+public:
+  // \param weights one per column, positive
+  Least_squares_projection(const Integer_system& system, std::vector<Row_index> independent_rows,
+                           const std::vector<double>& weights)
+    : m_row_indices(std::move(independent_rows)), m_scales(Eigen::Index(weights.size())),
+      m_row_scales(Eigen::Index(m_row_indices.size()))
+  {
+    for(std::size_t j = 0; j < weights.size(); ++j)
+      m_scales[Eigen::Index(j)] = 1. / std::sqrt(weights[j]);
+    if(m_row_indices.empty())
+      return;
+    set_rows(system);
+    const Rows by_unknown(m_rows);
+    m_is_augmented =
+      number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
+    m_factors.compute(m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown));
+    // a pivot is the square of the distance of a row, of length 1, from the rows before it
+    m_is_ill_conditioned =
+      m_factors.info() != Eigen::Success || !(m_factors.vectorD().cwiseAbs().minCoeff() > 1e-7);
+  }
+
+  std::size_t number_of_rows() const { return m_row_indices.size(); }
+
+  // Whether rows are so nearly dependent that most digits are lost.
+  bool is_ill_conditioned() const { return m_is_ill_conditioned; }
+
+  // Moves `values` to their projection, in steps, each of which starts from the exact violations
+  // that the last one left, as long as these shrink.
+  // \pre the system is that of the constructor
+  void project(const Integer_system& system, const int right_hand_shift,
+               std::vector<Grid_value>& values) const
+  {
+    // of the first violations; where rows are nearly dependent, small ones count as well
+    const double negligible = m_is_ill_conditioned ? 0 : 0x1p-40;
+    double first_size = -1, last_size = std::numeric_limits<double>::infinity();
+    for(Vector step;;) {
+      const Vector r = violations(system, right_hand_shift, values);
+      const double size = r.size() == 0 ? 0 : r.lpNorm<Eigen::Infinity>();
+      if(first_size < 0)
+        first_size = size;
+      if(!r.allFinite() || size <= negligible * first_size)
+        return;
+      if(!(size < last_size / 2)) {
+        if(size > last_size)
+          move(step, -1, values);
+        return;
+      }
+      last_size = size;
+      step = m_scales.cwiseProduct(shortest_solution(r / size)); // r may have any magnitude
+      step *= size;
+      move(step, 1, values);
+    }
+  }
+
+  // The nearest difference between solutions.
+  Vector nearest_difference(const Vector& difference) const
+  {
+    if(m_row_indices.empty())
+      return difference;
+    const Vector scaled = difference.cwiseQuotient(m_scales);
+    const Vector r = m_rows.transpose() * scaled;
+    return m_scales.cwiseProduct(scaled - (m_is_augmented ? shortest_solution(r) : solve(r)));
+  }
+
+private:
+  static void move(const Vector& step, const double factor, std::vector<Grid_value>& values)
+  {
+    for(std::size_t j = 0; j < values.size(); ++j)
+      values[j].offset -= factor * step[Eigen::Index(j)];
+  }
+
+  Vector violations(const Integer_system& system, const int right_hand_shift,
+                    const std::vector<Grid_value>& values) const
+  {
+    Vector r(m_rows.cols());
+    for(Eigen::Index i = 0; i < r.size(); ++i)
+      r[i] = m_row_scales[i] * row_violation(system, std::size_t(m_row_indices[std::size_t(i)]),
+                                             right_hand_shift, values);
+    return r;
+  }
+
+  // The independent rows, scaled by 1/sqrt(w) per column and then to unit length, as columns.
+  void set_rows(const Integer_system& system)
+  {
+    m_rows.resize(m_scales.size(), Eigen::Index(m_row_indices.size()));
+    m_rows.reserve(Eigen::Index(system.number_of_entries()));
+    Entries<double> row;
+    for(std::size_t i = 0; i < m_row_indices.size(); ++i) {
+      get_real_row(system, std::size_t(m_row_indices[i]), row);
+      double largest = 0;
+      for(Entry<double>& e : row) {
+        e.coefficient *= m_scales[e.column];
+        largest = (std::max)(largest, std::abs(e.coefficient));
+      }
+      double squares = 0; // of c / largest: c^2 may overflow
+      for(const Entry<double>& e : row)
+        squares += (e.coefficient / largest) * (e.coefficient / largest);
+      const double scale = 1. / (largest * std::sqrt(squares));
+      m_row_scales[Eigen::Index(i)] = scale;
+      m_rows.startVec(Eigen::Index(i));
+      for(const Entry<double>& e : row)
+        m_rows.insertBack(e.column, Eigen::Index(i)) = e.coefficient * scale;
+    }
+    m_rows.finalize();
+  }
+
+  static std::size_t number_of_products(const Rows& by_unknown)
+  {
+    std::size_t result = 0;
+    for(Eigen::Index j = 0; j < by_unknown.outerSize(); ++j) {
+      const int* const begin = by_unknown.outerIndexPtr() + j;
+      const std::size_t count = std::size_t(begin[1] - begin[0]);
+      result += count * (count + 1) / 2;
+    }
+    return result;
+  }
+
+  // The lower triangle of (I M; M^T -d).
+  Matrix augmented_matrix(const Rows& by_unknown) const
+  {
+    constexpr double d = 1e-8; // refinement makes up for it
+    const int n = int(m_rows.rows()), size = n + int(m_rows.cols());
+    Matrix result(size, size);
+    result.reserve(m_rows.nonZeros() + size);
+    for(int j = 0; j < size; ++j) {
+      result.startVec(j);
+      result.insertBackByOuterInner(j, j) = j < n ? 1 : -d;
+      if(j < n)
+        for(Rows::InnerIterator e(by_unknown, j); e; ++e)
+          result.insertBackByOuterInner(j, n + int(e.col())) = e.value();
+    }
+    result.finalize();
+    return result;
+  }
+
+  // The lower triangle of M^T M.
+  Matrix normal_matrix(const Rows& by_unknown) const
+  {
+    const int* const begin = by_unknown.outerIndexPtr();
+    Matrix result(m_rows.cols(), m_rows.cols());
+    result.reserve(4 * m_rows.nonZeros());
+    std::vector<double> sums(std::size_t(m_rows.cols()), 0.);
+    std::vector<int> last_use(std::size_t(m_rows.cols()), -1), used;
+    for(int i = 0; i < int(m_rows.cols()); ++i) {
+      used.clear();
+      for(Matrix::InnerIterator a(m_rows, i); a; ++a)
+        for(int b = begin[a.row() + 1]; b-- > begin[a.row()];) {
+          const int k = by_unknown.innerIndexPtr()[b];
+          if(k < i)
+            break;
+          if(last_use[std::size_t(k)] != i) {
+            last_use[std::size_t(k)] = i;
+            sums[std::size_t(k)] = 0;
+            used.push_back(k);
+          }
+          sums[std::size_t(k)] += a.value() * by_unknown.valuePtr()[b];
+        }
+      std::sort(used.begin(), used.end());
+      result.startVec(i);
+      for(const int k : used)
+        result.insertBackByOuterInner(i, k) = sums[std::size_t(k)];
+    }
+    result.finalize();
+    return result;
+  }
+
+  // The shortest y with M^T y = r, up to rounding and what d does.
+  Vector solve(const Vector& r) const
+  {
+    if(!m_is_augmented) {
+      const Vector multipliers = m_factors.solve(r); // a vector: expressions compile slowly
+      return m_rows * multipliers;
+    }
+    Vector right_hand_side = Vector::Zero(m_rows.rows() + m_rows.cols());
+    right_hand_side.tail(r.size()) = -r;
+    const Vector solution = m_factors.solve(right_hand_side);
+    return m_rows * Vector(solution.tail(r.size()));
+  }
+
+  // The same, refined.
+  Vector shortest_solution(const Vector& r) const
+  {
+    constexpr int rounds_of_augmented = 10;
+    Vector y = solve(r);
+    for(int round = m_is_augmented ? rounds_of_augmented : 1; round > 0; --round)
+      y += solve(Vector(r - m_rows.transpose() * y));
+    return y.allFinite() ? y : Vector::Zero(m_rows.rows());
+  }
+
+  std::vector<Row_index> m_row_indices;
+  Vector m_scales; // 1/sqrt(w)
+  Vector m_row_scales;
+  Matrix m_rows; // as columns
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering> m_factors;
+  bool m_is_augmented = false;
+  bool m_is_ill_conditioned = false;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LEAST_SQUARES_PROJECTION_H

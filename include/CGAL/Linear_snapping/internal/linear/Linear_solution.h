@@ -1,0 +1,56 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLUTION_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLUTION_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// What the linear solver is given, and what it returns, on grids.
+
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// What to snap: values on a grid per component.
+struct Linear_target
+{
+  std::vector<Grid> grids;        // one per component
+  std::vector<Grid_value> values; // one per column, in steps of its component's grid
+};
+
+// Columns in no row are 0.
+struct Linear_solution
+{
+  std::vector<Grid> grids;         // one per component
+  std::vector<std::int64_t> x;     // one per column, in steps of its component's grid
+  std::vector<Grid_value> optimum; // likewise: the real-valued least-squares optimum
+};
+
+// On a grid of its own.
+struct Column_solution
+{
+  Grid grid;
+  std::int64_t x;
+  Grid_value optimum;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLUTION_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// Gram-Schmidt orthogonalization in floating point, for the two algorithms that choose among
+// lattice vectors: basis reduction and rounding to a near lattice point. Inexact throughout:
+// nothing here decides whether something holds, only which of several exact choices is a good one.
+//
+// Numbers of hundreds of bits come as rows of doubles that share one binary exponent.
+
+#include <CGAL/Linear_snapping/internal/linear/Scaled_double.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Writes v, each component times its scale, as `row` 2^(returned exponent).
+inline long to_scaled_row(const std::vector<std::int64_t>& v, const std::vector<double>& scale,
+                          std::vector<double>& row)
+{
+  row.resize(v.size());
+  for(std::size_t i = 0; i < v.size(); ++i)
+    row[i] = static_cast<double>(v[i]) * scale[i];
+  return 0;
+}
+
+inline long to_scaled_row(const std::vector<Exact_integer>& v, const std::vector<double>& scale,
+                          std::vector<double>& row)
+{
+  std::vector<Scaled_double> numbers(v.size());
+  long exponent = 0;
+  for(std::size_t i = 0; i < v.size(); ++i) {
+    numbers[i] = to_scaled_double(v[i]);
+    exponent = (std::max)(exponent, numbers[i].exponent);
+  }
+  row.resize(v.size());
+  for(std::size_t i = 0; i < v.size(); ++i)
+    row[i] = scaled_by_power(numbers[i].mantissa, numbers[i].exponent - exponent) * scale[i];
+  return exponent;
+}
+
+// Several partial sums: they keep the processor busy, and the rounding error small.
+inline double inner_product(const double* a, const double* b, const std::size_t n)
+{
+  double s[4] = { 0, 0, 0, 0 };
+  std::size_t i = 0;
+  for(; i + 4 <= n; i += 4)
+    for(std::size_t l = 0; l < 4; ++l)
+      s[l] += a[i + l] * b[i + l];
+  for(; i < n; ++i)
+    s[0] += a[i] * b[i];
+  return (s[0] + s[1]) + (s[2] + s[3]);
+}
+
+inline void subtract_multiple(double* a, const double factor, const double* b, const std::size_t n)
+{
+  for(std::size_t i = 0; i < n; ++i)
+    a[i] -= factor * b[i];
+}
+
+// Rows f_k = sum_{j <= k} r(k, j) q_j with orthonormal q_j. The true row is f_k 2^exponent(k).
+class Orthogonal_frame
+{
+public:
+  Orthogonal_frame(const std::size_t number_of_rows, const std::size_t dimension)
+    : m_dimension(dimension), m_number_of_rows(number_of_rows), m_q(number_of_rows * dimension),
+      m_r(number_of_rows * number_of_rows), m_exponents(number_of_rows, 0)
+  { }
+
+  double* r(const std::size_t k) { return m_r.data() + k * m_number_of_rows; }
+  const double* r(const std::size_t k) const { return m_r.data() + k * m_number_of_rows; }
+  long exponent(const std::size_t k) const { return m_exponents[k]; }
+
+  // Sets row k, given that rows 0 to k - 1 are set.
+  void set_row(const std::size_t k, const std::vector<double>& f, const long exponent)
+  {
+    m_exponents[k] = exponent;
+    double* const rest = m_q.data() + k * m_dimension;
+    std::copy(f.begin(), f.end(), rest);
+    std::fill(r(k), r(k) + k, 0.);
+    project(k, rest, r(k));
+    const double length = std::sqrt(inner_product(rest, rest, m_dimension));
+    r(k)[k] = length;
+    if(length > 0)
+      for(std::size_t i = 0; i < m_dimension; ++i)
+        rest[i] /= length;
+  }
+
+  // Splits v into sum_{j < k} c_j q_j, where c is added to `coefficients`, and an orthogonal rest
+  // that replaces v.
+  void project(const std::size_t k, double* v, double* coefficients) const
+  {
+    // Where most of a vector cancels, so do its correct digits: once more restores orthogonality.
+    double before = inner_product(v, v, m_dimension);
+    for(int pass = 0; pass < 3; ++pass) {
+      for(std::size_t j = 0; j < k; ++j) {
+        const double* const q = m_q.data() + j * m_dimension;
+        const double c = inner_product(v, q, m_dimension);
+        if(c == 0)
+          continue;
+        coefficients[j] += c;
+        subtract_multiple(v, c, q, m_dimension);
+      }
+      const double after = inner_product(v, v, m_dimension);
+      if(after > 0.01 * before)
+        break;
+      before = after;
+    }
+  }
+
+  // The length of row k, projected to the complement of the rows before k - 1.
+  double length_in_plane(const std::size_t k) const { return std::hypot(r(k)[k - 1], r(k)[k]); }
+
+  // Follows an exchange of the rows k - 1 and k by one plane rotation; rows up to `end` are set.
+  void exchange(const std::size_t k, const std::size_t end)
+  {
+    const double length = length_in_plane(k);
+    const double c = r(k)[k - 1] / length, s = r(k)[k] / length;
+    std::swap_ranges(r(k), r(k) + (k - 1), r(k - 1));
+    std::swap(m_exponents[k - 1], m_exponents[k]);
+    const double old_length = r(k - 1)[k - 1];
+    r(k - 1)[k - 1] = length;
+    r(k)[k - 1] = old_length * c;
+    r(k)[k] = old_length * s;
+    double* const p = m_q.data() + (k - 1) * m_dimension;
+    double* const q = m_q.data() + k * m_dimension;
+    for(std::size_t i = 0; i < m_dimension; ++i)
+      rotate(c, s, p[i], q[i]);
+    for(std::size_t i = k + 1; i < end; ++i)
+      rotate(c, s, r(i)[k - 1], r(i)[k]);
+  }
+
+private:
+  static void rotate(const double c, const double s, double& a, double& b)
+  {
+    const double old_a = a;
+    a = c * old_a + s * b;
+    b = s * old_a - c * b;
+  }
+
+  std::size_t m_dimension;
+  std::size_t m_number_of_rows;
+  std::vector<double> m_q;
+  std::vector<double> m_r;
+  std::vector<long> m_exponents;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_ORTHOGONAL_FRAME_H

@@ -1,0 +1,263 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// Reads the forms in which callers give C and b.
+
+#include <CGAL/Linear_snapping/internal/linear/System_builder.h>
+#include <CGAL/Linear_snapping/types/Linear_constraints.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Number>
+constexpr bool is_built_in_integer = std::is_integral<Number>::value && sizeof(Number) <= 8;
+
+template <typename Number>
+Exact_rational to_exact_rational(const Number& a)
+{
+  if constexpr(is_built_in_integer<Number> && sizeof(Number) == 8) {
+    return from_64_bits<Exact_rational>(a);
+  } else {
+    static_assert(std::is_constructible<Exact_rational, Number>::value && sizeof(Number) != 0,
+                  "coefficients and right-hand sides must be integers of up to 64 bits, float, "
+                  "double, or convert to CGAL::Exact_rational");
+    return Exact_rational(a);
+  }
+}
+
+template <typename Coefficient>
+std::size_t number_of_columns(const Linear_constraints<Coefficient>& c)
+{
+  return c.number_of_unknowns();
+}
+
+template <typename Coefficient>
+std::size_t number_of_rows(const Linear_constraints<Coefficient>& c)
+{
+  return c.number_of_constraints();
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+std::size_t number_of_columns(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+{
+  return std::size_t(c.cols());
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+std::size_t number_of_rows(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+{
+  return std::size_t(c.rows());
+}
+
+// Stored right-hand sides are those of the constraints; a matrix has none.
+struct No_right_hand_side { };
+
+template <typename Coefficient>
+const Exact_rational& right_hand_side(const Linear_constraints<Coefficient>& c,
+                                      const No_right_hand_side&, const std::size_t i)
+{
+  return c.right_hand_side(i);
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+No_right_hand_side right_hand_side(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&,
+                                   const No_right_hand_side& b, const std::size_t)
+{
+  return b;
+}
+
+template <typename Constraints, typename RightHandSide>
+Exact_rational right_hand_side(const Constraints&, const RightHandSide& b, const std::size_t i)
+{
+  return to_exact_rational(*std::next(std::begin(b), std::ptrdiff_t(i)));
+}
+
+template <typename T>
+bool is_finite_number(const T& t)
+{
+  if constexpr(std::is_floating_point<T>::value)
+    return std::isfinite(t);
+  else
+    return true;
+}
+
+inline bool has_finite_right_hand_side(const No_right_hand_side&, std::string&) { return true; }
+
+template <typename RightHandSide>
+bool has_finite_right_hand_side(const RightHandSide& b, std::string& problem)
+{
+  const auto first = std::find_if(std::begin(b), std::end(b),
+                                  [](const auto& t) { return !is_finite_number(t); });
+  if(first == std::end(b))
+    return true;
+  problem = "the right-hand side of constraint " +
+            std::to_string(std::distance(std::begin(b), first)) + " is NaN or infinite";
+  return false;
+}
+
+inline bool has_size(const No_right_hand_side&, std::size_t) { return true; }
+
+template <typename RightHandSide>
+bool has_size(const RightHandSide& b, const std::size_t size)
+{
+  return std::distance(std::begin(b), std::end(b)) == std::ptrdiff_t(size);
+}
+
+// Tells the first problem if there is one.
+template <typename Coefficient>
+bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& problem)
+{
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i)
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      if(term->first >= c.number_of_unknowns()) {
+        problem = "constraint " + std::to_string(i) + " has the unknown " +
+                  std::to_string(term->first) + ", but there are only " +
+                  std::to_string(c.number_of_unknowns());
+        return false;
+      }
+  return true;
+}
+
+template <typename Scalar, int Options, typename StorageIndex>
+bool has_valid_indices(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&, std::string&)
+{
+  return true;
+}
+
+// Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
+// \pre has_valid_indices(c)
+template <typename Coefficient, typename F>
+bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
+{
+  std::vector<Entry<Coefficient> > row;
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
+    row.clear();
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      row.push_back({Column_index(term->first), term->second});
+    if(!f(row, i))
+      return false;
+  }
+  return true;
+}
+
+template <typename Scalar, int Options, typename StorageIndex, typename F>
+bool for_each_row(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c, const F& f)
+{
+  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, StorageIndex>;
+  const Rows rows(c);
+  std::vector<Entry<Scalar> > row;
+  for(Eigen::Index i = 0; i < rows.outerSize(); ++i) {
+    row.clear();
+    for(typename Rows::InnerIterator e(rows, i); e; ++e)
+      row.push_back({Column_index(e.col()), e.value()});
+    if(!f(row, std::size_t(i)))
+      return false;
+  }
+  return true;
+}
+
+// Whether a built-in number is an integer that fits into 64 bits.
+template <typename T>
+bool is_small_integer(const T& t)
+{
+  if constexpr(std::is_floating_point<T>::value)
+    return std::abs(t) < T(4503599627370496.) && t == std::floor(t);
+  else
+    return sizeof(T) < 8 || (sizeof(T) == 8 && std::is_signed<T>::value);
+}
+
+// Adds a row with the right-hand side that `b()` returns. `integers` is scratch.
+template <typename Coefficient, typename RightHandSide>
+void add_row(const std::vector<Entry<Coefficient> >& row, const RightHandSide& b,
+             Entries<std::int64_t>& integers, System_builder& builder)
+{
+  if constexpr(std::is_arithmetic<Coefficient>::value) {
+    integers.clear();
+    for(const Entry<Coefficient>& e : row) {
+      if(!is_small_integer(e.coefficient))
+        break;
+      integers.push_back({e.column, static_cast<std::int64_t>(e.coefficient)});
+    }
+    if(integers.size() == row.size()) {
+      if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
+        builder.add_row(integers);
+      else
+        builder.add_row(integers, b());
+      return;
+    }
+  }
+  Entries<Exact_rational> entries;
+  for(const Entry<Coefficient>& e : row)
+    entries.push_back({e.column, to_exact_rational(e.coefficient)});
+  if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
+    builder.add_row(entries, Exact_rational(0));
+  else
+    builder.add_row(entries, b());
+}
+
+// Returns false and tells the problem if something is not a number or of the wrong size.
+template <typename Constraints, typename RightHandSide>
+bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_system& system,
+                      std::string& problem)
+{
+  if(!has_size(b, number_of_rows(c))) {
+    problem = "the right-hand side must have one number per constraint, that is " +
+              std::to_string(number_of_rows(c));
+    return false;
+  }
+  if(!has_finite_right_hand_side(b, problem) || !has_valid_indices(c, problem))
+    return false;
+  constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
+  if(number_of_columns(c) > largest || number_of_rows(c) > largest) {
+    problem = "more than " + std::to_string(largest) + " unknowns or constraints are not supported";
+    return false;
+  }
+  System_builder builder(number_of_columns(c));
+  Entries<std::int64_t> integers;
+  const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
+    for(const auto& e : row)
+      if(!is_finite_number(e.coefficient)) {
+        problem = "the coefficient of unknown " + std::to_string(e.column) + " in constraint " +
+                  std::to_string(i) + " is NaN or infinite";
+        return false;
+      }
+    add_row(row, [&]() -> decltype(auto) { return right_hand_side(c, b, i); }, integers, builder);
+    return true;
+  });
+  if(finite)
+    system = builder.take();
+  return finite;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H

@@ -1,0 +1,232 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// LLL reduction of a lattice basis: short, nearly orthogonal vectors that span the same lattice.
+// Every operation on the basis is an exact unimodular one, so the lattice stays the same no matter
+// how the floating point numbers that choose the operations are rounded.
+
+#include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>
+#include <CGAL/Linear_snapping/internal/linear/fplll_reduction.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The integer nearest to quotient 2^exponent, to 53 bits, as mantissa 2^exponent with exponent >=
+// 0. (Not std::nearbyint: callers may have set another rounding mode.)
+inline Scaled_double nearest_integer(double quotient, long exponent)
+{
+  int bits = 0;
+  quotient = std::frexp(quotient, &bits);
+  exponent += bits;
+  const long shift = (std::max)(0L, exponent - 53);
+  return {std::floor(scaled_by_power(quotient, exponent - shift) + 0.5), shift};
+}
+
+// \pre the mantissa is an integer, and the exponent not negative
+inline BOOST_NOINLINE Exact_integer to_exact_integer(const Scaled_double& a)
+{
+  const Exact_integer value(a.mantissa);
+  return a.exponent == 0 ? value : product(value, power_of_two(std::size_t(a.exponent)));
+}
+
+// a -= factor b
+inline BOOST_NOINLINE void subtract_multiple(std::vector<Exact_integer>& a,
+                                             const Scaled_double& factor,
+                                             const std::vector<Exact_integer>& b)
+{
+  const Exact_integer f = to_exact_integer(factor);
+  for(std::size_t i = 0; i < a.size(); ++i)
+    if(b[i] != 0)
+      a[i] = difference_with_product(a[i], f, b[i]);
+}
+
+inline double largest_absolute_value(const std::vector<std::int64_t>& v)
+{
+  std::int64_t largest = 0;
+  for(const std::int64_t a : v)
+    largest = (std::max)(largest, absolute_value(a));
+  return static_cast<double>(largest);
+}
+
+inline void subtract_multiple(std::vector<std::int64_t>& a, const Scaled_double& factor,
+                              const std::vector<std::int64_t>& b)
+{
+  const double f = scaled_by_power(factor.mantissa, factor.exponent);
+  if(!(largest_absolute_value(a) + std::abs(f) * largest_absolute_value(b) < machine_integer_bound))
+    throw Integer_overflow();
+  const std::int64_t multiple = static_cast<std::int64_t>(f);
+  for(std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= multiple * b[i];
+}
+
+// Reduces `basis` in place with respect to the norm |scale_i v_i|. The vectors must be linearly
+// independent. The work is bounded: in the unlikely case that rounding errors keep the algorithm
+// from coming to an end, the basis is left less reduced, but still a basis.
+template <typename Integer>
+class Lattice_reduction
+{
+public:
+  using Vector = std::vector<Integer>;
+
+  Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale)
+    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size())
+  {
+    // Rotations add up errors: what seems reduced is looked at afresh.
+    std::size_t insertions = 0, insertions_before = 0;
+    do {
+      insertions_before = insertions;
+      m_number_set = 0;
+      for(std::size_t k = 0; k < basis.size();) {
+        if(k >= m_number_set || subtract_earlier_vectors(k) >= large_factor)
+          size_reduce(k);
+        const std::size_t position = m_work < most_work ? position_of(k) : k;
+        if(position == k) {
+          ++k;
+          continue;
+        }
+        ++insertions;
+        insert(k, position);
+        k = (std::max)(position, std::size_t(1));
+      }
+    } while(insertions > insertions_before + basis.size() / 8);
+  }
+
+  // That of the reduced basis.
+  Orthogonal_frame& frame() { return m_frame; }
+
+private:
+  static constexpr double most_work = 1e10; // multiplications: some seconds
+  static constexpr double large_factor = 1024; // after which few correct digits are left
+
+  // Rows of the frame behind k are outdated thereafter.
+  void set_row(const std::size_t k)
+  {
+    const long exponent = to_scaled_row(m_basis[k], m_scale, m_row);
+    m_frame.set_row(k, m_row, exponent);
+    m_number_set = k + 1;
+    m_work += 4 * static_cast<double>(k + 1) * static_cast<double>(m_scale.size());
+  }
+
+  // Moves vector k to a place before.
+  void insert(std::size_t k, const std::size_t position)
+  {
+    bool is_accurate = true;
+    for(; k > position; --k) {
+      std::swap(m_basis[k - 1], m_basis[k]);
+      // a rotation is as uncertain as the short row that defines it
+      const double length = scaled_by_power(m_frame.length_in_plane(k),
+                                            m_frame.exponent(k) - m_frame.exponent(k - 1));
+      is_accurate = is_accurate && length > 0.5 * m_frame.r(k - 1)[k - 1];
+      if(is_accurate)
+        m_frame.exchange(k, m_number_set);
+      m_work += 4 * static_cast<double>(m_scale.size() + m_basis.size());
+    }
+    if(!is_accurate)
+      set_row(position);
+  }
+
+  // Subtracts multiples of earlier vectors. Where much cancels, few correct digits are left: then
+  // the row is set again from the exact vector. Each round gains some 40 bits.
+  void size_reduce(const std::size_t k)
+  {
+    for(int round = 0; round < 100; ++round) {
+      set_row(k);
+      const double largest_factor = subtract_earlier_vectors(k);
+      if(largest_factor == 0)
+        return;
+      if(largest_factor < large_factor) {
+        set_row(k);
+        return;
+      }
+    }
+  }
+
+  // Returns the size of the largest factor.
+  double subtract_earlier_vectors(const std::size_t k)
+  {
+    double largest_factor = 0;
+    for(std::size_t j = k; j-- > 0;)
+      largest_factor = (std::max)(largest_factor, subtract_earlier_vector(k, j));
+    return largest_factor;
+  }
+
+  double subtract_earlier_vector(const std::size_t k, const std::size_t j)
+  {
+    double* const row = m_frame.r(k);
+    const double* const other = m_frame.r(j);
+    const long exponent = m_frame.exponent(k) - m_frame.exponent(j);
+    if(!(std::abs(scaled_by_power(row[j], exponent)) > 0.501 * other[j]) || other[j] == 0)
+      return 0;
+    const Scaled_double factor = nearest_integer(row[j] / other[j], exponent);
+    subtract_multiple(m_basis[k], factor, m_basis[j]);
+    subtract_multiple(row, scaled_by_power(factor.mantissa, factor.exponent - exponent), other,
+                      j + 1);
+    return scaled_by_power(std::abs(factor.mantissa), factor.exponent);
+  }
+
+  // Where vector k belongs: it sinks as long as it is shorter than the vector before it, with both
+  // projected to the complement of all vectors before these.
+  std::size_t position_of(std::size_t k) const
+  {
+    const double* const row = m_frame.r(k);
+    const long exponent = m_frame.exponent(k);
+    double rest = row[k] * row[k];
+    for(; k > 0; --k) {
+      rest += row[k - 1] * row[k - 1];
+      if(rest == 0)
+        break; // nothing is left after rounding: this could go on forever
+      const double ratio = std::sqrt(rest) / m_frame.r(k - 1)[k - 1];
+      if(!(scaled_by_power(ratio, exponent - m_frame.exponent(k - 1)) < 0.995))
+        break;
+    }
+    return k;
+  }
+
+  std::vector<Vector>& m_basis;
+  const std::vector<double>& m_scale;
+  Orthogonal_frame m_frame;
+  double m_work = 0;
+  std::size_t m_number_set = 0; // rows of the frame that are up to date
+  std::vector<double> m_row; // scratch
+};
+
+// Returns the frame of the reduced basis. Large bases of large integers are a matter for fplll.
+template <typename Integer>
+Orthogonal_frame reduce_basis(std::vector<std::vector<Integer> >& basis,
+                              const std::vector<double>& scale)
+{
+#ifdef CGAL_USE_FPLLL
+  reduce_by_fplll(basis, scale);
+#endif
+  return std::move(Lattice_reduction<Integer>(basis, scale).frame());
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H

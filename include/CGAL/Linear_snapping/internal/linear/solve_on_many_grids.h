@@ -1,0 +1,302 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SOLVE_ON_MANY_GRIDS_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SOLVE_ON_MANY_GRIDS_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// A grid for each unknown, where one for all of them has no solution near by: that of the unknown's
+// own size ([MC19] Sec. 4.3), or a finer one if a right-hand side wants it; then the value has to
+// shrink. Columns are scaled by powers of two; what is left is a lattice with bounds.
+
+#include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
+#include <CGAL/Linear_snapping/internal/linear/Component_solver.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Linear_snapping/internal/linear/Linear_solution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: each unknown is to be an integer of at most p bits, times the step of its grid, near
+// its target there.
+class Many_grids_solver
+{
+public:
+  static constexpr std::size_t most_columns = 200;
+
+  // \param target real values that solve the system
+  Many_grids_solver(const Integer_system& system, const std::vector<double>& weights,
+                    const Component_solution& target)
+    : m_system(system), m_weights(weights), m_format(target.grid.format()),
+      m_largest(std::ldexp(1., m_format.digits))
+  {
+    for(const Grid_value& v : target.optimum) {
+      m_columns.push_back({exponent_of_value(target.grid, v), v, false});
+      rescale(m_columns.back().target, m_columns.back().exponent - target.grid.exponent());
+    }
+  }
+
+  // Where no integers do, or too large ones only, a grid becomes finer or coarser, or a target
+  // smaller, and all are looked for again. Returns false if that doesn't lead to a solution soon.
+  bool solve()
+  {
+    constexpr int most_rounds = 12;
+    for(int round = 0; round < most_rounds; ++round) {
+      const Scaled_rows rows = scaled_rows();
+      const Integer_lattice lattice(rows.system);
+      std::vector<Grid_value> targets;
+      for(const Column& column : m_columns)
+        targets.push_back(column.target);
+      Lattice_solution found =
+        lattice.nearest_solution(rows.right_hand_side, targets, scaled_weights());
+      if(found.solvability != Solvability::SOLVABLE) {
+        if(!found.is_dyadic || !refine_one(found.certificate.multipliers, rows))
+          return false;
+      } else if(is_representable(found.values)) {
+        m_values = std::move(found.values);
+        return true;
+      } else if(!make_room(found.values)) {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  // \pre `solve()` has returned `true`
+  Grid grid(const std::size_t j) const { return Grid(m_format, m_columns[j].exponent); }
+  std::int64_t value(const std::size_t j) const { return to_64_bits(m_values[j]); }
+
+private:
+  struct Column
+  {
+    int exponent;      // of its grid
+    Grid_value target; // there
+    bool is_held;      // at the target: all others are less important
+  };
+
+  // C x = b in terms of the multiples of 2^exponents that x are made of.
+  struct Scaled_rows
+  {
+    Integer_system system;
+    std::vector<Exact_integer> right_hand_side;
+  };
+
+  // The exponent of the finest grid that holds a number near v, given in steps of another grid.
+  static int exponent_of_value(const Grid& grid, const Grid_value& v)
+  {
+    const Number_format& format = grid.format();
+    int exponent = 0;
+    const double mantissa = std::frexp(to_double(v), &exponent);
+    if(std::abs(mantissa) == 0.5 && v.offset * mantissa < 0)
+      --exponent; // just below a power of two
+    return (std::max)(grid.exponent() + exponent - format.digits, format.minimum_exponent);
+  }
+
+  Scaled_rows scaled_rows() const
+  {
+    Scaled_rows result{Integer_system(m_columns.size()), {}};
+    for(std::size_t i = 0; i < m_system.number_of_rows(); ++i) {
+      Integer_row<Exact_integer> row = m_system.exact_row(i);
+      Exact_integer& b = row.right_hand_side;
+      int finest = b == 0 ? (std::numeric_limits<int>::max)() : -m_system.right_hand_scale();
+      for(const Entry<Exact_integer>& e : row.entries)
+        finest = (std::min)(finest, exponent(e));
+      for(Entry<Exact_integer>& e : row.entries)
+        e.coefficient = product(e.coefficient, power_of_two(std::size_t(exponent(e) - finest)));
+      if(b != 0)
+        b = product(b, power_of_two(std::size_t(-m_system.right_hand_scale() - finest)));
+      result.right_hand_side.push_back(std::move(b));
+      b = Exact_integer(0);
+      result.system.add_row(std::move(row));
+    }
+    return result;
+  }
+
+  int exponent(const Entry<Exact_integer>& e) const
+  { return m_columns[std::size_t(e.column)].exponent; }
+
+  // In units of the columns' grids.
+  std::vector<double> scaled_weights() const
+  {
+    constexpr double heavy = 0x1p40;
+    int coarsest = (std::numeric_limits<int>::min)();
+    for(const Column& column : m_columns)
+      coarsest = (std::max)(coarsest, column.exponent);
+    std::vector<double> result;
+    for(std::size_t j = 0; j < m_columns.size(); ++j) {
+      const int shift = (std::max)(2 * (m_columns[j].exponent - coarsest), -400);
+      result.push_back(m_columns[j].is_held ? heavy : std::ldexp(m_weights[j], shift));
+    }
+    return result;
+  }
+
+  // The sum of multiples of the rows is a row of which all integers X make a number with more twos
+  // than its right-hand side has: one of the unknowns must have a finer grid. It is the one that
+  // has to move least to be small enough for that.
+  bool refine_one(const std::vector<Exact_integer>& multipliers, const Scaled_rows& rows)
+  {
+    std::vector<Exact_integer> sums(m_columns.size(), Exact_integer(0));
+    Exact_integer right_hand_side(0);
+    for(std::size_t i = 0; i < multipliers.size(); ++i) {
+      for(const Entry<Exact_integer>& e : rows.system.exact_row(i).entries)
+        sums[std::size_t(e.column)] += product(multipliers[i], e.coefficient);
+      right_hand_side += product(multipliers[i], rows.right_hand_side[i]);
+    }
+    const int twos = number_of_halvings(right_hand_side);
+    double least = std::numeric_limits<double>::infinity();
+    Column* best = nullptr;
+    int best_bits = 0;
+    for(std::size_t j = 0; j < sums.size(); ++j) {
+      const int bits = sums[j] == 0 ? 0 : number_of_halvings(sums[j]) - twos;
+      if(bits <= 0 || m_columns[j].exponent - bits < m_format.minimum_exponent)
+        continue;
+      const double size = std::abs(to_double(m_columns[j].target));
+      const double way = (std::max)(0., size - std::ldexp(m_largest, -bits)); // in steps
+      const double cost = std::sqrt(m_weights[j]) * std::ldexp(way, m_columns[j].exponent);
+      if(cost < least) {
+        least = cost;
+        best = &m_columns[j];
+        best_bits = bits;
+      }
+    }
+    if(best == nullptr)
+      return false;
+    change_grid(*best, -best_bits);
+    if(std::abs(to_double(best->target)) > m_largest)
+      hold(*best, m_largest);
+    return true;
+  }
+
+  static void change_grid(Column& column, const int bits)
+  {
+    column.exponent += bits;
+    rescale(column.target, bits);
+  }
+
+  static void hold(Column& column, const double size)
+  {
+    const double target = to_double(column.target) < 0 ? -size : size;
+    column.target = {static_cast<std::int64_t>(target), 0};
+    column.is_held = true;
+  }
+
+  bool is_representable(const std::size_t j, const Exact_integer& x) const
+  { return fits_64_bits(x) && grid(j).is_representable(to_64_bits(x)); }
+
+  bool is_representable(const std::vector<Exact_integer>& x) const
+  {
+    for(std::size_t j = 0; j < x.size(); ++j)
+      if(!is_representable(j, x[j]))
+        return false;
+    return true;
+  }
+
+  // Targets of values that are too large move away from the bound, by more from time to time, as
+  // long as that is a small part of their size; else grids become coarser.
+  bool make_room(const std::vector<Exact_integer>& x)
+  {
+    for(std::size_t j = 0; j < x.size(); ++j) {
+      if(is_representable(j, x[j]))
+        continue;
+      Column& column = m_columns[j];
+      const Exact_integer base = from_64_bits<Exact_integer>(column.target.base);
+      const double distance = std::abs(CGAL::to_double(difference(x[j], base)));
+      const double size = (std::min)(std::abs(to_double(column.target)), m_largest);
+      if(2 * distance < size)
+        hold(column, size - 2 * distance);
+      else if(column.is_held)
+        return false;
+      else
+        change_grid(column, (std::max)(1, static_cast<int>(bit_length(x[j])) - m_format.digits));
+    }
+    return true;
+  }
+
+  const Integer_system& m_system;
+  const std::vector<double>& m_weights;
+  const Number_format m_format;
+  const double m_largest; // all integers up to it are numbers of the format
+  std::vector<Column> m_columns;
+  std::vector<Exact_integer> m_values;
+};
+
+// By which all values change by about the same factor.
+inline std::vector<double> relative_weights(const std::vector<double>& weights,
+                                            const std::vector<Grid_value>& values)
+{
+  std::vector<int> exponents;
+  for(const Grid_value& v : values)
+    exponents.push_back(to_double(v) == 0 ? (std::numeric_limits<int>::max)()
+                                          : std::ilogb(to_double(v)));
+  const int smallest = *std::min_element(exponents.begin(), exponents.end());
+  std::vector<double> result(weights);
+  for(std::size_t j = 0; j < values.size(); ++j)
+    if(to_double(values[j]) != 0)
+      result[j] = std::ldexp(weights[j], (std::max)(2 * (smallest - exponents[j]), -400));
+  return result;
+}
+
+// Solves a component on a grid for each of its columns: near its optimum and near that of relative
+// changes, for which small values stay small, and so have fine grids. Returns what is nearer to the
+// optimum, if there is anything.
+inline std::optional<std::vector<Column_solution> >
+solve_on_many_grids(const Component_solver& solver, const Component_solution& values)
+{
+  const std::size_t n = values.optimum.size();
+  Component_solution optimum(values);
+  if(n > Many_grids_solver::most_columns || !solver.is_dyadic() || !solver.find_optimum(optimum))
+    return std::nullopt;
+  const Component_solver relative_solver(solver.system(),
+                                         relative_weights(solver.weights(), values.optimum),
+                                         values.grid.format(), n, true);
+  std::optional<std::vector<Column_solution> > best;
+  double least_distance = 0;
+  for(const Component_solver* const other : {&solver, &relative_solver}) {
+    Component_solution target(values);
+    if(!other->find_optimum(target))
+      continue;
+    Many_grids_solver many_grids(other->system(), other->weights(), target);
+    if(!many_grids.solve())
+      continue;
+    std::vector<Column_solution> columns;
+    Magnitudes distances;
+    for(std::size_t j = 0; j < n; ++j) {
+      const Grid grid = many_grids.grid(j);
+      Grid_value v = optimum.optimum[j];
+      rescale(v, grid.exponent() - optimum.grid.exponent());
+      columns.push_back({grid, many_grids.value(j), v});
+      distances.add(difference(v, {columns.back().x, 0}) * grid.step(), solver.weights()[j]);
+    }
+    if(best && distances.root_mean_square() >= least_distance)
+      continue;
+    least_distance = distances.root_mean_square();
+    best = std::move(columns);
+  }
+  return best;
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SOLVE_ON_MANY_GRIDS_H

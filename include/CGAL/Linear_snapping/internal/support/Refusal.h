@@ -1,0 +1,80 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_REFUSAL_H
+#define CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_REFUSAL_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// Why something can't be done: what steps return that can fail, and what ends in reports.
+
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/types/Report.h>
+
+#include <CGAL/Exact_integer.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: the outcome is no success.
+struct Refusal
+  : public Report
+{
+  using Certificate = std::vector<std::pair<std::size_t, CGAL::Exact_integer> >;
+
+  Refusal(const Outcome outcome, std::string words, Certificate c = {})
+    : Report(outcome, std::move(words)), certificate(std::move(c))
+  { }
+
+  Certificate certificate; // see `Linear_report`
+};
+
+// Writes to a report why something can't be done, and returns `false`.
+inline bool refuse(Report& report, const Report& refusal)
+{
+  report = refusal;
+  return false;
+}
+
+inline bool refuse(Report& report, const Outcome outcome, const std::string& message)
+{
+  return refuse(report, Report(outcome, message));
+}
+
+// A report that says no more than that.
+template <typename Any_report, typename... Refusals>
+Any_report refused(const Refusals&... refusal)
+{
+  Any_report report;
+  refuse(report, refusal...);
+  return report;
+}
+
+inline std::optional<Refusal> inexact_arithmetic()
+{
+  if(is_arithmetic_exact())
+    return std::nullopt;
+  return Refusal(Outcome::INEXACT_ARITHMETIC, inexact_arithmetic_message());
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_REFUSAL_H

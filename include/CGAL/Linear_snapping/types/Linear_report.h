@@ -1,0 +1,118 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_TYPES_LINEAR_REPORT_H
+#define CGAL_LINEAR_SNAPPING_TYPES_LINEAR_REPORT_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// What snapping to linear constraints returns: whether the result is exact and, if not, why; the
+// size of the system; how far the values moved; where the time went.
+
+#include <CGAL/Linear_snapping/types/Report.h>
+
+#include <CGAL/Exact_integer.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgLinearSnappingRef
+
+Figures of the linear system that a snapping function solved, and of its elimination. They are
+summed over its independent components, or are the largest of any.
+*/
+struct Linear_solver_figures
+{
+  std::size_t number_of_unknowns = 0;              ///< columns
+  std::size_t number_of_constraints = 0;           ///< rows
+  std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
+  /// independent rows for which no pivot \f$ \pm 1 \f$ was found
+  std::size_t number_of_non_unit_pivots = 0;
+  std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
+  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
+  /// eliminations of the matrix; one, however often it is solved for other values
+  std::size_t number_of_eliminations = 0;
+  std::size_t coefficient_bits = 0; ///< bits of the largest coefficient met during the elimination
+  double largest_coefficient = 0;   ///< its absolute value, rounded
+  double largest_pivot = 0;         ///< the largest absolute value of a pivot, rounded
+  bool multiprecision = false;      ///< whether the elimination needed more than 64 bits
+};
+
+/*!
+\ingroup PkgLinearSnappingRef
+
+What `snap_to_linear_constraints()` returns: the outcome, the place and remedy of a failure, and how
+far the values moved. Converts to `bool`: `true` if and only if all constraints hold exactly in the
+caller's values.
+
+Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
+was not reached are zero.
+*/
+struct Linear_report
+  : public Report
+{
+  /// \cond SKIP_IN_MANUAL
+  Linear_report() : Report(Outcome::ALREADY_EXACT) { }
+  /// \endcond
+
+  /*!
+  After `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and a nonzero
+  multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0
+  \f$. For surfaces and volumes, rows are those of an internal system; `message` names what they
+  stand for.
+  */
+  std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
+
+  /// \name Distances
+  /// Means are over the values of those parts of the system that had to be changed: parts that
+  /// share no unknown with others and hold exactly in the input are left out.
+  /// @{
+
+  /// the largest absolute value; for a surface or volume, the largest side of the bounding box of
+  /// the coordinates
+  double extent = 0;
+  /// the largest violation of a constraint by the input; for surfaces and volumes, of a transition
+  /// or an alignment
+  double violation_before = 0;
+  double largest_change = 0;    ///< the largest absolute change of a value
+  /// the mean absolute change (of each sector, for surfaces and volumes)
+  double mean_change = 0;
+  double rms_change = 0;        ///< the root-mean-square change, over the same values
+  /// the same for the real-valued least-squares optimum that was approximated
+  double optimal_rms_change = 0;
+  /*!
+  for `snap_to_linear_constraints()`: the distance of the result from the input, in terms of that of
+  the optimum or of the spacing of numbers of the values' size, whichever is larger; the largest of
+  any part of the system. Some units are usual. If it exceeds 10, then so few numbers solve the
+  part, or they are so hard to find, that the result is far; `message` says so.
+  */
+  double distance_ratio = 0;
+  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are
+  /// several
+  double grid_step = 0;
+  /// @}
+
+  Linear_solver_figures linear_solver; ///< figures of the linear system
+  /// the steps in the order in which they were made, with their wall-clock times in seconds
+  std::vector<std::pair<std::string, double> > step_times;
+};
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_TYPES_LINEAR_REPORT_H

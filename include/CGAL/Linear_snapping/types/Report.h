@@ -1,0 +1,154 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_TYPES_REPORT_H
+#define CGAL_LINEAR_SNAPPING_TYPES_REPORT_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// How a function ends, in one vocabulary for all of them.
+
+#include <ostream>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgLinearSnappingRef
+
+How a function ends: the same condition has the same name, whichever function meets it. After the
+first four, what was asked for has been written; after any other one the caller's data is untouched
+to the bit, unless it is in a property map that does not keep what is written to it.
+*/
+enum class Outcome
+{
+  SUCCESS,            ///< the result was written, and all checks held; where nothing was snapped
+  ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
+  SNAPPED,            ///< values were moved, and now all constraints hold exactly
+  /// all constraints hold exactly, but of the faces that `repair_flips` asked for, some are still
+  /// not positive, or no longer. `Snapping_report::largest_change` is 0 if nothing was written
+  FLIPS_REMAIN,
+
+  INVALID_ARGUMENT,   ///< no face, sizes that do not match, a parameter out of its range
+  NOT_TRIANGULAR,     ///< a face of the mesh is not a triangle
+  /// the faces around a vertex form more than one fan; a facet of a volume belongs to more than two
+  /// cells; or the faces of a soup are no oriented surface
+  NOT_MANIFOLD,
+  NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
+  NOT_SEAMLESS,       ///< the sides of an edge differ, when snapping by more than the tolerance
+  NOT_POSITIVE,       ///< faces are flipped or degenerate in the domain
+  /// an edge that is to lie on an isocurve does not, when snapping by more than the tolerance
+  NOT_ALIGNED,
+  /// a connection or cycle constraint misses by more than its tolerance
+  NOT_CONNECTED,
+  /// a translation, a cone, or an aligned edge is not where an integer-grid map has it, when
+  /// snapping by more than the tolerance
+  NOT_INTEGER,
+  INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
+  INVALID_CONES,      ///< given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more
+  INVALID_ALIGNMENT,  ///< the alignment asked for would collapse a face
+  INCONSISTENT,       ///< the constraints contradict each other
+  /// the constraints have solutions, but in the number type none was found near by
+  NOT_REPRESENTABLE,
+  TOO_LARGE,          ///< cells, or pieces of curves, are more than allowed; or numbers too large
+  TOO_COARSE,         ///< parts of the surface are too small for the grid to enclose them by cells
+  NO_FACE_GRAPH,      ///< the cells form no face graph: they have loops or double edges
+  SOLVER_FAILED,      ///< a sparse linear system could not be solved
+  INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
+  INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
+};
+
+/*!
+\ingroup PkgLinearSnappingRef
+returns the outcome in words.
+*/
+inline const char* to_string(const Outcome outcome)
+{
+  switch(outcome) {
+  case Outcome::SUCCESS:            return "success";
+  case Outcome::ALREADY_EXACT:      return "already exact";
+  case Outcome::SNAPPED:            return "snapped";
+  case Outcome::FLIPS_REMAIN:       return "exact, but flips remain";
+  case Outcome::INVALID_ARGUMENT:   return "invalid argument";
+  case Outcome::NOT_TRIANGULAR:     return "not triangular";
+  case Outcome::NOT_MANIFOLD:       return "not manifold";
+  case Outcome::NOT_FINITE:         return "not finite";
+  case Outcome::NOT_SEAMLESS:       return "not seamless";
+  case Outcome::NOT_POSITIVE:       return "not positive";
+  case Outcome::NOT_ALIGNED:        return "not aligned";
+  case Outcome::NOT_CONNECTED:      return "not connected";
+  case Outcome::NOT_INTEGER:        return "not integer";
+  case Outcome::INVALID_ROTATIONS:  return "invalid rotations";
+  case Outcome::INVALID_CONES:      return "invalid cones";
+  case Outcome::INVALID_ALIGNMENT:  return "invalid alignment";
+  case Outcome::INCONSISTENT:       return "inconsistent";
+  case Outcome::NOT_REPRESENTABLE:  return "not representable";
+  case Outcome::TOO_LARGE:          return "too large";
+  case Outcome::TOO_COARSE:         return "too coarse";
+  case Outcome::NO_FACE_GRAPH:      return "no face graph";
+  case Outcome::SOLVER_FAILED:      return "solver failed";
+  case Outcome::INEXACT_ARITHMETIC: return "inexact arithmetic";
+  case Outcome::INTERNAL_ERROR:     break;
+  }
+  return "internal error";
+}
+
+/*!
+\ingroup PkgLinearSnappingRef
+writes the outcome in words.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Outcome outcome)
+{
+  return os << to_string(outcome);
+}
+
+/*!
+\ingroup PkgLinearSnappingRef
+
+What all reports have: the outcome and, in words, why and where. Converts to `bool`: `true` if and
+only if what was asked for has been written, or need not be.
+*/
+struct Report
+{
+  Outcome status = Outcome::SUCCESS; ///< the outcome
+  /// on failure: the place, the reason, and the remedy; after success perhaps a note, such as that
+  /// border edges coincide, or that faces are not positive
+  std::string message;
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Report(const Outcome s = Outcome::SUCCESS, std::string m = {})
+    : status(s), message(std::move(m))
+  { }
+  /// \endcond
+
+  /// returns `true` if and only if the outcome is a success, be it that flips remain.
+  explicit operator bool() const { return status <= Outcome::FLIPS_REMAIN; }
+};
+
+/*!
+\ingroup PkgLinearSnappingRef
+writes the outcome and, if there is one, the message.
+*/
+inline std::ostream& operator<<(std::ostream& os, const Report& report)
+{
+  os << report.status;
+  if(!report.message.empty())
+    os << ": " << report.message;
+  return os;
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_LINEAR_SNAPPING_TYPES_REPORT_H

@@ -1,0 +1,292 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Linear_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_LINEAR_SNAPPING_TYPES_PARAMETERS_H
+#define CGAL_LINEAR_SNAPPING_TYPES_PARAMETERS_H
+
+#include <CGAL/license/Linear_snapping.h>
+
+// The named parameters of the package.
+
+// { outside of CGAL
+// CGAL's list of names can't be extended from outside of CGAL, so that this header wraps a plain
+// chain of CGAL's named parameters in a class that has member functions for the names which the
+// package adds, and for those of CGAL's that are of use here. The chain inside stays a plain one:
+// public functions call `internal::strip(np)` first and hand nothing but CGAL's own type on.
+// Within CGAL the first list below moves to <CGAL/STL_Extension/internal/parameters_interface.h>:
+// scripts/into_cgal leaves out all that stands in such braces, but for lines that tell what stands
+// there within CGAL.
+// } outside of CGAL
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+// { outside of CGAL
+// The names that the package adds, one per line: tag type, tag, name of the function.
+#define CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                   \
+  F(align_border_t, align_border, align_border)                                                    \
+  F(align_boundary_t, align_boundary, align_boundary)                                              \
+  F(allow_holes_t, allow_holes, allow_holes)                                                       \
+  F(cell_neighbors_t, cell_neighbors, cell_neighbors)                                              \
+  F(coarsest_t, coarsest, coarsest)                                                                \
+  F(cone_index_t, cone_index, cone_index_map)                                                      \
+  F(connection_constraints_t, connection_constraints, connection_constraints)                      \
+  F(connection_tolerance_t, connection_tolerance, connection_tolerance)                            \
+  F(corner_constraints_t, corner_constraints, corner_constraints)                                  \
+  F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
+  F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
+  F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
+  F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
+  F(feature_edges_t, feature_edges, feature_edges)                                                 \
+  F(feature_facets_t, feature_facets, feature_facets)                                              \
+  F(grid_scale_t, grid_scale, grid_scale)                                                          \
+  F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
+  F(integer_grid_t, integer_grid, integer_grid)                                                    \
+  F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
+  F(maximum_length_t, maximum_length, maximum_length)                                              \
+  F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
+  F(needs_face_graph_t, needs_face_graph, needs_face_graph)                                        \
+  F(release_alignment_t, release_alignment, release_alignment)                                     \
+  F(repair_flips_t, repair_flips, repair_flips)                                                    \
+  F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
+  F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
+  F(stop_policy_t, stop_policy, stop_policy)                                                       \
+  F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
+  F(target_number_of_quads_t, target_number_of_quads, target_number_of_quads)                      \
+  F(target_vertex_t, target_vertex, target_vertex)                                                 \
+  F(tolerance_t, tolerance, tolerance)                                                             \
+  F(value_weights_t, value_weights, value_weights)                                                 \
+  F(vertex_location_t, vertex_location, vertex_location_map)                                       \
+  F(weld_t, weld, weld)
+
+// The names of CGAL's that can be chained with them; the tags are CGAL's.
+#define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
+  F(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                           \
+  F(face_patch_t, face_patch, face_patch_map)                                                      \
+  F(maximum_number_t, maximum_number, maximum_number)                                              \
+  F(number_of_iterations_t, number_of_iterations, number_of_iterations)                            \
+  F(random_seed_t, random_seed, random_seed)                                                       \
+  F(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)                            \
+  F(verbose_t, verbose, verbose)                                                                   \
+  F(vertex_index_t, vertex_index, vertex_index_map)                                                \
+  F(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)                     \
+  F(vertex_point_t, vertex_point, vertex_point_map)
+
+#define CGAL_SEAMLESS_SNAPPING_PARAMETERS(F)                                                       \
+  CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                         \
+  CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)
+
+// } outside of CGAL
+namespace CGAL {
+// { outside of CGAL
+
+// The tags stand beside CGAL's, where they will be within CGAL. Should CGAL come to use one of them
+// for itself, the compiler says so.
+namespace internal_np {
+
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function) enum Tag_type { tag };
+CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+
+} // namespace internal_np
+
+// } outside of CGAL
+namespace Seamless_snapping {
+namespace internal {
+
+// { outside of CGAL
+// A plain chain `NP` of CGAL's named parameters, with a member function for each name of the lists
+// above: each returns the chain that is longer by that parameter, wrapped again.
+template <typename NP>
+struct Named_parameters
+  : public NP
+{
+  Named_parameters(const NP& np)
+    : NP(np)
+  { }
+
+  const NP& cgal_named_parameters() const { return *this; }
+
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function)                                     \
+  template <typename K>                                                                            \
+  Named_parameters<CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type, NP> >           \
+  function(const K& k) const                                                                       \
+  {                                                                                                \
+    return CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type, NP>(                    \
+             k, cgal_named_parameters());                                                          \
+  }
+  CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+};
+// within CGAL: // All names are member functions of a plain chain `NP`.
+// within CGAL: template <typename NP>
+// within CGAL: using Named_parameters = NP;
+// within CGAL:
+
+// Returns the plain chain. To be called by each public function before anything else: CGAL's
+// overloads that tell a range from a chain by its type take the wrapper for a range.
+template <typename NP>
+const NP& strip(const Named_parameters<NP>& np)
+{
+  return np.cgal_named_parameters();
+}
+
+// } outside of CGAL
+template <typename T, typename Tag, typename Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+strip(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+// Whether a parameter is in a chain; or, of the type of what `get_parameter()` returned, whether it
+// was.
+template <typename NP, typename Tag = void>
+constexpr bool is_given = !CGAL::parameters::is_default_parameter<NP, Tag>::value;
+
+template <typename Parameter>
+constexpr bool is_given<Parameter, void> =
+  !std::is_same_v<std::decay_t<Parameter>, CGAL::internal_np::Param_not_found>;
+
+// Whether `T` is a chain of named parameters, plain or wrapped: for functions whose last positional
+// argument is optional, so that `f(a, np)` is not taken for `f(a, b)`.
+template <typename T>
+struct Is_named_parameters
+  : public std::false_type
+{ };
+
+template <typename T, typename Tag, typename Base>
+struct Is_named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >
+  : public std::true_type
+{ };
+
+// { outside of CGAL
+template <typename NP>
+struct Is_named_parameters<Named_parameters<NP> >
+  : public std::true_type
+{ };
+
+// } outside of CGAL
+template <typename T>
+using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_reference_t<T> > >;
+
+} // namespace internal
+
+// { outside of CGAL
+/*!
+ * \ingroup PkgLinearSnappingParameters
+ *
+ * \brief The functions that start a sequence of named parameters.
+ *
+ * The functions of this package take their optional arguments as \ref bgl_namedparameters
+ * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that
+ * uses one of these starts here, and goes on with any of the names below, in any order:
+ *
+ * \code{.cpp}
+ * namespace parameters = CGAL::Seamless_snapping::parameters;
+ * CGAL::Seamless_snapping::snap_to_seamless(tmesh, uv_map,
+ *                                           parameters::edge_is_constrained_map(eicm)
+ *                                                      .align_border(true)
+ *                                                      .verbose(true));
+ * \endcode
+ *
+ * A sequence that starts in `CGAL::parameters` is accepted as well; it can hold \cgal's names only.
+ * If a name occurs twice, the last one counts.
+ *
+ * Names of this package:
+ * - `align_border`: whether border edges are to lie on isocurves (`bool`)
+ * - `align_boundary`: whether boundary facets of a volume are to lie in planes of constant
+ *   coordinates (`bool`)
+ * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
+ * - `cell_neighbors`: the neighbors of the cells of a volume, where they are known
+ * - `coarsest`: whether a quantization has as few quads as are found (`bool`)
+ * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
+ * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
+ *   parametrization
+ * - `connection_tolerance`: the largest distance by which connections and cycles may miss before
+ *   snapping, relative to the extent of the coordinates (`double`)
+ * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
+ * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
+ * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
+ *   to be aligned
+ * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
+ * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
+ *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
+ * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
+ *   (`bool`)
+ * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
+ * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
+ * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
+ * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
+ *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
+ * - `release_alignment`: whether features need not be aligned where triangles would be flipped
+ *   otherwise (`bool`)
+ * - `repair_flips`: whether faces or cells that are flipped or degenerate in the input are
+ *   repaired (`bool` or `Flip_repair`)
+ * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
+ * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
+ * - `stop_policy`: where curves of a layout end that meet others
+ * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
+ * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
+ * - `target_vertex`: the vertex at which an isocurve ends
+ * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are
+ *   traced in floating point, the distance below which a curve is taken to have missed what it
+ *   passes by; both relative to the extent of the coordinates (`double`)
+ * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
+ *   small
+ * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
+ * - `weld`: whether a reader joins border edges that coincide in space
+ *
+ * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
+ * `number_of_iterations`, `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,
+ * `vertex_is_constrained_map`, `vertex_point_map`.
+ *
+ * Which of them a function reads is listed with the function; it ignores the others.
+ *
+ * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
+ *       `parameters` alone is ambiguous: write an alias as above.
+ */
+namespace parameters {
+
+/// returns an empty sequence of named parameters, to which parameters can be added.
+inline internal::Named_parameters<CGAL::parameters::Default_named_parameters> default_values()
+{
+  return CGAL::parameters::default_values();
+}
+
+/// \cond SKIP_IN_MANUAL
+#define CGAL_SEAMLESS_SNAPPING_DEFINE(Tag_type, tag, function)                                     \
+  template <typename K>                                                                            \
+  internal::Named_parameters<CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type> >     \
+  function(const K& k)                                                                             \
+  {                                                                                                \
+    return CGAL::Named_function_parameters<K, CGAL::internal_np::Tag_type>(k);                     \
+  }
+CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
+#undef CGAL_SEAMLESS_SNAPPING_DEFINE
+/// \endcond
+
+} // namespace parameters
+// within CGAL: namespace parameters = CGAL::parameters;
+// within CGAL:
+// } outside of CGAL
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+// { outside of CGAL
+// CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS and CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS stay defined:
+// the test of this header runs through the same lists.
+
+// } outside of CGAL
+#endif // CGAL_LINEAR_SNAPPING_TYPES_PARAMETERS_H

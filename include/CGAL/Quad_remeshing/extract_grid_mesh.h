@@ -1,0 +1,357 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_EXTRACT_GRID_MESH_H
+#define CGAL_QUAD_REMESHING_EXTRACT_GRID_MESH_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Quad and triangle meshes out of exactly seamless integer-grid maps.
+
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/cells/cell_outputs.h>
+#include <CGAL/Quad_remeshing/internal/cells/extract_cells.h>
+#include <CGAL/Quad_remeshing/types/Extraction_report.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+#include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the quad mesh that an exactly seamless integer-grid map describes: its vertices are the
+points of the surface with integer coordinates, its edges the pieces of isocurves between them.
+
+If the map is exactly seamless with integer translations, all cones have integer coordinates, border
+edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
+result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of
+the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
+elsewhere inside. All these conditions are checked before, and all these results are checked after
+the extraction, exactly; on success they hold. All decisions in between are comparisons and
+orientation tests that are exact. There is no tolerance, and nothing is repaired:
+`repair_integer_grid()` does so.
+
+Beyond that:
+- Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
+  coordinates, for instance): around a cone of index \f$ i \f$ the cell of the grid has
+  \f$ 4 - i \f$ corners. `Extraction_report::number_of_other_polygons` counts such cells.
+- Where the border does not lie on the grid, the result consists of the cells that the border leaves
+  whole; the others are counted.
+- Connected parts of the surface do not concern each other.
+- A result with loops or double edges, as coarse grids have them, is no face graph, and refused;
+  `extract_quad_soup()` gives it.
+
+The result is added to what is in `quads`. It is the same, to the bit, for any number of threads.
+Nothing is written unless the extraction succeeds.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
+        `CGAL::Parallel_tag`, which does not compile unless TBB is linked. Unless it is
+        `CGAL::Sequential_tag`, several threads read the mesh and its property maps at the same
+        time; `quads` is written by one.
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
+\tparam QuadMesh a model of `MutableFaceGraph`
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and those of `seam_transitions()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{grid_scale}
+    \cgalParamDescription{a positive number that the coordinates are multiplied by first. The
+                          products must be exact, as those with powers of two are; see
+                          `snap_to_seamless()` for others.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the number of quads above which the extraction is refused}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{100 million}
+    \cgalParamExtra{More than \f$ 2^{28} \f$ quads are always refused.}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges. Those on lines of the grid become edges of quads.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_holes}
+    \cgalParamDescription{whether faces that are flipped or degenerate in the domain are taken for
+                          holes, so that the cells that touch or contain them are left out.
+                          Otherwise, they are refused; see `repair_integer_grid()`.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{receives the points of the new vertices}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_location_map}
+    \cgalParamDescription{receives for each new vertex where it lies on the input: a face, and its
+                          barycentric coordinates there, in the order of
+                          `CGAL::Polygon_mesh_processing::Face_location`}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
+                   `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,
+                   std::array<double, 3> >` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{cone_index_map}
+    \cgalParamDescription{receives for each new vertex the index of the cone there, in quarter
+                          turns; 0 if there is none}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and `int` as
+                   value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{receives for each new edge whether it runs along a feature edge, or is on
+                          the border of the result}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the outcome: why nothing was written, where that is, or how much was
+
+\par Complexity
+Linear in the number of faces, of quads, and of intersections of edges of the mesh with lines of the
+grid; with a logarithmic factor where a face contains many vertices of quads.
+
+\sa `extract_quad_soup()`
+\sa `is_integer_grid_map()`
+\sa `snap_to_seamless()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                    QuadMesh& quads,
+                                    const NamedParameters1& np1 =
+                                      CGAL::parameters::default_values(),
+                                    const NamedParameters2& np2 =
+                                      CGAL::parameters::default_values())
+{
+  return internal::extract_cells<ConcurrencyTag, internal::Quarter_turns>(
+    tmesh, uv_map, internal::strip(np1),
+    internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
+edges are no obstacle here.
+
+\tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
+\tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
+        of iterators over the indices of a polygon, in counterclockwise order, as
+        `std::vector<std::size_t>` is; or is `std::array<Index, 4>`: then maps with cones between
+        the lines of the grid are refused
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner, as for `extract_quad_mesh()`
+\param points the points of the quads are added to it
+\param polygons the quads, and the other cells, are added to it
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `extract_quad_mesh()` for `np1`
+
+\return the outcome
+
+\sa `extract_quad_mesh()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename PointRange, typename PolygonRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                    PointRange& points, PolygonRange& polygons,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::extract_cells<ConcurrencyTag, internal::Quarter_turns>(
+    tmesh, uv_map, internal::strip(np),
+    internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
+}
+
+namespace internal {
+
+// The same parameters; and symmetry 6, unless another one is given.
+template <typename NamedParameters>
+auto with_six_directions(const NamedParameters& np)
+{
+  const auto symmetry =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::rotational_symmetry);
+  if constexpr(is_given<decltype(symmetry)>)
+    return np;
+  else
+    return strip(
+      Named_parameters<NamedParameters>(np).rotational_symmetry(Rotational_symmetry<6>()));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the triangle mesh that an exactly seamless integer-grid map in lattice coordinates
+describes, as `snap_to_seamless()` makes them with `integer_grid(true)` and `rotational_symmetry` of
+order 6 or 3: its vertices are the points of the surface with integer coordinates, its edges the
+pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. Where the map
+preserves angles, the triangles are nearly equilateral.
+
+If the map is exactly seamless with integer translations, all cones have integer coordinates, border
+edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
+result is a mesh of triangles only, homeomorphic to the surface, whose number of triangles is twice
+the area of the map, in lattice coordinates, and in which a vertex has valence \f$ 6 - i \f$ at a
+cone of index \f$ i \f$, in sixths of a turn, and 6 elsewhere inside. All these conditions are
+checked before, and all these results are checked after the extraction, exactly; on success they
+hold. All decisions in between are comparisons and orientation tests that are exact. There is no
+tolerance, and nothing is repaired: `repair_integer_grid()` does so.
+
+Beyond that:
+- A cone between the lines of the lattice, which only angles of 720 degrees and other multiples of
+  360 degrees can have, is surrounded by a cell with 6 or more corners.
+  `Extraction_report::number_of_other_polygons` counts such cells.
+- Where the border does not lie on lines of the lattice, the result consists of the triangles that
+  the border leaves whole; the others are counted.
+- Connected parts of the surface do not concern each other.
+- A result with loops or double edges, as coarse lattices have them, and cones of 60 and 120
+  degrees, is no face graph, and refused; `extract_triangle_soup()` gives it.
+
+The result is added to what is in `triangles`. It is the same, to the bit, for any number of
+threads. Nothing is written unless the extraction succeeds.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
+        `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
+\tparam OutputMesh a model of `MutableFaceGraph`
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param triangles the mesh that the triangles are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the one listed
+       below, and those of `extract_quad_mesh()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{rotational_symmetry}
+    \cgalParamDescription{by which angles charts are turned across cuts}
+    \cgalParamType{`Rotational_symmetry<6>` or `Rotational_symmetry<3>`}
+    \cgalParamDefault{`Rotational_symmetry<6>()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `extract_quad_mesh()` for `np2`; indices of cones are in sixths of a turn
+
+\return the outcome: why nothing was written, where that is, or how much was
+
+\par Complexity
+Linear in the number of faces, of triangles that are written, and of intersections of edges of the
+mesh with lines of the lattice; with a logarithmic factor where a face contains many of its points.
+
+\sa `extract_triangle_soup()`
+\sa `extract_quad_mesh()`
+\sa `is_integer_grid_map()`
+\sa `snap_to_seamless()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename OutputMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_triangle_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                        OutputMesh& triangles,
+                                        const NamedParameters1& np1 =
+                                          CGAL::parameters::default_values(),
+                                        const NamedParameters2& np2 =
+                                          CGAL::parameters::default_values())
+{
+  return internal::extract_cells<ConcurrencyTag, internal::Sixth_turns>(
+    tmesh, uv_map, internal::with_six_directions(internal::strip(np1)),
+    internal::cell_mesh_output(tmesh, triangles, internal::strip(np2)));
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the same triangles as `extract_triangle_mesh()`, as points and lists of indices. Loops and
+double edges are no obstacle here.
+
+\tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
+\tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
+        of iterators over the indices of a polygon, in counterclockwise order, as
+        `std::vector<std::size_t>` is; or is `std::array<Index, 3>`: then maps with cones between
+        the lines of the lattice are refused
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner, as for `extract_triangle_mesh()`
+\param points the points of the triangles are added to it
+\param polygons the triangles, and the other cells, are added to it
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `extract_triangle_mesh()` for `np1`
+
+\return the outcome
+
+\sa `extract_triangle_mesh()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename PointRange, typename PolygonRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_triangle_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                        PointRange& points, PolygonRange& polygons,
+                                        const NamedParameters& np =
+                                          CGAL::parameters::default_values())
+{
+  return internal::extract_cells<ConcurrencyTag, internal::Sixth_turns>(
+    tmesh, uv_map, internal::with_six_directions(internal::strip(np)),
+    internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_EXTRACT_GRID_MESH_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_COMPLEX_H
+#define CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_COMPLEX_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The cells of the grid on a surface, as they are written.
+
+#include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Cell_complex
+{
+public:
+  Cell_complex(Lattice_points&& points_, Grid_darts&& darts_)
+    : points(std::move(points_)), darts(std::move(darts_)), cells(darts)
+  { }
+
+  Cell_complex(const Cell_complex&) = delete; // members refer to each other
+  Cell_complex& operator=(const Cell_complex&) = delete;
+
+  std::size_t next(const std::size_t d) const { return cells.next(d); }
+  std::size_t twin(const std::size_t d) const { return std::size_t(darts.twins[d]); }
+  bool has_cell(const std::size_t d) const { return cells.cell(d) != no_cell; }
+
+  // Whether the dart and its twin are an edge of the result; one of both stands for it.
+  bool is_edge(const std::size_t d) const
+  { return darts.twins[d] >= 0 && (has_cell(d) || has_cell(twin(d))); }
+
+  // The vertices of an edge: that at the origin of the dart, and that of its twin.
+  std::size_t origin(const Cell_vertices& vertices, const std::size_t d) const
+  { return vertices.vertex(has_cell(d) ? d : next(twin(d))); }
+
+  // A cell around a point of one dart, with this dart and its twin as two of its sides.
+  struct Folded_cell
+  {
+    std::size_t point, dart;         // the dart is the only one of the point
+    std::array<std::size_t, 2> rest; // the other two sides, to and from the opposite point
+    bool is_opposite_free;           // no feature and no border holds the opposite point
+  };
+
+  // Leaves out the folded cells, which no face graph can hold, but not those next to each other.
+  // The other two sides of each are to become one edge; it is a feature if one of the edges was.
+  void leave_out_folded_cells()
+  {
+    std::vector<char> is_left_out(cells.size(), false);
+    for(std::size_t p = 0; p < points.size(); ++p) {
+      const std::size_t d = darts.first(p);
+      if(darts.degree(p) != 1 || !has_cell(d) || cells.degree(std::size_t(cells.cell(d))) != 4)
+        continue;
+      const std::size_t to = next(d), from = next(to);
+      const Folded_cell folded{p, d, {{to, from}}, is_free(from)};
+      if(has_neighbor(folded, is_left_out))
+        continue;
+      is_left_out[std::size_t(cells.cell(d))] = true;
+      m_folded_cells.push_back(folded);
+      mark_features(folded);
+    }
+    for(const Folded_cell& folded : m_folded_cells)
+      for(const std::size_t d : {folded.rest[0], folded.rest[1], twin(folded.dart)})
+        m_folded_darts.push_back(d);
+    std::sort(m_folded_darts.begin(), m_folded_darts.end());
+    cells.remove(is_left_out);
+  }
+
+  // Those that were left out.
+  const std::vector<Folded_cell>& folded_cells() const { return m_folded_cells; }
+
+  // Whether there is no cell at the left of the dart, nor an edge in the place of a folded one.
+  bool is_gap(const std::size_t d) const { return !has_cell(d) && !is_folded(d); }
+
+  // Whether the dart has its cell at one side only, and no other edge is to become one with it.
+  bool is_border(const std::size_t d) const
+  { return is_gap(d) || is_gap(twin(d)); }
+
+  // Whether the dart is a side of a folded cell that was left out, but not from its point.
+  bool is_folded(const std::size_t d) const
+  { return std::binary_search(m_folded_darts.begin(), m_folded_darts.end(), d); }
+
+  Lattice_points points;
+  Grid_darts darts;
+  Grid_cells cells;
+
+private:
+  // Whether the cell borders on itself, on the border, or on one that is marked.
+  bool has_neighbor(const Folded_cell& folded, const std::vector<char>& is_marked) const
+  {
+    return std::any_of(folded.rest.begin(), folded.rest.end(), [&](const std::size_t d) {
+      const Cell_index cell = cells.cell(twin(d));
+      return cell == no_cell || cell == cells.cell(d) || is_marked[std::size_t(cell)];
+    });
+  }
+
+  // Whether neither features nor the border meet the origin of the dart.
+  bool is_free(const std::size_t dart) const
+  {
+    std::size_t d = dart;
+    do {
+      if(!has_cell(d) || darts.is_feature(d))
+        return false;
+      d = darts.counterclockwise(d);
+    } while(d != dart);
+    return true;
+  }
+
+  void mark_features(const Folded_cell& folded)
+  {
+    const std::array<std::size_t, 2>& rest = folded.rest;
+    if(darts.is_feature(folded.dart) || darts.is_feature(rest[0]) || darts.is_feature(rest[1]))
+      for(const std::size_t d : rest) {
+        darts.mark_feature(d);
+        darts.mark_feature(twin(d));
+      }
+  }
+
+  std::vector<Folded_cell> m_folded_cells;
+  std::vector<std::size_t> m_folded_darts; // their sides but those from their points, sorted
+};
+
+// A vertex that has an edge to itself, or two edges to another one, or one edge in all, so that its
+// face has a vertex twice; or the number of vertices.
+template <typename ConcurrencyTag>
+std::size_t vertex_with_double_edges(const Cell_complex& complex, const Cell_vertices& vertices)
+{
+  return find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t v) {
+    boost::container::small_vector<std::size_t, 16> neighbors(1, v);
+    const std::size_t p = vertices.point(v);
+    for(std::size_t d = complex.darts.first(p); d < complex.darts.first(p + 1); ++d)
+      if(complex.is_edge(d) && !complex.is_folded(d) && complex.origin(vertices, d) == v)
+        neighbors.push_back(complex.origin(vertices, complex.twin(d)));
+    std::sort(neighbors.begin(), neighbors.end());
+    return neighbors.size() == 2 ||
+           std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end();
+  });
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_COMPLEX_H

@@ -1,0 +1,267 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_OUTPUTS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_OUTPUTS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// What becomes of the cells: a mesh, or points and lists of their indices. Each output first takes
+// the places of all points, while the surface is known, and then writes the cells, or refuses.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/cells/Grid_embedding.h>
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename ConcurrencyTag, typename Group>
+bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertices)
+{
+  const std::size_t v = vertex_with_double_edges<ConcurrencyTag>(extractor.complex(), vertices);
+  if(v == vertices.size())
+    return true;
+  return refuse(
+    extractor.report(), Outcome::NO_FACE_GRAPH,
+    "the " + std::string(Cell_shape<Group>::plural()) + " around point " + std::to_string(v) +
+      " of the grid meet themselves, or each other twice, which no face graph can hold; " +
+      extractor.options().how_to_refine + ", or call " +
+      (Cell_shape<Group>::is_square ? "extract_quad_soup()" : "extract_triangle_soup()"));
+}
+
+// Of the cells as they are about to be written. Triangles and other polygons are never counted.
+template <typename Group>
+void count_inverted_quads(const Cell_vertices& vertices, const Places& places,
+                          Cell_extractor<Group>& extractor)
+{
+  if(!Cell_shape<Group>::is_square)
+    return;
+  const Cell_complex& complex = extractor.complex();
+  for(std::size_t c = 0; c < complex.cells.size(); ++c) {
+    Quad_in_space quad;
+    std::size_t n = 0;
+    complex.cells.for_darts(c, [&](const std::size_t d) {
+      if(n < 4)
+        quad[n] = places[vertices.point(vertices.vertex(d))];
+      ++n;
+    });
+    if(n == 4)
+      count_if_inverted(quad, c, extractor.report());
+  }
+}
+
+// Adds the quads to a graph, and fills the maps that are given; or refuses.
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+class Cell_mesh_output
+{
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+public:
+  Cell_mesh_output(QuadMesh& quads, const NamedParameters& np) : m_quads(quads), m_np(np) { }
+
+  template <typename ConcurrencyTag, typename Group, typename Embedding>
+  void locate(const Cell_extractor<Group>& extractor, const Embedding& embedding)
+  {
+    const Cell_complex& complex = extractor.complex();
+    m_places = embedding.template places<ConcurrencyTag>(complex.points);
+    const auto location_map = this->location_map();
+    if constexpr(is_given<decltype(location_map)>)
+      for(std::size_t p = 0; p < complex.points.size(); ++p)
+        m_locations.push_back(embedding.location(complex.points[p]));
+    const auto cone_map = this->cone_map();
+    if constexpr(is_given<decltype(cone_map)>)
+      for(std::size_t p = 0; p < complex.points.size(); ++p)
+        m_cones.push_back(cone_index(extractor.mesh(), complex, p));
+  }
+
+  template <typename ConcurrencyTag, typename Group>
+  void write(Cell_extractor<Group>& extractor)
+  {
+    const Cell_complex& complex = extractor.complex();
+    const auto vertices =
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts,
+                                          [&](const auto d) { return complex.is_gap(d); });
+    if(!is_face_graph<ConcurrencyTag>(extractor, vertices))
+      return;
+    extractor.report().number_of_vertices = vertices.size();
+    move_points_of_folded_cells(complex, vertices);
+    count_inverted_quads(vertices, m_places, extractor);
+    const Cells_to_write cells(complex, vertices);
+    Cell_writer<QuadMesh, Cells_to_write> writer(cells, m_quads);
+    add_vertices(vertices, writer);
+    writer.add_edges_and_faces(
+      [&](const auto e, const std::size_t d) {
+        const auto map =
+          CGAL::parameters::get_parameter(m_np, CGAL::internal_np::edge_is_constrained);
+        if constexpr(is_given<decltype(map)>)
+          put(map, e, complex.darts.is_feature(d) || complex.is_border(d));
+      },
+      [](const auto, std::size_t) { });
+  }
+
+private:
+  auto location_map() const
+  { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_location); }
+  auto cone_map() const
+  { return CGAL::parameters::get_parameter(m_np, CGAL::internal_np::cone_index); }
+
+  // The opposite point takes the place of the one that is left out with the cell.
+  void move_points_of_folded_cells(const Cell_complex& complex, const Cell_vertices& vertices)
+  {
+    for(const Cell_complex::Folded_cell& folded : complex.folded_cells())
+      if(folded.is_opposite_free)
+        m_places[vertices.point(complex.origin(vertices, folded.rest[1]))] = m_places[folded.point];
+  }
+
+  template <typename Writer>
+  void add_vertices(const Cell_vertices& vertices, Writer& writer)
+  {
+    auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_point),
+      CGAL::get_property_map(CGAL::vertex_point, m_quads));
+    using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+    const auto location_map = this->location_map();
+    const auto cone_map = this->cone_map();
+    for(std::size_t i = 0; i < vertices.size(); ++i) {
+      const auto v = writer.new_vertex();
+      const std::size_t p = vertices.point(i);
+      put(point_map, v, point_at<Point>(m_places[p]));
+      if constexpr(is_given<decltype(location_map)>)
+        put(location_map, v, m_locations[p]);
+      if constexpr(is_given<decltype(cone_map)>)
+        put(cone_map, v, m_cones[p]);
+    }
+  }
+
+  QuadMesh& m_quads;
+  const NamedParameters& m_np;
+  Places m_places; // of all points; so are the following, where they are asked for
+  std::vector<std::pair<Face, std::array<double, 3> > > m_locations;
+  std::vector<int> m_cones;
+};
+
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+Cell_mesh_output<TriangleMesh, QuadMesh, NamedParameters>
+cell_mesh_output(const TriangleMesh&, QuadMesh& quads, const NamedParameters& np)
+{
+  return {quads, np};
+}
+
+template <typename Polygon>
+struct Is_array : public std::false_type
+{ };
+
+template <typename Index, std::size_t n>
+struct Is_array<std::array<Index, n> > : public std::true_type
+{
+  static_assert(n == 3 || n == 4, "the cells are triangles or quads");
+};
+
+// The corners of a cell, from the index of the first vertex on.
+template <typename Polygon>
+Polygon polygon(const Cell_complex& complex, const Cell_vertices& vertices, const std::size_t cell,
+                const std::size_t first)
+{
+  boost::container::small_vector<std::size_t, 16> corners;
+  complex.cells.for_darts(cell, [&](const std::size_t d)
+                          { corners.push_back(first + vertices.vertex(d)); });
+  if constexpr(Is_array<Polygon>::value) {
+    Polygon result{};
+    for(std::size_t k = 0; k < result.size(); ++k)
+      result[k] = typename Polygon::value_type(corners[k]);
+    return result;
+  } else {
+    return Polygon(corners.begin(), corners.end());
+  }
+}
+
+// Whether all cells can be stored as polygons of this type.
+template <typename Polygon, typename Group>
+bool fits(Extraction_report& report)
+{
+  using Shape = Cell_shape<Group>;
+  if constexpr(Is_array<Polygon>::value)
+    static_assert(std::tuple_size<Polygon>::value == std::size_t(Shape::number_of_corners),
+                  "quads have four corners, triangles three");
+  if(!Is_array<Polygon>::value || report.number_of_other_polygons == 0)
+    return true;
+  return refuse(report, Outcome::NOT_INTEGER,
+                "the cells around " + counted(report.number_of_other_polygons, "cone") +
+                  " are no " + Shape::plural() + ", which arrays of " +
+                  std::to_string(Shape::number_of_corners) + " indices can't hold; double the "
+                  "map, grid_scale(2), if the cones are half-integers, or use "
+                  "std::vector<std::size_t> for polygons");
+}
+
+// Adds the quads to ranges of points and polygons; or refuses.
+template <typename PointRange, typename PolygonRange>
+class Cell_soup_output
+{
+public:
+  Cell_soup_output(PointRange& points, PolygonRange& polygons)
+    : m_points(points), m_polygons(polygons)
+  { }
+
+  template <typename ConcurrencyTag, typename Group, typename Embedding>
+  void locate(const Cell_extractor<Group>& extractor, const Embedding& embedding)
+  {
+    m_places = embedding.template places<ConcurrencyTag>(extractor.complex().points);
+  }
+
+  template <typename ConcurrencyTag, typename Group>
+  void write(Cell_extractor<Group>& extractor)
+  {
+    using Polygon = typename PolygonRange::value_type;
+    const Cell_complex& complex = extractor.complex();
+    if(!fits<Polygon, Group>(extractor.report()))
+      return;
+    const auto vertices =
+      Cell_vertices::make<ConcurrencyTag>(m_places.size(), complex.darts,
+                                          [&](const auto d) { return complex.is_gap(d); });
+    extractor.report().number_of_vertices = vertices.size();
+    count_inverted_quads(vertices, m_places, extractor);
+    const std::size_t first = m_points.size();
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      m_points.push_back(point_at<typename PointRange::value_type>(m_places[vertices.point(i)]));
+    for(std::size_t c = 0; c < complex.cells.size(); ++c)
+      m_polygons.push_back(polygon<Polygon>(complex, vertices, c, first));
+  }
+
+private:
+  PointRange& m_points;
+  PolygonRange& m_polygons;
+  Places m_places; // of all points
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_OUTPUTS_H

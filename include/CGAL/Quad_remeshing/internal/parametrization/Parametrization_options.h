@@ -1,0 +1,46 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PARAMETRIZATION_OPTIONS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PARAMETRIZATION_OPTIONS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// What the caller asks of a parametrization.
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+struct Parametrization_options
+{
+  double target_edge_length = 1;
+  double curvature_alignment = 0;
+  long number_of_stiffening_rounds = 5;
+  unsigned int random_seed = 0;
+  std::size_t number_of_untangling_iterations = 500;
+  bool may_release = false; // edges from their alignment
+  bool verbose = false;
+  int largest_cone_index = 3;  // of the cones that the field decides
+  std::vector<int> cone_index; // per vertex; empty: the field decides
+};
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PARAMETRIZATION_OPTIONS_H

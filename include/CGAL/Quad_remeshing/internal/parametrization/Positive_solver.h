@@ -1,0 +1,311 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POSITIVE_SOLVER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POSITIVE_SOLVER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// From a field to coordinates whose faces are positive: a least-squares solution, stiffening,
+// untangling, and, where alignment leaves no such coordinates, the release of edges.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/poisson.h>
+#include <CGAL/Seamless_snapping/internal/complex/Coordinate_table.h>
+#include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
+#include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+// Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
+// flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
+// more, which ends it.
+template <typename Solver, typename Report>
+std::vector<double>
+solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
+                      const Surface_complex& complex,
+                      const Free_coordinates<Quarter_turns>& coordinates,
+                      const long number_of_rounds, Report& report)
+{
+  const Coordinate_table table(coordinates, complex.number_of_sectors());
+  std::vector<double> weights(surface.number_of_faces(), 1), best;
+  for(long round = 0; ; ++round) {
+    std::vector<double> unknowns;
+    try {
+      unknowns = solve_poisson<Solver>(
+        surface,
+        [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
+        complex, table, coordinates.number_of_unknowns(), weights, report.seconds_in_solvers);
+    } catch(const Refusal&) {
+      if(round == 0)
+        throw;
+      return best;
+    }
+    const Coordinates uv = coordinates.evaluate(unknowns);
+    const std::size_t flips = number_of_flips(surface, complex, uv);
+    if(round < number_of_rounds && flips > 0)
+      stiffen(surface, complex, uv, weights);
+    if(round == 0 || flips < report.number_of_flipped_faces) {
+      best.swap(unknowns);
+      report.number_of_flipped_faces = flips;
+    }
+    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
+    if(round == number_of_rounds || flips == 0)
+      return best;
+  }
+}
+
+// The free unknowns of coordinates that meet all constraints, up to roundings.
+template <typename Solver, typename Report>
+std::vector<double>
+unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
+            const Free_coordinates<Quarter_turns>& coordinates, Report& report)
+{
+  const auto difference = [&](const Corner_index h) {
+    const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
+    return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
+  };
+  return solve_poisson<Solver>(surface, difference, complex,
+                               Coordinate_table(coordinates, complex.number_of_sectors()),
+                               coordinates.number_of_unknowns(),
+                               std::vector<double>(surface.number_of_faces(), 1),
+                               report.seconds_in_solvers);
+}
+
+// The shortest of some edges that are aligned and can be released: borders have to stay straight.
+class Shortest_feature
+{
+public:
+  explicit Shortest_feature(const Triangle_surface& surface) : m_surface(surface) { }
+
+  void consider(const Corner_index h)
+  {
+    if(m_surface.is_aligned[h] && !m_surface.is_border_edge(h) &&
+       (m_best == no_index || m_surface.length[h] < m_surface.length[m_best]))
+      m_best = h;
+  }
+
+  // No index if there is none.
+  Corner_index halfedge() const { return m_best; }
+
+private:
+  const Triangle_surface& m_surface;
+  Corner_index m_best = no_index;
+};
+
+// The field can follow two edges of a face at most. Returns the edges that were released.
+inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
+{
+  std::vector<Corner_index> released;
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3) {
+    Shortest_feature best(surface);
+    for(Corner_index g = h; g < h + 3; ++g)
+      best.consider(g);
+    if(surface.is_aligned[h] && surface.is_aligned[h + 1] && surface.is_aligned[h + 2] &&
+       best.halfedge() != no_index)
+      released.push_back(release_edge(surface, best.halfedge()));
+  }
+  return released;
+}
+
+// Invariant: the edges that were released are aligned no more, all others are as they were.
+template <typename Solver, typename Report>
+class Positive_solver
+{
+  using Coordinate_rows = Free_coordinates<Quarter_turns>;
+
+public:
+  // \param surface loses the alignment of the edges that are released
+  Positive_solver(Triangle_surface& surface, const std::vector<char>& is_cut,
+                  const std::vector<Quarter_turns::Element>& rotation,
+                  const std::vector<double>& angles, const std::vector<int>& index,
+                  const Parametrization_options& options, Report& report)
+    : m_surface(surface), m_is_cut(is_cut), m_rotation(rotation), m_angles(angles),
+      m_index(index), m_options(options), m_report(report)
+  { }
+
+  void run(const std::size_t number_of_untangling_iterations)
+  {
+    m_iterations_left = number_of_untangling_iterations;
+    for(std::size_t round = 0; ; ++round) {
+      make_complex();
+      while(m_options.may_release && release(degenerate_faces()))
+        make_complex();
+      std::vector<double> unknowns = solve_with_stiffening<Solver>(
+        m_surface, m_angles, *m_complex, *m_rows,
+        round == 0 ? m_options.number_of_stiffening_rounds : 0, m_report);
+      if(round == 0)
+        m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
+      else
+        keep_better(unknowns);
+      std::vector<std::size_t> stuck;
+      m_uv = m_rows->evaluate(unknowns);
+      if(m_report.number_of_flipped_faces > 0)
+        stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
+                                                         : Untangling::ANGLES_FIRST);
+      const bool is_last = round == largest_number_of_rounds || m_iterations_left == 0;
+      if(!stuck.empty() && m_options.may_release && !is_last && release(stuck))
+        continue;
+      if(!stuck.empty() && m_options.may_release)
+        untangle(unknowns, Untangling::ANGLES_FIRST);
+      return;
+    }
+  }
+
+  const Surface_complex& complex() const { return *m_complex; }
+  Coordinates take() { return std::move(m_uv); }
+
+  // One halfedge of each edge that was released.
+  const std::vector<Corner_index>& released() const { return m_released; }
+
+private:
+  void make_complex()
+  {
+    m_complex.emplace(m_surface, m_is_cut, m_rotation, m_angles);
+    m_rows.emplace(m_complex->complex());
+  }
+
+  // What untangling reached before edges were released meets the constraints that are left: goes
+  // on from there if it has fewer flips.
+  void keep_better(std::vector<double>& unknowns)
+  {
+    std::vector<double> reached =
+      unknowns_of<Solver>(m_surface, m_uv, *m_complex, *m_rows, m_report);
+    const std::size_t flips =
+      number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
+    if(flips < m_report.number_of_flipped_faces) {
+      m_report.number_of_flipped_faces = flips;
+      unknowns.swap(reached);
+    }
+  }
+
+  // Returns the faces that are not positive afterwards.
+  std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
+  {
+    const Constrained_triangles map = triangles(unknowns);
+    Untangler<double> untangler(map);
+    const std::size_t iterations = untangler.run(m_iterations_left, how);
+    m_iterations_left -= (std::min)(iterations, m_iterations_left);
+    m_report.number_of_untangling_iterations += iterations;
+    for(std::size_t i = 0; i < unknowns.size(); ++i)
+      unknowns[i] += untangler.unknowns()[i];
+    m_uv = m_rows->evaluate(unknowns);
+    return map.not_positive(untangler.unknowns());
+  }
+
+  // The triangles of the surface, each as it would be laid out without distortion.
+  Constrained_triangles triangles(const std::vector<double>& unknowns) const
+  {
+    Constrained_triangles result;
+    result.number_of_unknowns = m_rows->number_of_unknowns();
+    result.start = m_rows->evaluate(unknowns);
+    for(std::size_t s = 0; s < m_complex->number_of_sectors(); ++s)
+      result.rows.push_back({{m_rows->coordinate(s, 0), m_rows->coordinate(s, 1)}});
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); h += 3) {
+      const double angle = m_surface.direction[h + 1], length = m_surface.length[h + 1];
+      result.triangles.push_back(
+        {{{m_complex->sector(h), m_complex->sector(h + 1), m_complex->sector(h + 2)}},
+         Reference_shape({{length * std::cos(angle), length * std::sin(angle)}},
+                         {{-m_surface.length[h], 0}})});
+    }
+    add_angles(result);
+    return result;
+  }
+
+  // Those of the field, which leaves the border out.
+  void add_angles(Constrained_triangles& map) const
+  {
+    map.vertex.resize(m_complex->number_of_sectors());
+    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
+      map.vertex[m_complex->sector(h)] = m_surface.vertex(h);
+    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
+      map.angle.push_back(m_surface.is_border[v] ? std::numeric_limits<double>::quiet_NaN()
+                                                 : full_turn - m_index[v] * quarter_turn);
+  }
+
+  // Those that the constraints give the same u, or the same v, at all corners.
+  std::vector<std::size_t> degenerate_faces() const
+  {
+    const Coordinate_table table(*m_rows, m_complex->number_of_sectors());
+    std::vector<std::size_t> result;
+    Sparse_row row;
+    const auto is_constant = [&](const Corner_index h, const std::size_t c) {
+      table.difference(m_complex->sector(h), m_complex->sector(m_surface.prev(h)), c, row);
+      return row.empty();
+    };
+    for(Flat_face_index f = 0; f < m_surface.number_of_faces(); ++f)
+      for(std::size_t c = 0; c < 2; ++c)
+        if(is_constant(3 * f, c) && is_constant(3 * f + 1, c)) {
+          result.push_back(std::size_t(f));
+          break;
+        }
+    return result;
+  }
+
+  // Releases an edge of each face: the shortest feature of its own, or else of its vertices.
+  // Returns whether there is one.
+  bool release(const std::vector<std::size_t>& faces)
+  {
+    const std::size_t before = m_released.size();
+    for(const std::size_t f : faces) {
+      Shortest_feature best(m_surface);
+      const Corner_index first = Corner_index(3 * f);
+      for(Corner_index h = first; h < first + 3; ++h)
+        best.consider(h);
+      for(Corner_index h = first; h < first + 3 && best.halfedge() == no_index; ++h)
+        for_each_corner(m_surface, m_surface.vertex(h), [&](const Corner_index g) {
+          best.consider(g);
+          best.consider(m_surface.next(g));
+        });
+      if(best.halfedge() != no_index)
+        m_released.push_back(release_edge(m_surface, best.halfedge()));
+    }
+    return m_released.size() > before;
+  }
+
+  static constexpr std::size_t largest_number_of_rounds = 20;
+
+  Triangle_surface& m_surface;
+  const std::vector<char>& m_is_cut;
+  const std::vector<Quarter_turns::Element>& m_rotation;
+  const std::vector<double>& m_angles;
+  const std::vector<int>& m_index; // per vertex
+  const Parametrization_options& m_options;
+  Report& m_report;
+  std::size_t m_iterations_left = 0;
+  std::optional<Surface_complex> m_complex;
+  std::optional<Coordinate_rows> m_rows;
+  Coordinates m_uv;
+  std::vector<Corner_index> m_released;
+};
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POSITIVE_SOLVER_H

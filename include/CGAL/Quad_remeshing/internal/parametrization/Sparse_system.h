@@ -1,0 +1,110 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_SPARSE_SYSTEM_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_SPARSE_SYSTEM_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// A sparse symmetric positive definite linear system, behind the solver interface of CGAL.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Default_solver.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+// Solvers of the caller get the whole matrix.
+template <typename Solver>
+constexpr bool reads_lower_triangle_only = std::is_same_v<Solver, Default_solver>;
+
+// `Solver` is a model of `SparseLinearAlgebraWithFactorTraits_d`. The time that factorizations and
+// solves take is added to a counter of the caller.
+template <typename Solver>
+class Sparse_system
+{
+  using Matrix = typename Solver::Matrix;
+  using Vector = typename Solver::Vector;
+
+public:
+  Sparse_system(const std::size_t dimension, double& seconds)
+    : m_dimension(dimension)
+    , m_matrix(dimension == 0 ? nullptr : new Matrix(static_cast<int>(dimension),
+                                                     static_cast<int>(dimension)))
+    , m_scale(1)
+    , m_seconds(seconds)
+  { }
+
+  void add(const std::size_t row, const std::size_t column, const double value)
+  {
+    if(reads_lower_triangle_only<Solver> && column > row)
+      return;
+    m_matrix->add_coef(row, column, value);
+  }
+
+  // To be called once, after the last coefficient.
+  void factor()
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    const bool success = m_dimension == 0 || m_solver.factor(*m_matrix, m_scale);
+    m_seconds += timer.time();
+    if(!success)
+      throw Refusal(Outcome::SOLVER_FAILED, "a factorization failed");
+  }
+
+  std::vector<double> solve(const std::vector<double>& right_hand_side)
+  {
+    if(m_dimension == 0)
+      return {};
+    CGAL::Real_timer timer;
+    timer.start();
+    Vector b(m_dimension), x(m_dimension);
+    for(std::size_t i = 0; i < m_dimension; ++i)
+      b.set(i, right_hand_side[i]);
+    const bool success = m_solver.linear_solver(b, x);
+    std::vector<double> result(m_dimension);
+    bool finite = true;
+    for(std::size_t i = 0; i < m_dimension; ++i) {
+      result[i] = x[static_cast<int>(i)] / m_scale;
+      finite = finite && std::isfinite(result[i]);
+    }
+    m_seconds += timer.time();
+    if(!success || !finite)
+      throw Refusal(Outcome::SOLVER_FAILED, "a linear system could not be solved");
+    return result;
+  }
+
+private:
+  std::size_t m_dimension;
+  std::unique_ptr<Matrix> m_matrix; // its address must not change: solvers keep a pointer to it
+  Solver m_solver;
+  typename Solver::NT m_scale;
+  double& m_seconds;
+};
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_SPARSE_SYSTEM_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POISSON_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POISSON_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The Poisson system: the coordinates whose gradients come closest to the field, and the rounds of
+// local stiffening that lower the number of flipped triangles.
+
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/complex/Coordinate_table.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+using Coordinates = std::vector<std::array<double, 2> >; // per sector
+
+// What the field wants the uv difference along halfedge `h` to be.
+inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
+                                               const std::vector<double>& angles,
+                                               const Corner_index h)
+{
+  const double angle = surface.direction[h] - angles[surface.face(h)];
+  return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
+}
+
+// Minimizes the sum over the faces of weight * area * |grad uv - wanted|^2, written with cotangents
+// as a sum over the edges of each face. Returns the values of the free unknowns.
+// \param wanted_difference along a halfedge, in its face
+template <typename Solver, typename Difference>
+std::vector<double> solve_poisson(const Triangle_surface& surface,
+                                  const Difference& wanted_difference,
+                                  const Surface_complex& complex,
+                                  const Coordinate_table& table,
+                                  const std::size_t number_of_unknowns,
+                                  const std::vector<double>& weights, double& seconds)
+{
+  Sparse_system<Solver> system(number_of_unknowns, seconds);
+  std::vector<double> right_hand_side(number_of_unknowns, 0);
+  Sparse_row row;
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const double opposite_angle = surface.angle[surface.next(h)];
+    const double weight = weights[surface.face(h)] / std::tan(opposite_angle);
+    const std::array<double, 2> wanted = wanted_difference(h);
+    for(std::size_t c = 0; c < 2; ++c) {
+      table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
+      for(const auto& [i, a] : row) {
+        right_hand_side[i] += weight * a * wanted[c];
+        for(const auto& [j, b] : row)
+          system.add(i, j, weight * a * b);
+      }
+    }
+  }
+  system.factor();
+  return system.solve(right_hand_side);
+}
+
+// Twice the area of face `f` in the plane.
+inline double doubled_uv_area(const Surface_complex& complex, const Coordinates& uv,
+                              const Flat_face_index f)
+{
+  const auto& p = uv[complex.sector(3 * f)];
+  const auto& q = uv[complex.sector(3 * f + 1)];
+  const auto& r = uv[complex.sector(3 * f + 2)];
+  return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+inline std::size_t number_of_flips(const Triangle_surface& surface, const Surface_complex& complex,
+                                   const Coordinates& uv)
+{
+  std::size_t count = 0;
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3)
+    count += orientation({{uv[complex.sector(h)], uv[complex.sector(h + 1)],
+                           uv[complex.sector(h + 2)]}}) == CGAL::POSITIVE ? 0 : 1;
+  return count;
+}
+
+// How far the singular values of the map of each face are from 1; negative determinants count as
+// negative singular values. See [Bommes, Zimmer, Kobbelt 2009], Sec. 5.
+inline std::vector<double> distortion(const Triangle_surface& surface,
+                                      const Surface_complex& complex, const Coordinates& uv)
+{
+  std::vector<double> result(surface.number_of_faces());
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
+    const Corner_index h = 3 * f;
+    const auto& p = uv[complex.sector(h)];
+    const auto& q = uv[complex.sector(h + 1)];
+    const auto& s = uv[complex.sector(h + 2)];
+    // The layout has source(h) at the origin and h along the x-axis.
+    const double l = surface.length[h], m = surface.length[h + 2];
+    const double x = -m * std::cos(surface.direction[h + 2]);
+    const double y = -m * std::sin(surface.direction[h + 2]);
+    const double a = (p[0] - s[0]) / l, c = (p[1] - s[1]) / l;
+    const double b = (q[0] - s[0] - a * x) / y, d = (q[1] - s[1] - c * x) / y;
+    const double sum = std::hypot(a + d, c - b), difference = std::hypot(a - d, c + b);
+    result[f] = std::abs((sum + difference) / 2 - 1) + std::abs((sum - difference) / 2 - 1);
+  }
+  return result;
+}
+
+// Raises the weights where the distortion differs from that of the neighbors, and multiplies them
+// at flipped faces and around, where raising alone takes many rounds.
+inline void stiffen(const Triangle_surface& surface, const Surface_complex& complex,
+                    const Coordinates& uv, std::vector<double>& weights)
+{
+  constexpr double largest_increase = 5, factor_of_flips = 2;
+  const std::vector<double> lambda = distortion(surface, complex, uv);
+  std::vector<char> is_near_flip(surface.number_of_faces(), false);
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
+    const bool is_flipped = !(doubled_uv_area(complex, uv, f) > 0);
+    is_near_flip[f] = is_near_flip[f] || is_flipped;
+    double laplacian = 0;
+    for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
+      if(surface.is_border_edge(h))
+        continue;
+      const Flat_face_index g = surface.face(surface.opposite(h));
+      laplacian += lambda[g] - lambda[f];
+      is_near_flip[g] = is_near_flip[g] || is_flipped;
+    }
+    weights[f] += (std::min)(std::abs(laplacian), largest_increase);
+  }
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
+    if(is_near_flip[f])
+      weights[f] *= factor_of_flips;
+}
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POISSON_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_READ_SURFACE_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_READ_SURFACE_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated
+// manifold.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+// The connectivity of a mesh, whose indices are those of `numbering`.
+template <typename TriangleMesh>
+Triangle_surface read_connectivity(const TriangleMesh& tmesh,
+                                   const Flat_numbering<TriangleMesh>& numbering)
+{
+  if(const auto& refusal = numbering.refusal())
+    throw *refusal;
+  Triangle_surface surface;
+  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface,
+                                       [](Flat_corner&, const auto&) { });
+  if(const auto refusal = find_several_fans(surface))
+    throw *refusal;
+  if(surface.corners.empty())
+    throw Refusal(Outcome::INVALID_ARGUMENT,
+                  "the mesh has no face; was it read?");
+  return surface;
+}
+
+inline void find_components(Triangle_surface& surface)
+{
+  surface.component.assign(surface.number_of_faces(), none);
+  std::vector<Flat_face_index> stack;
+  for(Flat_face_index seed = 0; seed < surface.number_of_faces(); ++seed) {
+    if(surface.component[seed] != none)
+      continue;
+    surface.component[seed] = surface.number_of_components;
+    stack.push_back(seed);
+    while(!stack.empty()) {
+      const Flat_face_index f = stack.back();
+      stack.pop_back();
+      for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
+        if(surface.is_border_edge(h))
+          continue;
+        const Flat_face_index g = surface.face(surface.opposite(h));
+        if(surface.component[g] == none) {
+          surface.component[g] = surface.number_of_components;
+          stack.push_back(g);
+        }
+      }
+    }
+    ++surface.number_of_components;
+  }
+}
+
+using Point = std::array<double, 3>;
+
+inline Point operator-(const Point& p, const Point& q)
+{
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
+inline double dot(const Point& p, const Point& q)
+{
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+
+inline Point cross(const Point& p, const Point& q)
+{
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+// Signed dihedral angles: what the intrinsic layout does not know, for alignment to curvature.
+inline void measure_bending(Triangle_surface& surface, const std::vector<Point>& points)
+{
+  using S = Triangle_surface;
+  const auto normal = [&](const Corner_index h)
+  {
+    const Point& p = points[surface.source(h)];
+    return cross(points[surface.vertex(h)] - p, points[surface.vertex(S::next(h))] - p);
+  };
+  surface.bending.assign(surface.number_of_halfedges(), 0);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if(surface.is_border_edge(h))
+      continue;
+    const Point n = normal(h), m = normal(surface.opposite(h));
+    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
+    const double length = std::sqrt(dot(e, e));
+    if(length > 0)
+      surface.bending[h] = std::atan2(dot(cross(n, m), e) / length, dot(n, m));
+  }
+}
+
+template <typename TriangleMesh, typename VertexPointMap>
+void read_geometry(const Flat_numbering<TriangleMesh>& numbering,
+                   const VertexPointMap vertex_points,
+                   Triangle_surface& surface)
+{
+  std::vector<Point> points;
+  double size = 0;
+  for(std::size_t v = 0; v < numbering.vertices_in_order().size(); ++v) {
+    const auto& p = get(vertex_points, numbering.vertices_in_order()[v]);
+    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    for(const double x : points.back()) {
+      if(!std::isfinite(x))
+        throw Refusal(Outcome::NOT_FINITE,
+                      surface.describe_vertex(v) + " has a NaN or infinite coordinate");
+      size = (std::max)(size, std::abs(x));
+    }
+  }
+  surface.exponent = (size > 0) ? std::ilogb(size) : 0;
+  for(Point& p : points)
+    for(double& x : p)
+      x = std::ldexp(x, -surface.exponent);
+
+  surface.length.resize(surface.number_of_halfedges());
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
+    surface.length[h] = std::sqrt(dot(e, e));
+  }
+  measure_bending(surface, points);
+  mollify_lengths(surface);
+  lay_out_faces(surface);
+}
+
+template <typename TriangleMesh, typename EdgeIsConstrainedMap>
+void read_alignment(const TriangleMesh& tmesh,
+                    const Flat_numbering<TriangleMesh>& numbering,
+                    const EdgeIsConstrainedMap edge_is_constrained,
+                    const bool align_border,
+                    Triangle_surface& surface)
+{
+  surface.is_aligned.resize(surface.number_of_halfedges());
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    surface.is_aligned[h] = get(edge_is_constrained,
+                                edge(numbering.halfedges_of_corners()[h], tmesh))
+                            || (align_border && surface.is_border_edge(h));
+}
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_READ_SURFACE_H

@@ -1,0 +1,244 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_POLYGON_FILLER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_POLYGON_FILLER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// A polygon of a triangulated surface, laid out in the plane, and its triangulation anew. Flips and
+// the removal of vertices are this same step.
+
+#include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// A side of the polygon: a halfedge with the polygon at its left, in the chart of the polygon.
+struct Polygon_side
+{
+  Intrinsic_corner corner;
+  Corner_index old_halfedge = no_index; // no_index: a diagonal, whose opposite is in place already
+  Quarter_turns::Element turn = Quarter_turns::identity(); // from the chart of its old face
+};
+
+// Invariant: the sides are in counterclockwise order and form a simple polygon.
+class Polygon_filler
+{
+public:
+  Polygon_filler(const Integer_mesh& input, Intrinsic_complex& complex)
+    : m_input(input), m_complex(complex)
+  { }
+
+  void clear()
+  {
+    m_sides.clear();
+    m_placed.clear();
+  }
+
+  std::size_t number_of_sides() const { return m_sides.size(); }
+  const Polygon_side& side(const std::size_t i) const { return m_sides[i]; }
+
+  // The next side. `turn` leads from the chart of its face to that of the polygon.
+  void add_side(const Corner_index h, const Quarter_turns::Element turn)
+  {
+    m_sides.push_back({m_complex.corner(h), h, turn});
+    Intrinsic_corner& corner = m_sides.back().corner;
+    const Quarter_turns::Element back = Quarter_turns::inverse(turn);
+    corner.vector = rotated(turn, corner.vector);
+    corner.units = rotated(turn, corner.units);
+    corner.rotation = Quarter_turns::compose(corner.rotation, back);
+    corner.departure.turns = Quarter_turns::compose(corner.departure.turns, back);
+  }
+
+  // Two collinear walls become one side, whose opposite is that of `linked`, which is one of both.
+  // The chart of the second one's face is that of the polygon.
+  void add_merged_side(const Corner_index first, const Quarter_turns::Element turn,
+                       const Corner_index second, const Corner_index linked)
+  {
+    add_side(first, turn);
+    Polygon_side& side = m_sides.back();
+    const Intrinsic_corner& end = m_complex.corner(second);
+    side.corner.vertex = end.vertex;
+    side.corner.vector = sum(side.corner.vector, end.vector);
+    side.corner.units = sum(side.corner.units, end.units);
+    if(linked == second) {
+      side.corner.opposite = end.opposite;
+      side.corner.rotation = end.rotation;
+      side.old_halfedge = second;
+      side.turn = Quarter_turns::identity();
+    }
+  }
+
+  // Whether sides i and i + 1 can be cut off by a diagonal.
+  bool is_ear(const std::size_t i) const
+  {
+    const std::size_t j = next(i);
+    const Grid_vector &ab = m_sides[i].corner.vector, &bc = m_sides[j].corner.vector;
+    if(cross_sign(ab, bc) <= 0)
+      return false;
+    const Grid_vector ca = negated(sum(ab, bc));
+    Grid_vector p = negated(ca); // a polygon's vertex, from a on
+    for(std::size_t k = next(j); next(k) != i; k = next(k)) {
+      p = sum(p, m_sides[k].corner.vector);
+      if(cross_sign(ab, p) >= 0 && cross_sign(bc, difference(p, ab)) >= 0 && cross_sign(ca, p) >= 0)
+        return false;
+    }
+    return true;
+  }
+
+  // Triangulates by ears, the roundest first. `faces` are to be filled, two fewer than there are
+  // sides. Throws, before anything has changed, if a number doesn't fit.
+  void fill(const std::vector<Flat_face_index>& faces)
+  {
+    check_sums();
+    for(std::size_t f = 0; m_sides.size() > 3; ++f)
+      cut_ear(roundest_ear(), faces[f]);
+    finish(faces.back());
+  }
+
+  // The same for four sides, the diagonal of which cuts off the sides i and i + 1.
+  void fill(const std::size_t i, const Flat_face_index first, const Flat_face_index second)
+  {
+    cut_ear(i, first);
+    finish(second);
+  }
+
+private:
+  struct Placed
+  {
+    Corner_index old_halfedge, new_halfedge;
+    Quarter_turns::Element turn;
+  };
+
+  std::size_t next(const std::size_t i) const { return i + 1 == m_sides.size() ? 0 : i + 1; }
+
+  // All diagonals are sums of sides.
+  void check_sums() const
+  {
+    Grid_vector size{};
+    for(const Polygon_side& s : m_sides)
+      size = sum(size, {absolute_value(s.corner.vector[0]), absolute_value(s.corner.vector[1])});
+  }
+
+  // The area, relative to the square of the longest side.
+  double roundness(const std::size_t i) const
+  {
+    const Grid_vector &ab = m_sides[i].corner.vector, &bc = m_sides[next(i)].corner.vector;
+    const Grid_vector ac = sum(ab, bc);
+    return approximate_cross(ab, bc) / (std::max)({dot(ab, ab), dot(bc, bc), dot(ac, ac)});
+  }
+
+  std::size_t roundest_ear() const
+  {
+    std::size_t best = m_sides.size();
+    double best_value = 0;
+    for(std::size_t i = 0; i < m_sides.size(); ++i) {
+      const double value = roundness(i);
+      if((best == m_sides.size() || value > best_value) && is_ear(i)) {
+        best = i;
+        best_value = value;
+      }
+    }
+    return best;
+  }
+
+  void cut_ear(const std::size_t i, const Flat_face_index face)
+  {
+    const std::size_t j = next(i), before = i == 0 ? m_sides.size() - 1 : i - 1;
+    const Corner_index h = 3 * face;
+    const Intrinsic_corner a = m_sides[i].corner, b = m_sides[j].corner;
+    Polygon_side diagonal;
+    diagonal.corner.vertex = b.vertex;
+    diagonal.corner.vector = sum(a.vector, b.vector);
+    diagonal.corner.units = sum(a.units, b.units);
+    diagonal.corner.opposite = h + 2;
+    diagonal.corner.departure = find_direction(m_input, a.departure, a.vector,
+                                               diagonal.corner.vector);
+    Intrinsic_corner back;
+    back.vertex = m_sides[before].corner.vertex;
+    back.vector = negated(diagonal.corner.vector);
+    back.units = negated(diagonal.corner.units);
+    const Intrinsic_corner& c = m_sides[next(j)].corner;
+    back.departure = find_direction(m_input, c.departure, c.vector, back.vector);
+    place(m_sides[i], h);
+    place(m_sides[j], h + 1);
+    m_complex.corners[std::size_t(h + 2)] = back;
+    m_placed.push_back({no_index, h + 2, Quarter_turns::identity()});
+    m_sides[i] = diagonal;
+    m_sides.erase(m_sides.begin() + std::ptrdiff_t(j));
+  }
+
+  void place(const Polygon_side& side, const Corner_index h)
+  {
+    m_complex.corners[std::size_t(h)] = side.corner;
+    m_placed.push_back({side.old_halfedge, h, side.turn});
+    if(side.old_halfedge == no_index)
+      m_complex.corners[std::size_t(side.corner.opposite)].opposite = h;
+  }
+
+  void finish(const Flat_face_index face)
+  {
+    for(Corner_index k = 0; k < 3; ++k)
+      place(m_sides[std::size_t(k)], 3 * face + k);
+    for(const Placed& p : m_placed)
+      if(p.old_halfedge != no_index)
+        link(p);
+    for(const Placed& p : m_placed)
+      set_corner_at_vertex(p.new_halfedge);
+    clear();
+  }
+
+  // With the opposite halfedge, which may be a side of the polygon itself.
+  void link(const Placed& p)
+  {
+    Intrinsic_corner& corner = m_complex.corners[std::size_t(p.new_halfedge)];
+    const Corner_index opposite = corner.opposite;
+    if(opposite == no_index)
+      return;
+    const auto moved = std::find_if(m_placed.begin(), m_placed.end(), [&](const Placed& q)
+                                    { return q.old_halfedge == opposite; });
+    if(moved == m_placed.end()) {
+      Intrinsic_corner& other = m_complex.corners[std::size_t(opposite)];
+      other.opposite = p.new_halfedge;
+      other.rotation = Quarter_turns::inverse(corner.rotation);
+    } else {
+      corner.opposite = moved->new_halfedge;
+      corner.rotation = Quarter_turns::compose(moved->turn, corner.rotation);
+    }
+  }
+
+  // Along the border, the first corner counterclockwise.
+  void set_corner_at_vertex(const Corner_index h)
+  {
+    const std::size_t v = m_complex.vertex(h);
+    if(!m_complex.is_border[v] || m_complex.clockwise(h) == no_index)
+      m_complex.corner_at_vertex[v] = h;
+  }
+
+  const Integer_mesh& m_input;
+  Intrinsic_complex& m_complex;
+  std::vector<Polygon_side> m_sides;
+  std::vector<Placed> m_placed;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_POLYGON_FILLER_H

@@ -1,0 +1,225 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_STRIP_MOVES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_STRIP_MOVES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Moves of the units of a complex: along a strip of triangles that closes, or leads from border to
+// border, all edges that it crosses change by one unit, in one direction. So triangles stay closed,
+// sides of edges match, and walls stay on their isocurves.
+
+#include <CGAL/Quad_remeshing/internal/quantization/Strip_search.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// So few that another search for more, which takes as long, is not worth it; none in small
+// complexes.
+inline std::size_t few_moves(const Intrinsic_complex& complex)
+{
+  return std::size_t(complex.number_of_faces() / 100);
+}
+
+// Invariant: no move makes a positive triangle otherwise; nor does it change the angle around a
+// vertex where all triangles are positive, since they stay positive all along the move.
+class Strip_moves
+{
+public:
+  Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales)
+    : m_complex(complex), m_rules(complex, scales),
+      m_searches{Strip_search(m_rules), Strip_search(m_rules)}
+  { }
+
+  // Moves that lower the sum of weighted squares of deviations, until there are few. Returns their
+  // number.
+  std::size_t improve(const std::size_t most_rounds)
+  {
+    std::size_t number = 0, before = 0;
+    for(std::size_t round = 0;
+        round < most_rounds && (round == 0 || number - before > few_moves(m_complex)); ++round) {
+      before = number;
+      for(const Strip_state s : improving_states())
+        while(m_rules.cost(s) < -least_gain && find_strip(s, -m_rules.cost(s)) &&
+              apply(-least_gain))
+          do
+            ++number;
+          while(apply(-least_gain));
+    }
+    return number;
+  }
+
+  // Moves that make the triangle positive. Returns false if that fails.
+  bool repair(const Flat_face_index face)
+  {
+    for(int i = 0; i < 100; ++i) {
+      if(orientation(m_complex, face, &Intrinsic_corner::units) > 0)
+        return true;
+      if(!raise(face))
+        return false;
+    }
+    return false;
+  }
+
+private:
+  static constexpr double least_gain = 1e-9;
+  static constexpr double dearest_repair = 20; // as a sum of weighted squares
+
+  std::vector<Strip_state> improving_states() const
+  {
+    std::vector<std::pair<double, Strip_state> > found;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.represents_edge(h))
+        for(int k = 0; k < 4; ++k) {
+          const Strip_state s = strip_state(h, k);
+          if(m_rules.cost(s) < -least_gain && m_rules.is_allowed(s))
+            found.emplace_back(m_rules.cost(s), s);
+        }
+    std::sort(found.begin(), found.end());
+    std::vector<Strip_state> result;
+    for(const auto& [gain, s] : found)
+      result.push_back(s);
+    return result;
+  }
+
+  // The cheapest strip through the state whose other costs add up to less than `bound`, gains not
+  // counted. It is looked for from both sides of the edge, further where fewer ways are open: where
+  // triangles can't get smaller, one of the searches ends soon, and there is none.
+  bool find_strip(const Strip_state start, const double bound)
+  {
+    const bool is_border = m_complex.opposite(halfedge_of(start)) == no_index;
+    m_searches[0].start(start, bound);
+    if(!is_border)
+      m_searches[1].start(m_rules.reversed(start), bound);
+    for(;;) {
+      m_found = !is_border && m_searches[1].width() < m_searches[0].width() ? 1 : 0;
+      if(m_searches[m_found].width() == 0)
+        return false;
+      if(m_searches[m_found].advance())
+        return true;
+    }
+  }
+
+  // Makes the move along the strip that was found, if it changes the sum of squares by less than
+  // `bound`, and keeps triangles positive that are.
+  bool apply(const double bound)
+  {
+    m_changes.clear();
+    m_searches[m_found].for_each_face(
+      [&](const Corner_index exit, const Corner_index entry, const Grid_vector& change) {
+        m_changes.push_back({exit, change});
+        m_changes.push_back({entry, negated(change)});
+      });
+    double difference = 0;
+    for(const Change& c : m_changes) {
+      const Corner_index g = m_complex.opposite(c.halfedge);
+      if(g == no_index || c.halfedge < g)
+        difference += m_rules.cost(c.halfedge, c.vector);
+      add(c.halfedge, c.vector);
+    }
+    if(difference < bound && are_faces_positive())
+      return true;
+    for(const Change& c : m_changes)
+      add(c.halfedge, negated(c.vector));
+    return false;
+  }
+
+  // Those that have been changed; also all the way from what they were.
+  bool are_faces_positive() const
+  {
+    for(std::size_t i = 0; i < m_changes.size(); i += 2) {
+      const Flat_face_index f = m_changes[i].halfedge / 3;
+      const Face_units after = m_rules.units_of_face(f);
+      Face_units before = after, shift{};
+      for(const Change& c : m_changes)
+        if(c.halfedge / 3 == f) {
+          add_to(before, c.halfedge, negated(c.vector));
+          add_to(shift, c.halfedge, c.vector);
+        }
+      const std::int64_t a = determinant(before), d = determinant(after);
+      const std::int64_t square = determinant(shift);
+      const std::int64_t slope = d - a - square; // of a + slope t + square t^2 at t = 0
+      if(!m_rules.is_no_worse(f, a, d) ||
+         (a > 0 && square > 0 && slope < 0 && -slope < 2 * square &&
+          checked_product(slope, slope) >= checked_product(4 * square, a)))
+        return false;
+    }
+    return true;
+  }
+
+  void add(const Corner_index h, const Grid_vector& change)
+  {
+    Grid_vector& units = m_complex.corners[std::size_t(h)].units;
+    units = sum(units, change);
+  }
+
+  // The cheapest move that raises the determinant of a triangle. Most are cheap, and found soon.
+  bool raise(const Flat_face_index face)
+  {
+    m_rules.face_to_raise = face;
+    Strip_state best = no_strip_state;
+    double least = 0;
+    for(const double bound : {2., dearest_repair})
+      if(best == no_strip_state) {
+        least = bound;
+        best = cheapest_raise(face, least);
+      }
+    const bool is_found = best != no_strip_state && find_strip(best, dearest_repair) &&
+                          apply(std::numeric_limits<double>::infinity());
+    m_rules.face_to_raise = no_index;
+    return is_found;
+  }
+
+  // Lowers `least` to its cost.
+  Strip_state cheapest_raise(const Flat_face_index face, double& least)
+  {
+    Strip_state best = no_strip_state;
+    for(Corner_index h = 3 * face; h < 3 * face + 3; ++h)
+      for(int k = 0; k < 4; ++k) {
+        const Strip_state s = strip_state(h, k);
+        const double cost = Strip_search::positive(m_rules.cost(s));
+        if(!m_rules.is_allowed(s) || !find_strip(s, least - cost))
+          continue;
+        best = s;
+        least = m_searches[m_found].distance() + cost;
+      }
+    return best;
+  }
+
+  struct Change
+  {
+    Corner_index halfedge;
+    Grid_vector vector;
+  };
+
+  Intrinsic_complex& m_complex;
+  Strip_rules m_rules;
+  std::array<Strip_search, 2> m_searches; // of the two directions
+  std::size_t m_found = 0;                // the one that found a strip, or ended
+  std::vector<Change> m_changes;          // of the strip
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_STRIP_MOVES_H

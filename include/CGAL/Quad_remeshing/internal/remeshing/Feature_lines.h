@@ -1,0 +1,106 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_LINES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_LINES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The features and borders of a surface as lines that points can slide along.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+
+#include <CGAL/AABB_halfedge_graph_segment_primitive.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+class Feature_lines
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Edge = Surface_to_remesh::Edge;
+  using Halfedge = Surface_to_remesh::Halfedge;
+  using Kernel = Surface_to_remesh::Kernel;
+  using Point = Kernel::Point_3;
+  using Tree = Search_tree<CGAL::AABB_halfedge_graph_segment_primitive<Mesh> >;
+
+public:
+  explicit Feature_lines(const Surface_to_remesh& surface) : m_surface(surface)
+  {
+    std::vector<Edge> edges;
+    for(const Edge e : mesh().edges())
+      if(is_on_line(e))
+        edges.push_back(e);
+    m_tree.rebuild(edges.begin(), edges.end(), mesh());
+  }
+
+  // Where a point of a line comes to if it goes by a length; nothing where the line ends before, or
+  // meets others.
+  // \param direction what it starts along, roughly
+  std::optional<Point> slide(const Point& p, const Kernel::Vector_3& direction,
+                             double length) const
+  {
+    if(m_tree.empty())
+      return std::nullopt;
+    Halfedge h = mesh().halfedge(m_tree.closest_point_and_primitive(p).second);
+    if(direction * (target(h) - source(h)) < 0)
+      h = mesh().opposite(h);
+    Point at = p;
+    for(;;) {
+      const double rest = std::sqrt(CGAL::squared_distance(at, target(h)));
+      if(length < rest)
+        return at + (length / rest) * (target(h) - at);
+      length -= rest;
+      at = target(h);
+      const std::optional<Halfedge> next = next_on_line(h);
+      if(!next)
+        return std::nullopt;
+      h = *next;
+    }
+  }
+
+private:
+  const Mesh& mesh() const { return m_surface.mesh(); }
+  const Point& source(const Halfedge h) const { return mesh().point(mesh().source(h)); }
+  const Point& target(const Halfedge h) const { return mesh().point(mesh().target(h)); }
+
+  bool is_on_line(const Edge e) const
+  { return m_surface.is_feature()[e] || mesh().is_border(e); }
+
+  std::optional<Halfedge> next_on_line(const Halfedge h) const
+  {
+    std::optional<Halfedge> result;
+    for(const Halfedge g : CGAL::halfedges_around_target(h, mesh()))
+      if(g != h && is_on_line(mesh().edge(g))) {
+        if(result)
+          return std::nullopt;
+        result = mesh().opposite(g);
+      }
+    return result;
+  }
+
+  const Surface_to_remesh& m_surface;
+  Tree m_tree;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_LINES_H

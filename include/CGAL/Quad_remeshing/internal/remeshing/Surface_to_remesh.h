@@ -1,0 +1,176 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_TO_REMESH_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_TO_REMESH_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The surface that quads are to cover, with its features: a copy of the input, as some faces have
+// to be split first.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: no triangle with an area has three sides that are features or border, which no map
+// without flips aligns. Such ones are divided into nine, and their neighbors so that there are
+// triangles only. The copy is the input times a power of two, of a size near 1, so that squares of
+// lengths are neither too large nor too small.
+class Surface_to_remesh
+{
+public:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  using Edge = Mesh::Edge_index;
+  using Face = Mesh::Face_index;
+  using Halfedge = Mesh::Halfedge_index;
+  using Feature_map = Mesh::Property_map<Edge, bool>;
+  using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
+
+  template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
+  Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
+                    const EdgeIsConstrainedMap& is_feature)
+    : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
+      m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first)
+  {
+    std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
+                          Halfedge> > copies;
+    CGAL::copy_face_graph(tmesh, m_mesh,
+                          CGAL::parameters::vertex_point_map(point_map)
+                            .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+    scale();
+    for(const auto& [original, copy] : copies)
+      m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
+    for(const Face f : m_mesh.faces())
+      m_originals.push_back(std::size_t(f));
+    if(CGAL::is_triangle_mesh(m_mesh))
+      divide(std::vector<Face>(m_mesh.faces().begin(), m_mesh.faces().end()));
+  }
+
+  Surface_to_remesh(const Surface_to_remesh&) = delete; // the maps belong to the mesh
+  Surface_to_remesh& operator=(const Surface_to_remesh&) = delete;
+
+  const Mesh& mesh() const { return m_mesh; }
+  Feature_map is_feature() const { return m_is_feature; }
+  Uv_map uv_map() const { return m_uv_map; }
+
+  // A length in the size of the input.
+  double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
+
+  // The number of a face in the input.
+  std::size_t original(const std::size_t face) const { return m_originals[face]; }
+
+private:
+  void scale()
+  {
+    double size = 0;
+    for(const auto v : m_mesh.vertices())
+      for(int c = 0; c < 3; ++c)
+        size = (std::max)(size, std::abs(m_mesh.point(v)[c]));
+    if(!(size > 0 && std::isfinite(size)))
+      return;
+    m_exponent = std::ilogb(size);
+    const auto scaled = [&](const double x) { return std::ldexp(x, -m_exponent); };
+    for(const auto v : m_mesh.vertices()) {
+      Kernel::Point_3& p = m_mesh.point(v);
+      p = Kernel::Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+  }
+
+  // Divides all sides of the triangles with three aligned sides into three parts, one for each
+  // corner and one between, and leads edges from the centers of all faces around to their corners.
+  void divide(const std::vector<Face>& faces)
+  {
+    std::set<Edge> sides;
+    for(const Face f : faces)
+      if(has_aligned_sides_only(f) && has_area(f))
+        for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+          sides.insert(m_mesh.edge(h));
+    for(const Edge e : sides)
+      divide_side(e);
+    for(const Face f : faces)
+      if(m_mesh.degree(f) > 3)
+        divide_at_center(f);
+  }
+
+  bool has_aligned_sides_only(const Face f) const
+  {
+    for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+      if(!m_is_feature[m_mesh.edge(h)] && !m_mesh.is_border(m_mesh.edge(h)))
+        return false;
+    return true;
+  }
+
+  bool has_area(const Face f) const
+  {
+    const Halfedge h = m_mesh.halfedge(f);
+    return !CGAL::collinear(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                            m_mesh.point(m_mesh.target(m_mesh.next(h))));
+  }
+
+  void divide_side(const Edge e)
+  {
+    const Halfedge h = m_mesh.halfedge(e);
+    const Kernel::Point_3 first = m_mesh.point(m_mesh.source(h));
+    const Kernel::Vector_3 third = (m_mesh.point(m_mesh.target(h)) - first) / 3;
+    for(const int i : {1, 2}) {
+      const Halfedge part = CGAL::Euler::split_edge(h, m_mesh);
+      m_mesh.point(m_mesh.target(part)) = first + i * third;
+      m_is_feature[m_mesh.edge(part)] = bool(m_is_feature[e]);
+    }
+  }
+
+  void divide_at_center(const Face f)
+  {
+    const double n = static_cast<double>(m_mesh.degree(f));
+    std::array<double, 3> center{};
+    for(const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+      for(int c = 0; c < 3; ++c)
+        center[std::size_t(c)] += m_mesh.point(v)[c] / n;
+    const Halfedge h = CGAL::Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
+    m_mesh.point(m_mesh.target(h)) = Kernel::Point_3(center[0], center[1], center[2]);
+    m_originals.resize(m_mesh.number_of_faces(), std::size_t(f));
+  }
+
+  Mesh m_mesh;
+  Feature_map m_is_feature;
+  Uv_map m_uv_map;
+  std::vector<std::size_t> m_originals; // per face
+  int m_exponent = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_TO_REMESH_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_DIVIDE_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_DIVIDE_QUADS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Five quads in place of one that is inverted or flat: a small one inside, and four around it. So
+// each of its corners is shared by two quads, which helps where no move of vertices can: where two
+// features that a quad turns around are a straight line in space, or more than that.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: vertices and edges that are there stay, and what they are. New vertices are on the
+// surface, new edges are no features.
+class Quad_divider
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Halfedge = Mesh::Halfedge_index;
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Quad = Quad_smoother::Quad;
+
+public:
+  Quad_divider(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother)
+    : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother)
+  { }
+
+  // Returns the number of quads that were divided.
+  std::size_t run()
+  {
+    std::vector<Face> bad;
+    for(const Face f : faces(m_quads)) {
+      const Quad q = m_smoother.quad(f);
+      if(scaled_jacobian(q, quad_normal(q)) < flat)
+        bad.push_back(f);
+    }
+    std::size_t result = 0;
+    for(const Face f : bad) {
+      Quad inner;
+      if(find_inner_quad(m_smoother.quad(f), inner)) {
+        divide(f, inner);
+        ++result;
+      }
+    }
+    return result;
+  }
+
+private:
+  // The best of some: on rays from a point of a diagonal, longer towards one of its ends. Returns
+  // false if none is good enough.
+  bool find_inner_quad(const Quad& q, Quad& inner) const
+  {
+    double best = 2 * flat;
+    for(std::size_t i = 0; i < 4; ++i)
+      for(const double along : {0.35, 0.5, 0.65})
+        for(const double towards_end : {0.4, 0.6, 0.8})
+          for(const double towards_others : {0.25, 0.5}) {
+            const Space_vector middle = between(q[i], q[(i + 2) % 4], along);
+            Quad p;
+            for(std::size_t k = 0; k < 4; ++k)
+              p[k] = m_smoother.nearest(
+                between(middle, q[k], k == i ? towards_end : towards_others), q[k]);
+            const std::array<Quad, 5> five = five_quads(q, p);
+            const double least = least_scaled_jacobian(five);
+            if(least > best && face_upwards(five)) {
+              best = least;
+              inner = p;
+            }
+          }
+    return best > 2 * flat;
+  }
+
+  static Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
+  {
+    Space_vector result;
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] = a[c] + part * (b[c] - a[c]);
+    return result;
+  }
+
+  static std::array<Quad, 5> five_quads(const Quad& outer, const Quad& inner)
+  {
+    std::array<Quad, 5> result{inner};
+    for(std::size_t k = 0; k < 4; ++k) {
+      const std::size_t l = (k + 1) % 4;
+      result[k + 1] = {outer[k], outer[l], inner[l], inner[k]};
+    }
+    return result;
+  }
+
+  static double least_scaled_jacobian(const std::array<Quad, 5>& all)
+  {
+    double result = 1;
+    for(const Quad& q : all)
+      result = (std::min)(result, scaled_jacobian(q, quad_normal(q)));
+    return result;
+  }
+
+  bool face_upwards(const std::array<Quad, 5>& all) const
+  {
+    return std::all_of(all.begin(), all.end(), [&](const Quad& q) {
+      return inner_product(quad_normal(q), m_smoother.normal_of_surface(q)) > 0;
+    });
+  }
+
+  // A vertex in the middle, one on each edge to it, edges between these; and that in the middle is
+  // taken out again.
+  void divide(const Face f, const Quad& inner)
+  {
+    std::array<Halfedge, 4> sides;
+    std::size_t k = 0;
+    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_quads), m_quads))
+      sides[k++] = h;
+    CGAL::Euler::add_center_vertex(sides[0], m_quads);
+    const Vertex center = target(next(sides[0], m_quads), m_quads);
+    for(k = 0; k < 4; ++k) {
+      const Halfedge h = CGAL::Euler::split_edge(next(sides[k], m_quads), m_quads);
+      m_smoother.set_point(target(h, m_quads), inner[k]);
+    }
+    for(const Halfedge h : sides)
+      CGAL::Euler::split_face(next(h, m_quads), prev(prev(h, m_quads), m_quads), m_quads);
+    CGAL::Euler::remove_center_vertex(halfedge(center, m_quads), m_quads);
+    for(const Halfedge h : sides) {
+      const Halfedge inwards = next(h, m_quads);
+      put(m_is_feature, edge(inwards, m_quads), false);
+      put(m_is_feature, edge(next(inwards, m_quads), m_quads), false);
+    }
+  }
+
+  static constexpr double flat = 0.01; // as a scaled Jacobian
+
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  Quad_smoother& m_smoother;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_DIVIDE_QUADS_H

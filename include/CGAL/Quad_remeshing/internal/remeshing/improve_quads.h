@@ -1,0 +1,299 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_IMPROVE_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_IMPROVE_QUADS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Gives quads a better shape that smoothing leaves inverted or thin: moves their vertices and those
+// next to them along the surface or the feature that they lie on, in whatever direction helps; and
+// takes vertices out that have two edges only, whose quads no place on a flat surface can mend.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: vertices stay on the surface, and on the features and borders where they are; they do
+// not move at all where these turn or meet.
+class Quad_improver
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Halfedge = Mesh::Halfedge_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Quad = Quad_smoother::Quad;
+
+public:
+  // \param is_feature whether an edge is a feature or border
+  Quad_improver(Mesh& quads, const Feature_map& is_feature, const Feature_lines& lines,
+                Quad_smoother& smoother)
+    : m_quads(quads), m_is_feature(is_feature), m_lines(lines), m_smoother(smoother)
+  { }
+
+  void move_vertices()
+  {
+    for(std::size_t round = 0; round < largest_number_of_rounds; ++round) {
+      bool has_changed = false;
+      for(const Vertex v : vertices_near_thin_quads())
+        has_changed = move(v) || has_changed;
+      if(!has_changed)
+        return;
+    }
+  }
+
+  // Makes one quad of the two around a vertex of two edges, where one of them is inverted and
+  // that one is better. Returns the number of vertices that were removed.
+  std::size_t remove_vertices_of_two_edges()
+  {
+    std::size_t result = 0;
+    std::vector<Vertex> queue;
+    for(const Vertex v : vertices(m_quads))
+      if(degree(v, m_quads) == 2)
+        queue.push_back(v);
+    while(!queue.empty()) {
+      const Vertex v = queue.back();
+      queue.pop_back();
+      if(!is_removable(v))
+        continue;
+      const Halfedge h = opposite(halfedge(v, m_quads), m_quads);
+      const Halfedge g = prev(h, m_quads); // to the vertex, from the other neighbor
+      for(const Vertex neighbor : {target(h, m_quads), source(g, m_quads)})
+        if(std::find(queue.begin(), queue.end(), neighbor) == queue.end())
+          queue.push_back(neighbor);
+      CGAL::Euler::join_vertex(h, m_quads);
+      CGAL::Euler::join_face(g, m_quads);
+      ++result;
+    }
+    return result;
+  }
+
+private:
+  // Of the quads that are to be improved, and their neighbors; the worst first, else those around
+  // adapt to it.
+  std::vector<Vertex> vertices_near_thin_quads()
+  {
+    std::vector<Vertex> result;
+    std::set<Vertex> is_known;
+    const auto add = [&](const Vertex v) {
+      if(is_known.insert(v).second)
+        result.push_back(v);
+    };
+    for(const Face f : faces(m_quads)) {
+      const auto q = m_smoother.quad(f);
+      if(scaled_jacobian(q, quad_normal(q)) >= thin)
+        continue;
+      for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
+        add(v);
+        for(const Vertex w : CGAL::vertices_around_target(v, m_quads))
+          add(w);
+      }
+    }
+    std::vector<std::pair<double, Vertex> > order;
+    for(const Vertex v : result) {
+      collect_star(v);
+      order.emplace_back(badness(), v);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::transform(order.begin(), order.end(), result.begin(),
+                   [](const auto& entry) { return entry.second; });
+    return result;
+  }
+
+  // Tries shorter steps as long as none helps.
+  bool move(const Vertex v)
+  {
+    collect_star(v);
+    const double before = badness();
+    const Space_vector old = m_smoother.point(v);
+    for(double step = 1; step > 0.02; step /= 2) {
+      double least = before;
+      Space_vector best = old;
+      for(const Space_vector& p : m_lines_at_vertex.empty() ? places_around(old, step)
+                                                            : places_on_line(old, step)) {
+        m_smoother.set_point(v, p);
+        const double now = badness();
+        if(now < least) {
+          least = now;
+          best = p;
+        }
+      }
+      m_smoother.set_point(v, best);
+      if(least < 0.99 * before)
+        return true;
+      m_smoother.set_point(v, old);
+    }
+    return false;
+  }
+
+  // In eight directions.
+  std::vector<Space_vector> places_around(const Space_vector& from, const double step) const
+  {
+    std::vector<Space_vector> result;
+    for(int i = 0; i < 8; ++i) {
+      const double angle = i * std::acos(0.) / 2;
+      Space_vector p = from;
+      for(std::size_t c = 0; c < 3; ++c)
+        p[c] += step * m_longest_edge *
+                (std::cos(angle) * m_tangents[0][c] + std::sin(angle) * m_tangents[1][c]);
+      result.push_back(m_smoother.nearest(p, from));
+    }
+    return result;
+  }
+
+  // Toward both neighbors, before which the vertex stays. None where the line turns in the grid.
+  std::vector<Space_vector> places_on_line(const Space_vector& from, const double step) const
+  {
+    using Kernel = Surface_to_remesh::Kernel;
+    std::vector<Space_vector> result;
+    if(!is_straight())
+      return result;
+    for(const Halfedge h : m_lines_at_vertex) {
+      const Space_vector d = vector_to(from, m_smoother.point(source(h, m_quads)));
+      const auto p = m_lines.slide(Kernel::Point_3(from[0], from[1], from[2]),
+                                   Kernel::Vector_3(d[0], d[1], d[2]), 0.5 * step * norm(d));
+      if(p)
+        result.push_back({p->x(), p->y(), p->z()});
+    }
+    return result;
+  }
+
+  bool is_straight() const
+  {
+    if(m_lines_at_vertex.size() != 2)
+      return false;
+    const Halfedge g = m_lines_at_vertex[0], h = m_lines_at_vertex[1];
+    const Vertex v = target(h, m_quads);
+    if(CGAL::is_border(v, m_quads))
+      return degree(v, m_quads) == 3;
+    const Halfedge second_next = next(opposite(next(g, m_quads), m_quads), m_quads);
+    return degree(v, m_quads) == 4 && opposite(second_next, m_quads) == h;
+  }
+
+  void collect_star(const Vertex v)
+  {
+    m_star.clear();
+    m_normals.clear();
+    m_lines_at_vertex.clear();
+    Space_vector normal{}, side{};
+    m_longest_edge = 0;
+    const Space_vector p = m_smoother.point(v);
+    for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
+      side = vector_to(p, m_smoother.point(source(h, m_quads)));
+      m_longest_edge = (std::max)(m_longest_edge, norm(side));
+      if(get(m_is_feature, edge(h, m_quads)))
+        m_lines_at_vertex.push_back(h);
+      if(CGAL::is_border(h, m_quads))
+        continue;
+      m_star.push_back(face(h, m_quads));
+      const auto q = m_smoother.quad(m_star.back());
+      m_normals.push_back(upper_side(m_star.back(), q));
+      const Space_vector n = quad_normal(q);
+      for(std::size_t c = 0; c < 3; ++c)
+        normal[c] += n[c];
+    }
+    m_tangents[0] = scaled_to_one(outer_product(normal, side));
+    m_tangents[1] = scaled_to_one(outer_product(normal, m_tangents[0]));
+  }
+
+  // Where a quad is to face: where the surface did beside it before any of its vertices moved.
+  // Quads that did not face there, as on sharp edges, are not to turn from where they do.
+  Space_vector upper_side(const Face f, const Quad& q)
+  {
+    const auto [it, is_new] = m_upper_side.try_emplace(f);
+    if(is_new)
+      it->second = m_smoother.normal_of_surface(q);
+    const Space_vector normal = quad_normal(q);
+    return inner_product(normal, it->second) > 0 ? it->second : normal;
+  }
+
+  static Space_vector scaled_to_one(const Space_vector& a)
+  {
+    const double n = norm(a);
+    return n > 0 ? Space_vector{a[0] / n, a[1] / n, a[2] / n} : Space_vector{};
+  }
+
+  // Grows fast where quads are inverted. Quads that turn over are worst of all.
+  double badness() const
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < m_star.size(); ++i) {
+      const auto q = m_smoother.quad(m_star[i]);
+      const Space_vector normal = quad_normal(q);
+      sum += inner_product(normal, m_normals[i]) > 0
+               ? std::exp(-steepness * scaled_jacobian(q, normal))
+               : std::exp(2 * steepness);
+    }
+    return sum;
+  }
+
+  bool is_removable(const Vertex v) const
+  {
+    if(CGAL::is_border(v, m_quads) || degree(v, m_quads) != 2)
+      return false;
+    const Halfedge h = opposite(halfedge(v, m_quads), m_quads), g = prev(h, m_quads);
+    if(get(m_is_feature, edge(g, m_quads)) || get(m_is_feature, edge(h, m_quads)))
+      return false;
+    const Vertex a = target(h, m_quads), b = source(g, m_quads);
+    const Vertex x = target(next(h, m_quads), m_quads);
+    const Vertex y = target(next(opposite(g, m_quads), m_quads), m_quads);
+    if(a == b || x == y || degree(a, m_quads) < 3 || degree(b, m_quads) < 3)
+      return false;
+    const auto first = m_smoother.quad(face(h, m_quads));
+    const auto second = m_smoother.quad(face(opposite(h, m_quads), m_quads));
+    const std::array<Space_vector, 4> joined{
+      {m_smoother.point(a), m_smoother.point(x), m_smoother.point(b), m_smoother.point(y)}};
+    const double least = (std::min)(scaled_jacobian(first, quad_normal(first)),
+                                    scaled_jacobian(second, quad_normal(second)));
+    return least < thin && scaled_jacobian(joined, quad_normal(joined)) > least;
+  }
+
+  static constexpr double thin = 0.2; // as a scaled Jacobian
+  static constexpr double steepness = 8;
+  static constexpr std::size_t largest_number_of_rounds = 10;
+
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  const Feature_lines& m_lines;
+  Quad_smoother& m_smoother;
+  std::map<Face, Space_vector> m_upper_side;
+  // scratch: of the vertex that moves
+  std::vector<Face> m_star;
+  std::vector<Space_vector> m_normals; // where the faces are to face
+  std::vector<Halfedge> m_lines_at_vertex;
+  std::array<Space_vector, 2> m_tangents;
+  double m_longest_edge = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_IMPROVE_QUADS_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SMOOTH_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SMOOTH_QUADS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
+// their neighbors; and measures the result. All of this is floating point.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+using Space_vector = std::array<double, 3>;
+
+inline Space_vector vector_to(const Space_vector& a, const Space_vector& b)
+{
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+inline double inner_product(const Space_vector& a, const Space_vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Space_vector outer_product(const Space_vector& a, const Space_vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double norm(const Space_vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+// The area vector of a quad, times two.
+inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
+{
+  return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
+}
+
+// The least sine of an angle, as seen along `normal`: 1 for rectangles, negative if a corner is
+// inverted; the scaled Jacobian.
+inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_vector& normal)
+{
+  double least = 1;
+  const double size = norm(normal);
+  for(std::size_t i = 0; i < 4; ++i) {
+    const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
+    const double scale = norm(a) * norm(b) * size;
+    least = (std::min)(least,
+                       scale > 0 ? inner_product(outer_product(a, b), normal) / scale : -1.);
+  }
+  return least;
+}
+
+// Invariant: vertices that are held stay where they are, all others on the surface.
+class Quad_smoother
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+  using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Mesh> >;
+
+public:
+  using Quad = std::array<Space_vector, 4>;
+
+  Quad_smoother(Mesh& quads, const Mesh& surface)
+    : m_quads(quads), m_surface(surface),
+      m_tree(faces(surface).begin(), faces(surface).end(), surface)
+  {
+    m_tree.accelerate_distance_queries();
+  }
+
+  // Makes no quad worse than it is, unless it stays well shaped. is_held(vertex) tells which
+  // vertices stay.
+  template <typename Is_held>
+  void smooth(const std::size_t number_of_rounds, const Is_held& is_held)
+  {
+    for(std::size_t round = 0; round < number_of_rounds; ++round)
+      for(const Vertex v : vertices(m_quads))
+        if(!is_held(v))
+          move(v);
+  }
+
+  // The least and the mean scaled Jacobian of all faces.
+  std::array<double, 2> measure_shape() const
+  {
+    double least = 1, sum = 0;
+    for(const Face f : faces(m_quads)) {
+      const Quad q = quad(f);
+      const double value = scaled_jacobian(q, quad_normal(q));
+      least = (std::min)(least, value);
+      sum += value;
+    }
+    return {least, sum / static_cast<double>(faces(m_quads).size())};
+  }
+
+  // The largest distance of the middles of faces and edges from the surface.
+  double measure_distance() const
+  {
+    double largest = 0;
+    const auto measure = [&](const Space_vector& p, const Space_vector& near_by)
+      { largest = (std::max)(largest, norm(vector_to(p, nearest(p, near_by)))); };
+    for(const Face f : faces(m_quads)) {
+      const Quad q = quad(f);
+      Space_vector middle{};
+      for(std::size_t i = 0; i < 4; ++i)
+        for(std::size_t c = 0; c < 3; ++c)
+          middle[c] += q[i][c] / 4;
+      measure(middle, q[0]);
+    }
+    for(const auto e : edges(m_quads)) {
+      const Space_vector a = point(source(e, m_quads)), b = point(target(e, m_quads));
+      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, a);
+    }
+    return largest;
+  }
+
+  Space_vector point(const Vertex v) const
+  {
+    const Point& p = m_quads.point(v);
+    return {p.x(), p.y(), p.z()};
+  }
+
+  void set_point(const Vertex v, const Space_vector& p)
+  { m_quads.point(v) = Point(p[0], p[1], p[2]); }
+
+  Quad quad(const Face f) const
+  {
+    Quad result;
+    std::size_t i = 0;
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      result[i++] = point(v);
+    return result;
+  }
+
+  // The nearest point of the surface. The search begins at another one of its points.
+  Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
+  {
+    const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]),
+                                         Point(near_by[0], near_by[1], near_by[2]));
+    return {q.x(), q.y(), q.z()};
+  }
+
+  // The area vector, times two, of the triangle that is nearest to the middle of a quad.
+  Space_vector normal_of_surface(const Quad& q) const
+  {
+    std::array<double, 3> middle{};
+    for(const Space_vector& p : q)
+      for(std::size_t c = 0; c < 3; ++c)
+        middle[c] += p[c] / 4;
+    const Face f =
+      m_tree.closest_point_and_primitive(Point(middle[0], middle[1], middle[2])).second;
+    std::array<Space_vector, 3> t;
+    std::size_t i = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {
+      const Point& p = m_surface.point(v);
+      t[i++] = {p.x(), p.y(), p.z()};
+    }
+    return outer_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
+  }
+
+private:
+  static constexpr double well_shaped = 0.3; // as a scaled Jacobian
+
+  void move(const Vertex v)
+  {
+    Space_vector middle{};
+    std::size_t n = 0;
+    m_faces.clear();
+    m_normals.clear();
+    double before = well_shaped;
+    for(const auto h : CGAL::halfedges_around_target(v, m_quads)) {
+      const Space_vector p = point(source(h, m_quads));
+      for(std::size_t c = 0; c < 3; ++c)
+        middle[c] += p[c];
+      ++n;
+      m_faces.push_back(face(h, m_quads));
+      const Quad q = quad(m_faces.back());
+      m_normals.push_back(quad_normal(q));
+      before = (std::min)(before, scaled_jacobian(q, m_normals.back()));
+    }
+    const Space_vector old = point(v);
+    for(std::size_t c = 0; c < 3; ++c)
+      middle[c] = (old[c] + middle[c] / static_cast<double>(n)) / 2;
+    set_point(v, nearest(middle, old));
+    for(std::size_t i = 0; i < m_faces.size(); ++i) {
+      const Quad q = quad(m_faces[i]);
+      const Space_vector normal = quad_normal(q);
+      if(scaled_jacobian(q, normal) < before || inner_product(normal, m_normals[i]) <= 0) {
+        set_point(v, old);
+        return;
+      }
+    }
+  }
+
+  Mesh& m_quads;
+  const Mesh& m_surface;
+  Tree m_tree;
+  std::vector<Face> m_faces;           // scratch
+  std::vector<Space_vector> m_normals; // scratch: of these faces
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SMOOTH_QUADS_H

@@ -1,0 +1,198 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H
+#define CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The steps from a surface to its quads.
+
+#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
+#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Invariant: `m_report` tells why the last step failed, if it did.
+class Quad_remesher
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+
+public:
+  Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
+                const Feature_map& is_feature)
+    : m_surface(surface), m_options(options), m_quads(quads), m_is_feature(is_feature),
+      m_timer(m_report, options.verbose)
+  { }
+
+  Remeshing_report run()
+  {
+    if(parametrize() && extract()) {
+      smooth();
+      change_points([&](const double x) { return m_surface.unscaled(x); });
+    }
+    return m_report;
+  }
+
+private:
+  const Mesh& surface_mesh() const { return m_surface.mesh(); }
+
+  auto features() const { return parameters::edge_is_constrained_map(m_surface.is_feature()); }
+
+  // From here on, edges that no field can follow without flips are not features.
+  template <typename Edges>
+  void release(const Edges& released)
+  {
+    for(const auto& [v, w] : released)
+      m_surface.is_feature()[surface_mesh().edge(surface_mesh().halfedge(v, w))] = false;
+    m_report.number_of_released_edges = released.size();
+  }
+
+  // An exactly seamless map without flips.
+  bool parametrize()
+  {
+    const auto made = approximate_seamless_parametrization(
+      surface_mesh(), m_surface.uv_map(),
+      features().align_border(true).curvature_alignment(m_options.curvature_alignment)
+                .release_alignment(true).largest_cone_index(largest_cone_index));
+    m_timer.finish("parametrization");
+    if(!made)
+      return refuse(m_report, made);
+    release(made.released_edges);
+    m_report.number_of_flipped_faces = made.number_of_flipped_faces;
+    const auto snapped =
+      snap_to_seamless(surface_mesh(), m_surface.uv_map(),
+                       features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
+    m_timer.finish("snapping");
+    if(!snapped)
+      return refuse(m_report, snapped);
+    m_report.remaining_flips = snapped.remaining_flips;
+    m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
+                                    snapped.lost_faces.end());
+    for(std::size_t& face : m_report.remaining_flips)
+      face = m_surface.original(face);
+    if(!m_report.remaining_flips.empty())
+      return refuse(m_report, Outcome::NOT_POSITIVE,
+                    name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
+                      "; mark fewer features, or remesh the input there");
+    return true;
+  }
+
+  bool extract()
+  {
+    const Quantization quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
+                                                   strip(features()), m_options.quantization);
+    m_timer.finish("quantization");
+    if(!quantization)
+      return refuse(m_report, quantization);
+    const Extraction_report extracted = extract_quad_mesh(
+      quantization, surface_mesh(), m_quads, CGAL::parameters::default_values(),
+      parameters::edge_is_constrained_map(m_is_feature));
+    m_timer.finish("extraction");
+    if(!extracted)
+      return refuse(m_report, extracted);
+    m_report.message = quantization.message;
+    return true;
+  }
+
+  // Vertices on features and borders are held.
+  void smooth()
+  {
+    const auto is_held = [&](const Mesh::Vertex_index v) {
+      for(const auto h : CGAL::halfedges_around_target(v, m_quads))
+        if(m_is_feature[m_quads.edge(h)])
+          return true;
+      return false;
+    };
+    Quad_smoother smoother(m_quads, surface_mesh());
+    smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
+    if(m_options.number_of_smoothing_rounds > 0) {
+      const Feature_lines lines(m_surface);
+      Quad_improver improver(m_quads, m_is_feature, lines, smoother);
+      improver.move_vertices();
+      if(improver.remove_vertices_of_two_edges() > 0)
+        improver.move_vertices();
+      if(Quad_divider(m_quads, m_is_feature, smoother).run() > 0)
+        improver.move_vertices();
+    }
+    if(m_options.has_single_precision)
+      change_points(rounded_to<float>);
+    m_timer.finish("smoothing");
+    count();
+    std::size_t i = 0;
+    for(const auto f : m_quads.faces())
+      count_if_inverted(smoother.quad(f), i++, m_report);
+    const std::array<double, 2> shape = smoother.measure_shape();
+    m_report.least_scaled_jacobian = shape[0];
+    m_report.mean_scaled_jacobian = shape[1];
+    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
+    m_timer.finish("measurement");
+  }
+
+  template <typename Change>
+  void change_points(const Change& change)
+  {
+    for(const auto v : m_quads.vertices()) {
+      const Point& p = m_quads.point(v);
+      m_quads.point(v) = Point(change(p.x()), change(p.y()), change(p.z()));
+    }
+  }
+
+  void count()
+  {
+    m_report.number_of_quads = m_quads.number_of_faces();
+    m_report.number_of_vertices = m_quads.number_of_vertices();
+    for(const auto v : m_quads.vertices())
+      if(!m_quads.is_border(v) && m_quads.degree(v) != 4)
+        ++m_report.number_of_cones;
+  }
+
+  static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
+
+  Surface_to_remesh& m_surface;
+  Remeshing_options m_options;
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  Remeshing_report m_report;
+  Step_timer m_timer;
+};
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
+                        Surface_to_remesh::Mesh& quads,
+                        const Surface_to_remesh::Feature_map& is_feature)
+{ return Quad_remesher(surface, options, quads, is_feature).run(); }
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H

@@ -1,0 +1,330 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_QUANTIZE_H
+#define CGAL_QUAD_REMESHING_QUANTIZE_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// From an exactly seamless map of any scale to quads: integers for the edges of a coarse
+// triangulation, and the quads that they describe.
+
+#include <CGAL/Isocurves_and_layouts/internal/charts/read_exact_map.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/internal/cells/extract_cells.h>
+#include <CGAL/Quad_remeshing/internal/quantization/locate_points.h>
+#include <CGAL/Quad_remeshing/internal/quantization/make_chart_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
+#include <CGAL/Quad_remeshing/types/Quantization.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+template <typename TriangleMesh, typename NamedParameters>
+double area_in_squares(const TriangleMesh& tmesh, const double length, const NamedParameters& np)
+{
+  const int exponent = std::ilogb(length); // no square is too large then
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  double area = 0;
+  for(const auto f : faces(tmesh)) {
+    const auto h = halfedge(f, tmesh);
+    std::array<std::array<double, 3>, 3> p;
+    auto g = h;
+    for(std::array<double, 3>& q : p) {
+      const auto& point = get(point_map, target(g, tmesh));
+      q = {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+      for(double& x : q)
+        x = std::ldexp(x, -exponent);
+      g = next(g, tmesh);
+    }
+    std::array<double, 3> normal;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      normal[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) -
+                  (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
+    }
+    area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+  }
+  const double scaled = std::ldexp(length, -exponent);
+  return area / (scaled * scaled);
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+Quantization_options quantization_options(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Quantization_options options;
+  options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
+  options.needs_face_graph =
+    choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
+  if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t>) {
+    const double length =
+      static_cast<double>(get_parameter(np, internal_np::target_edge_length));
+    options.number_of_quads = length > 0 && std::isfinite(length)
+                                ? area_in_squares(tmesh, length, np)
+                                : std::numeric_limits<double>::quiet_NaN();
+  } else {
+    options.number_of_quads = static_cast<double>(choose_parameter(
+      get_parameter(np, internal_np::target_number_of_quads), std::size_t(10000)));
+  }
+  return options;
+}
+
+// Reads the map, and quantizes it.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                          const NamedParameters& np, const Quantization_options& options)
+{
+  const Protect_exact_arithmetic protect;
+  const Flat_numbering<TriangleMesh> numbering(tmesh);
+  Chart_mesh mesh;
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh))
+    return refused<Quantization>(*refusal);
+  const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
+  const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  const auto vertex_name = [&](const std::size_t v)
+    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
+  return quantize_surface(mesh, is_feature, options, vertex_name);
+}
+
+// \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
+//        out; the two sides of each hole are to become one edge
+template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Output>
+Extraction_report extract_cells_of(const Quantization& quantization, const TriangleMesh& tmesh,
+                                   const NamedParameters& np, const bool leave_out_folded_cells,
+                                   Output&& output)
+{
+  if(!quantization)
+    return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
+                                             "there is no quantization: " + quantization.message);
+  const Protect_exact_arithmetic protect;
+  const Quantized_surface& surface = quantization.surface();
+  if(3 * faces(tmesh).size() != surface.input.corners.size())
+    return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
+                                             "the mesh is not the one that has been quantized");
+  std::vector<char> is_feature;
+  for(const Intrinsic_corner& corner : surface.complex.corners)
+    is_feature.push_back(corner.is_wall);
+  Extraction_options options = extraction_options(np);
+  options.scale = 1;
+  options.leave_out_folded_cells = leave_out_folded_cells;
+  options.how_to_refine = "quantize to more quads, or with needs_face_graph(true)";
+  Quad_extractor extractor(
+    make_chart_mesh(surface.complex), std::move(is_feature), options,
+    [&](const Corner_index h) {
+      return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
+    });
+  const auto locate = [&] {
+    const auto point_map = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const Point_locator locator(surface.input, surface.complex, extractor.mesh());
+    const auto locate_point = [&](const Lattice_point& p) { return locator.locate(p); };
+    output.template locate<ConcurrencyTag>(
+      extractor, make_embedding(tmesh, point_map, locate_point));
+  };
+  if(extractor.template run<ConcurrencyTag>(locate))
+    output.template write<ConcurrencyTag>(extractor);
+  return extractor.report();
+}
+
+// Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
+// Returns the number of holes.
+template <typename QuadMesh>
+std::size_t close_folds(QuadMesh& quads)
+{
+  using Halfedge = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
+  std::vector<Halfedge> holes;
+  for(const Halfedge h : halfedges(quads))
+    if(CGAL::is_border(h, quads) && next(next(h, quads), quads) == h &&
+       target(h, quads) < source(h, quads))
+      holes.push_back(h);
+  for(const Halfedge h : holes) {
+    CGAL::Euler::fill_hole(h, quads);
+    CGAL::Euler::join_face(opposite(h, quads), quads);
+  }
+  return holes.size();
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+quantizes an exactly seamless map: finds an all-quad mesh of the surface whose edges follow the map,
+at any scale. Neither a solver for integer programs nor a tolerance is involved.
+
+The vertices that are no cones, corners, or ends of features are removed from the triangulation,
+exactly; what remains is a coarse triangulation, whose edges are the vectors between cones. These
+become vectors of integers, such that all triangles close, match across edges, and stay positive.
+`extract_quad_mesh()` takes the quads from that, and finds where their vertices lie on the input.
+
+It succeeds for each exactly seamless map of positive faces whose border lies on isocurves, unless
+numbers exceed 64 bits. Where the scale wanted is too coarse for integers to be found there, the
+search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
+one wanted, by far where cones lie close together.
+
+\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+       `target(h)`. Values of border halfedges are not read.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and those of `seam_transitions()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_number_of_quads}
+    \cgalParamDescription{about how many quads there are to be, from 1 to \f$ 2^{28} \f$}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{10000}
+  \cgalParamNEnd
+  \cgalParamNBegin{target_edge_length}
+    \cgalParamDescription{instead of their number, the length of the quads' edges in space}
+    \cgalParamType{`double`}
+    \cgalParamDefault{not used}
+  \cgalParamNEnd
+  \cgalParamNBegin{coarsest}
+    \cgalParamDescription{whether there are to be as few quads as are found. Then the other targets
+                          are not used.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{needs_face_graph}
+    \cgalParamDescription{whether the quads have to form a face graph. Coarse ones can meet
+                          themselves, or each other twice, which no face graph can hold; then the
+                          least larger number of quads that form one is searched for, as
+                          `quad_remesh()` does.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`, for `target_edge_length`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                   three-dimensional point as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the quantization, or why there is none
+
+\sa `snap_to_seamless()`
+\sa `quad_remesh()`
+*/
+template <typename TriangleMesh, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const auto& parameters = internal::strip(np);
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::quantize_map(tmesh, uv_map, parameters,
+                                  internal::quantization_options(tmesh, parameters));
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the quads of a quantization. They are all quads, and form a mesh that is homeomorphic to
+the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
+If they do not form a face graph, nothing is written; with `needs_face_graph`, they do, once quads
+around vertices of one edge are left out, and the two other sides of each are made one edge.
+
+\param quantization a quantization, of which `quantize()` says that it succeeded
+\param tmesh the mesh that has been quantized, not changed since
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+       for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" for the output, as
+       for the extraction from a map
+
+\return the outcome: why nothing was written, or how much was
+
+\sa `quantize()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_mesh(const Quantization& quantization, const TriangleMesh& tmesh,
+                                    QuadMesh& quads,
+                                    const NamedParameters1& np1 =
+                                      CGAL::parameters::default_values(),
+                                    const NamedParameters2& np2 =
+                                      CGAL::parameters::default_values())
+{
+  const bool leave_out_folds = quantization && quantization.surface().is_for_face_graph;
+  const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
+    quantization, tmesh, internal::strip(np1), leave_out_folds,
+    internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
+  if(report && leave_out_folds)
+    internal::close_folds(quads);
+  return report;
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+extracts the same quads as points and lists of indices. Loops and double edges are no obstacle here.
+
+\param quantization a quantization, of which `quantize()` says that it succeeded
+\param tmesh the mesh that has been quantized, not changed since
+\param points the points of the quads are added to it
+\param polygons the quads are added to it
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+       for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
+
+\return the outcome
+
+\sa `quantize()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename PointRange, typename PolygonRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Extraction_report extract_quad_soup(const Quantization& quantization, const TriangleMesh& tmesh,
+                                    PointRange& points, PolygonRange& polygons,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::extract_cells_of<ConcurrencyTag>(
+    quantization, tmesh, internal::strip(np), false,
+    internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
+}
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_QUANTIZE_H

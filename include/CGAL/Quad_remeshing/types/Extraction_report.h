@@ -1,0 +1,71 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_TYPES_EXTRACTION_REPORT_H
+#define CGAL_QUAD_REMESHING_TYPES_EXTRACTION_REPORT_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// How the extraction of quads or triangles ends.
+
+#include <CGAL/Linear_snapping/types/Report.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+What `extract_quad_mesh()`, `extract_quad_soup()`, `extract_triangle_mesh()`, and
+`extract_triangle_soup()` return. Converts to `bool`: `true` if and only if the result was written.
+*/
+struct Extraction_report
+  : public Report
+{
+  /// \name Size of the Result
+  /// @{
+  std::size_t number_of_vertices = 0; ///< vertices that were written
+  std::size_t number_of_faces = 0;    ///< faces that were written
+  /// those of them that are no quads: \f$ (4 - i) \f$-gons around cones of index \f$ i \f$ that lie
+  /// between the lines of the grid; or that are no triangles, around such cones
+  std::size_t number_of_other_polygons = 0;
+  /// pieces of cells that the border cuts off, or holes; they were left out
+  std::size_t number_of_cut_cells = 0;
+  /// quads that are inverted in space: at a corner, their sides turn the other way than the quad as
+  /// a whole does, or the quad has no area. Decided exactly, for the points as doubles.
+  std::size_t number_of_inverted_quads = 0;
+  /// the first of them, at most ten, counted from 0 in the order in which the faces were written
+  std::vector<std::size_t> first_inverted_quads;
+  /// @}
+
+  /// \name Input
+  /// @{
+  double area = 0;                  ///< of all faces, in units of one quad or one triangle
+  std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
+  std::size_t number_of_cones_in_cells = 0; ///< those that lie between the lines of the grid
+  /// border edges that lie on no line of the grid, or lead to the end of a slit that is no point of
+  /// it
+  std::size_t number_of_unaligned_border_edges = 0;
+  std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no line of the grid
+  /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
+  /// from 0
+  std::vector<std::size_t> nonpositive_faces;
+  /// @}
+};
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_TYPES_EXTRACTION_REPORT_H

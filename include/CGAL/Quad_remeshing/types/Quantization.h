@@ -1,0 +1,84 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_TYPES_QUANTIZATION_H
+#define CGAL_QUAD_REMESHING_TYPES_QUANTIZATION_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// How a quantization ends, and what it is.
+
+#include <CGAL/Linear_snapping/types/Report.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+struct Quantized_surface;
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+What `quantize()` returns: an all-quad mesh of a parametrized surface, in the form of a coarse
+triangulation whose edges are vectors of integers. `extract_quad_mesh()` makes the quads. Converts
+to `bool`: `true` if and only if there is one.
+*/
+class Quantization
+  : public Report
+{
+public:
+  /// \name Size
+  /// @{
+  std::size_t number_of_quads = 0;           ///< of the mesh that it describes
+  std::size_t number_of_coarse_vertices = 0; ///< of the coarse triangulation, with all cones
+  std::size_t number_of_coarse_faces = 0;    ///< of the coarse triangulation
+  /// @}
+
+  /// \name Search
+  /// @{
+  /// by how much more finely than wanted the search had to begin
+  double first_scale = 1;
+  std::size_t number_of_moves = 0; ///< steps of the search
+  /// edges of the coarse triangulation that are longer than twice what was wanted, plus one unit
+  std::size_t number_of_long_edges = 0;
+  /// @}
+
+  /// \name Input
+  /// @{
+  /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
+  /// from 0
+  std::vector<std::size_t> nonpositive_faces;
+  std::size_t number_of_unaligned_border_edges = 0; ///< border edges that lie on no isocurve
+  std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no isocurve
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+  const internal::Quantized_surface& surface() const { return *m_surface; }
+  void set_surface(std::shared_ptr<const internal::Quantized_surface> surface)
+  { m_surface = std::move(surface); }
+
+private:
+  std::shared_ptr<const internal::Quantized_surface> m_surface;
+  /// \endcond
+};
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_TYPES_QUANTIZATION_H
