@@ -2,6 +2,10 @@
 # and coordinates: programs that link it compile the rest only. It is built where it is linked.
 # The linker takes what a program calls: each line here is a source of its own.
 
+set(Linear_snapping_parts linear)
+set(Seamless_snapping_parts surfaces volumes)
+set(Isocurves_and_layouts_parts layouts)
+set(Quad_remeshing_parts quads)
 set(linear Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
@@ -13,7 +17,14 @@ set(quads Quad_remeshing/internal/quantization/quantize_surface Quad_remeshing/q
 
 if(NOT TARGET Seamless_snapping_compiled)
   set(Seamless_snapping_compiled_SOURCES "")
-  foreach(part IN ITEMS linear surfaces volumes layouts quads)
+  set(parts "")
+  foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+    if(TARGET Seamless_snapping::${package})
+      list(APPEND parts ${${package}_parts})
+      set(last_package Seamless_snapping::${package})
+    endif()
+  endforeach()
+  foreach(part IN LISTS parts)
     list(TRANSFORM ${part} REPLACE
       "(.+)" "#include <CGAL/\\1_impl.h>\n" OUTPUT_VARIABLE includes)
     list(JOIN includes "" includes)
@@ -24,7 +35,7 @@ if(NOT TARGET Seamless_snapping_compiled)
   add_library(Seamless_snapping_compiled STATIC EXCLUDE_FROM_ALL
     ${Seamless_snapping_compiled_SOURCES})
   add_library(Seamless_snapping::compiled ALIAS Seamless_snapping_compiled)
-  target_link_libraries(Seamless_snapping_compiled PUBLIC Seamless_snapping::Seamless_snapping)
+  target_link_libraries(Seamless_snapping_compiled PUBLIC ${last_package})
   if(TARGET Seamless_snapping::SuiteSparse_support)
     target_link_libraries(Seamless_snapping_compiled PUBLIC Seamless_snapping::SuiteSparse_support)
   endif()

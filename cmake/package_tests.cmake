@@ -119,6 +119,7 @@ if(NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS AND TARGET Boost::program_options)
   add_executable(${built_benchmark} benchmark/Seamless_snapping/${built_benchmark}.cpp)
   seamless_snapping_options(${built_benchmark})
   seamless_snapping_use_precompiled(${built_benchmark})
+  target_include_directories(${built_benchmark} PRIVATE benchmark/Linear_snapping)
   target_link_libraries(${built_benchmark} PRIVATE Boost::program_options)
 endif()
 set(data "${PROJECT_SOURCE_DIR}/test/Seamless_snapping/data")
@@ -149,8 +150,10 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
   set(precompiled "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
   set(options "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>")
-  set(folder "${PROJECT_SOURCE_DIR}/benchmark/Seamless_snapping")
-  file(GLOB benchmarks CONFIGURE_DEPENDS "${folder}/*.cpp")
+  file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/*/*.cpp")
+  set(folders ${packages})
+  list(TRANSFORM folders REPLACE "(.+)"
+    "-I;${PROJECT_SOURCE_DIR}/benchmark/\\1;-I;${PROJECT_SOURCE_DIR}/test/\\1")
   list(FILTER benchmarks EXCLUDE REGEX "/${built_benchmark}\\.cpp$")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${benchmarks})
   set(source "${PROJECT_BINARY_DIR}/headers/benchmarks.cpp")
@@ -160,7 +163,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   add_test(NAME benchmarks
     COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      -I "${PROJECT_SOURCE_DIR}/include" -I "${folder}"
+      -I "${PROJECT_SOURCE_DIR}/include" "${folders}"
       "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
       -include "${precompiled}" "${source}" COMMAND_EXPAND_LISTS)
   set_tests_properties(benchmarks PROPERTIES LABELS headers COST 700)
@@ -236,7 +239,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     COMMAND "${CMAKE_COMMAND}"
       "-DCOMPILERS=${compilers}"
       "-DINCLUDE_DIR=${PROJECT_SOURCE_DIR}/include"
-      "-DTEST_DIR=${PROJECT_SOURCE_DIR}/test/Seamless_snapping"
+      "-DTEST_DIR=${PROJECT_SOURCE_DIR}/test/Linear_snapping"
       "-DPROCESSOR=${CMAKE_SYSTEM_PROCESSOR}"
       "-DWORK_DIR=${PROJECT_BINARY_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_compiler_options.cmake")

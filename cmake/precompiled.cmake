@@ -5,10 +5,15 @@
 # Of the library's sources, remeshing.cpp stands in for that of quads.
 set(library_sources ${Seamless_snapping_compiled_SOURCES})
 list(FILTER library_sources EXCLUDE REGEX "/quads\\.cpp$")
-add_library(seamless_snapping_precompiled OBJECT ${library_sources}
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.cpp"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.cpp")
+set(precompiled mesh)
+if(SEAMLESS_SNAPPING_WITH_SEAMLESS_SNAPPING)
+  list(APPEND precompiled files surface)
+endif()
+list(TRANSFORM precompiled PREPEND "${PROJECT_SOURCE_DIR}/cmake/precompiled/")
+set(precompiled_headers ${precompiled})
+list(TRANSFORM precompiled_headers APPEND .h)
+list(TRANSFORM precompiled APPEND .cpp)
+add_library(seamless_snapping_precompiled OBJECT ${library_sources} ${precompiled})
 seamless_snapping_options(seamless_snapping_precompiled)
 target_compile_definitions(seamless_snapping_precompiled
   PUBLIC CGAL_SEAMLESS_SNAPPING_COMPILED)
@@ -35,9 +40,7 @@ target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <sstream>
   <string>
   <vector>
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/mesh.h"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/files.h"
-  "${PROJECT_SOURCE_DIR}/cmake/precompiled/surface.h")
+  ${precompiled_headers})
 
 function(seamless_snapping_use_precompiled target)
   target_precompile_headers(${target} REUSE_FROM seamless_snapping_precompiled)
@@ -45,7 +48,11 @@ function(seamless_snapping_use_precompiled target)
 endfunction()
 
 # What only a few programs share.
-foreach(part IN ITEMS remeshing symmetries)
+set(parts "")
+if(SEAMLESS_SNAPPING_WITH_QUAD_REMESHING)
+  set(parts remeshing symmetries)
+endif()
+foreach(part IN LISTS parts)
   add_library(seamless_snapping_${part} OBJECT
     "${PROJECT_SOURCE_DIR}/cmake/precompiled/${part}.cpp")
   seamless_snapping_options(seamless_snapping_${part})

@@ -7,7 +7,7 @@ function(try program result compiler)
   set(executable "${WORK_DIR}/compiler_options_${program}")
   execute_process(
     COMMAND "${compiler}" -std=c++17 -DNDEBUG ${ARGN} -I "${INCLUDE_DIR}"
-            "${TEST_DIR}/test_seamless_snapping_${program}.cpp" -o "${executable}"
+            "${TEST_DIR}/test_linear_snapping_${program}.cpp" -o "${executable}"
     RESULT_VARIABLE compiled ERROR_VARIABLE messages)
   set(how FAILED)
   if(NOT compiled EQUAL 0)

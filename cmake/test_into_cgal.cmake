@@ -1,4 +1,4 @@
-# scripts/into_cgal makes a package that compiles within CGAL, and changes CGAL's lists, once only.
+# scripts/into_cgal makes packages that compile within CGAL, and changes CGAL's lists, once only.
 # Run by ctest, with the variables PACKAGE_SOURCE_DIR, WORK_DIR, INCLUDE_DIRS (of CGAL, where the
 # compiler does not find it), COMPILER and OPTIONS.
 
@@ -58,29 +58,42 @@ endforeach()
 expect_once("${licences}" "Seamless_snapping Seamless Snapping")
 expect_once("${licences}" "Linear_snapping Snapping to Linear Constraints")
 expect_once("${packages}" "\\package_listing{Seamless_snapping}")
+expect_once("${packages}" "\\package_listing{Quad_remeshing}")
 expect_once("${bibliography}" "@article{ cgal:other,")
 expect_once("${checkout}/${parameters}" "CGAL_add_named_parameter(weld_t, weld, weld)")
 file(STRINGS "${PACKAGE_SOURCE_DIR}/doc/biblio.bib" entries REGEX "^@")
 list(GET entries 0 entry)
 expect_once("${bibliography}" "${entry}")
 
-# All public headers in one source, and two programs: one of them adds parameters to those that are
-# given, the other tells parameters from values. Without what the library holds, which takes long
-# and is no other code within CGAL.
+# All public headers in two sources: those of Seamless_snapping where the packages above it are not
+# to be found, and those of these; each with a program, of which one adds parameters to those that
+# are given, and the other tells parameters from values. Without what the library holds, which takes
+# long and is no other code within CGAL.
 set(cgal "${WORK_DIR}/cgal")
-set(package "${cgal}/Seamless_snapping")
 into_cgal("${cgal}")
-file(GLOB headers RELATIVE "${package}/include" "${package}/include/CGAL/*/*.h"
-  "${package}/include/CGAL/*/IO/*.h")
-list(FILTER headers EXCLUDE REGEX "/compiled\\.h$")
-set(source "")
-foreach(header IN LISTS headers)
-  string(APPEND source "#include <${header}>\n")
-endforeach()
-foreach(program IN ITEMS orbifold_pipeline snap_linear_constraints)
-  string(APPEND source "#define main main_of_${program}\n"
-    "#include \"${package}/examples/Seamless_snapping/${program}.cpp\"\n#undef main\n")
-endforeach()
-file(WRITE "${WORK_DIR}/all.cpp" "${source}")
-run("${COMPILER}" ${OPTIONS} -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include"
-  -I "${package}/include" -DCGAL_SEAMLESS_SNAPPING_COMPILED "${WORK_DIR}/all.cpp")
+set(folders -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include")
+function(compile name)
+  set(source "")
+  foreach(package IN LISTS ARGN)
+    set(root "${cgal}/${package}")
+    file(GLOB headers RELATIVE "${root}/include" "${root}/include/CGAL/*/*.h"
+      "${root}/include/CGAL/*/IO/*.h")
+    file(GLOB program "${root}/examples/*/snap_linear_constraints.cpp"
+      "${root}/examples/*/orbifold_pipeline.cpp")
+    list(FILTER headers EXCLUDE REGEX "/compiled\\.h$")
+    foreach(header IN LISTS headers)
+      string(APPEND source "#include <${header}>\n")
+    endforeach()
+    if(program)
+      string(APPEND source
+        "#define main main_of_${package}\n#include \"${program}\"\n#undef main\n")
+    endif()
+    list(APPEND folders -I "${root}/include")
+  endforeach()
+  set(folders "${folders}" PARENT_SCOPE)
+  file(WRITE "${WORK_DIR}/${name}.cpp" "${source}")
+  run("${COMPILER}" ${OPTIONS} ${folders} -DCGAL_SEAMLESS_SNAPPING_COMPILED
+    "${WORK_DIR}/${name}.cpp")
+endfunction()
+compile(lower Linear_snapping Seamless_snapping)
+compile(upper Isocurves_and_layouts Quad_remeshing)

@@ -5,11 +5,11 @@
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
 #define SEAMLESS_SNAPPING_BENCHMARK_COMPARED_SYSTEMS_H
 
-#include "../../test/Seamless_snapping/Parametrized_model.h"
-#include "../../test/Seamless_snapping/full_seamless_system.h"
-#include "../../test/Seamless_snapping/random_systems.h"
-#include "../../test/Seamless_snapping/reduced_seamless_system.h"
-#include "../../test/Seamless_snapping/snap_in_any_form.h"
+#include "Parametrized_model.h"
+#include "full_seamless_system.h"
+#include "random_systems.h"
+#include "reduced_seamless_system.h"
+#include "snap_in_any_form.h"
 
 #include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>

@@ -11,11 +11,11 @@
 #include "command_line.h"
 #include "log_log_plot.h"
 
-#include "../../test/Seamless_snapping/Parametrized_model.h"
-#include "../../test/Seamless_snapping/exact_seamless_check.h"
-#include "../../test/Seamless_snapping/random_constraints.h"
-#include "../../test/Seamless_snapping/reduced_seamless_system.h"
-#include "../../test/Seamless_snapping/textbook_method.h"
+#include "Parametrized_model.h"
+#include "exact_seamless_check.h"
+#include "random_constraints.h"
+#include "reduced_seamless_system.h"
+#include "textbook_method.h"
 
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>

@@ -18,8 +18,8 @@
 #include "command_line.h"
 #include "compared_systems.h"
 
-#include "../../test/Seamless_snapping/naive_elimination.h"
-#include "../../test/Seamless_snapping/textbook_method.h"
+#include "naive_elimination.h"
+#include "textbook_method.h"
 
 #include <CGAL/Exact_integer.h>
 
@@ -116,7 +116,7 @@ Result run_ours(const Problem& problem)
 {
   const auto constraints = snap_in_any_form::linear_constraints<std::int64_t>(problem.system);
   Result result;
-  CGAL::Seamless_snapping::Snapping_report report;
+  CGAL::Seamless_snapping::Linear_report report;
   std::vector<double> x;
   result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
     report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, values);

@@ -12,8 +12,8 @@
 #include "child_process.h"
 #include "command_line.h"
 
-#include "../../test/Seamless_snapping/Height_field_surface.h"
-#include "../../test/Seamless_snapping/exact_seamless_check.h"
+#include "Height_field_surface.h"
+#include "exact_seamless_check.h"
 
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -8,8 +8,8 @@
 // coordinates are an exact solution, moved by noise of 1e-8. Times are in milliseconds, the
 // shortest of several runs.
 
-#include "../../test/Seamless_snapping/hexagonal_maps.h"
-#include "../../test/Seamless_snapping/net_of_cuts.h"
+#include "hexagonal_maps.h"
+#include "net_of_cuts.h"
 #include "benchmark_tools.h"
 #include "command_line.h"
 

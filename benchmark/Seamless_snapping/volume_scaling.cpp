@@ -12,7 +12,7 @@
 #include "child_process.h"
 #include "command_line.h"
 
-#include "../../test/Seamless_snapping/volume_generator.h"
+#include "volume_generator.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>

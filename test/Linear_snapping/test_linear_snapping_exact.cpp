@@ -1,9 +1,7 @@
 // What all exact decisions are made of, against rational numbers: differences with their errors,
-// transitions, sums, integers with overflow, grids, rows, levels, points of the integer grid, and
-// orientations. Numbers are chosen so that rounding matters: neighbors, powers of two, and bounds
-// of number types.
+// sums, integers with overflow, grids, rows, and orientations. Numbers are chosen so that rounding
+// matters: neighbors, powers of two, and bounds of number types.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
@@ -11,15 +9,9 @@
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Linear_snapping/internal/linear/exact_evaluation.h>
-#include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
-#include <CGAL/Quad_remeshing/internal/cells/points_in_triangle.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
-
-#include <CGAL/Exact_integer.h>
-#include <CGAL/Exact_rational.h>
 
 #include "checking.h"
+#include "random_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -28,36 +20,12 @@
 #include <cstdint>
 #include <iostream>
 #include <limits>
-#include <random>
-#include <set>
-#include <string>
 #include <vector>
 
 using namespace CGAL::Seamless_snapping::internal;
-using Integer = CGAL::Exact_integer;
-using Rational = CGAL::Exact_rational;
-using Random = std::mt19937_64;
+using namespace random_numbers;
 
 constexpr unsigned int seed = 1;
-
-int below(Random& random, const int n) { return int(random() % std::uint64_t(n)); }
-
-// A few bits, or all; of any sign.
-double random_double(Random& random, const int lowest, const int highest)
-{
-  const double mantissa = static_cast<double>(std::int64_t(random()) >> below(random, 64));
-  int exponent = 0;
-  const double unit = std::frexp(mantissa, &exponent);
-  return std::ldexp(unit, lowest + below(random, highest - lowest + 1));
-}
-
-// A neighbor, or the number itself.
-double random_neighbor(Random& random, const double x)
-{
-  const double to[3] = {x, std::numeric_limits<double>::infinity(),
-                        -std::numeric_limits<double>::infinity()};
-  return std::nextafter(x, to[below(random, 3)]);
-}
 
 // --- differences and sums ------------------------------------------------------------------------
 
@@ -79,16 +47,6 @@ void test_differences()
     only_rounded_equal += !is_equal && c - e == d.rounded ? 1 : 0;
   }
   CHECK(equal > 100 && only_rounded_equal > 100);
-}
-
-// Translations of integer-grid maps: a rounding error makes the difference.
-void test_integer_differences()
-{
-  for(const double x : { -3., 0., 1., 0x1p40 }) {
-    CHECK(is_integer(Exact_difference(x, 7)));
-    for(const double off : { 0x1p-60, 0.5, 0x1p-1060 })
-      CHECK(!is_integer(Exact_difference(x, off)));
-  }
 }
 
 // Terms that cancel, but for the last bits of some.
@@ -116,73 +74,6 @@ void test_sums()
     almost_zeros += sum != 0 ? 1 : 0;
   }
   CHECK(zeros > 1000 && almost_zeros > 1000);
-}
-
-// --- transitions ---------------------------------------------------------------------------------
-
-using Exact_point = std::array<Rational, 2>;
-
-// By the matrix of one turn, so many times.
-Exact_point turned(const Integer_matrix<2>& turn, const int times, Exact_point u)
-{
-  for(int i = 0; i < times; ++i) {
-    const Rational first(turn[0][0] * u[0] + turn[0][1] * u[1]);
-    const Rational second(turn[1][0] * u[0] + turn[1][1] * u[1]);
-    u = {first, second};
-  }
-  return u;
-}
-
-Exact_point difference(const Uv& b, const Uv& a)
-{
-  return {Rational(Rational(b[0]) - Rational(a[0])), Rational(Rational(b[1]) - Rational(a[1]))};
-}
-
-// Sides of few bits that satisfy a transition, moved by translations and then to neighbors; with
-// coordinates of any size up to the largest.
-template <typename Group>
-void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
-{
-  Random random(seed);
-  std::size_t satisfied = 0, violated = 0, overflows = 0;
-  for(int i = 0; i < 20000; ++i) {
-    const int turns = below(random, Group::order);
-    const auto g = Group::element(turns);
-    const int scale = i % 4 == 0 ? 1023 - 7 : below(random, 60) - 30; // differences overflow
-    const auto coordinate = [&] { return std::ldexp(double(below(random, 512) - 256), scale); };
-    const auto part = [&](const double x) { return std::ldexp(x, -2); };
-    const Uv a{coordinate(), coordinate()};
-    Uv b{coordinate(), coordinate()}, t{part(coordinate()), part(coordinate())};
-    if(!Group::is_signed_permutation)
-      b = {a[0] + part(part(b[0])), a[1] + part(part(b[1]))};
-    if(i % 4 == 0)
-      t = {0, 0};
-    const Uv ta = Group::apply(g, a), tb = Group::apply(g, b);
-    Edge_sides sides{a, b, {ta[0] + t[0], ta[1] + t[1]}, {tb[0] + t[0], tb[1] + t[1]}};
-    if(below(random, 4) != 0) {
-      Uv* const points[4] = {&sides.a, &sides.b, &sides.a_opposite, &sides.b_opposite};
-      double& x = (*points[below(random, 4)])[std::size_t(below(random, 2))];
-      x = random_neighbor(random, x);
-    }
-    bool is_finite = true;
-    for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
-      is_finite = is_finite && std::isfinite(u[0]) && std::isfinite(u[1]);
-    if(!is_finite)
-      continue;
-    overflows += Edge_vectors(sides).are_valid() ? 0 : 1;
-    bool any = false;
-    const Exact_point opposite_side = difference(sides.b_opposite, sides.a_opposite);
-    for(int k = 0; k < Group::order; ++k) {
-      const bool expected = turned(turn, k, difference(sides.b, sides.a)) == opposite_side;
-      if(!CHECK_EQUAL(satisfies_transition<Group>(sides, Group::element(k)), expected))
-        std::cerr << "    " << name << ", case " << i << std::endl;
-      any = any || expected;
-      ++(expected ? satisfied : violated);
-    }
-    CHECK_EQUAL(satisfies_some_transition<Group>(sides), any);
-  }
-  CHECK(satisfied > 1000 && violated > 1000);
-  CHECK(overflows > 100 || !Group::is_signed_permutation);
 }
 
 // --- integers ------------------------------------------------------------------------------------
@@ -358,87 +249,6 @@ void test_rows()
   CHECK(satisfied > 1000 && violated > 1000);
 }
 
-// --- levels --------------------------------------------------------------------------------------
-
-// Against rational numbers. Coordinates of very different magnitude make levels outgrow two
-// doubles.
-void test_levels()
-{
-  Random random(seed);
-  const auto any_number = [&](const int spread) {
-    return std::ldexp(double(std::int64_t(random())) * 0x1p-63, below(random, spread));
-  };
-  bool all_agree = true;
-  for(int spread : {1, 60, 300})
-    for(int run = 0; run < 200; ++run) {
-      Rational expected(any_number(spread));
-      if(run % 4 == 0)
-        expected /= 3;
-      Exact_level level(expected);
-      for(int step = 0; step < 10; ++step) {
-        const double a = any_number(spread), b = any_number(spread);
-        const int sign = random() % 2 == 0 ? 1 : -1;
-        level.transform(sign, Exact_difference(a, b));
-        expected = Rational(sign) * expected + Rational(a) - Rational(b);
-        const double rounded = CGAL::to_double(expected);
-        for(const double u :
-            {rounded, std::nextafter(rounded, 1e300), std::nextafter(rounded, -1e300), a})
-          all_agree = all_agree &&
-                      level.side_of(u) == int(CGAL::compare(Rational(u), expected));
-        all_agree = all_agree && level.exact() == expected && level == Exact_level(expected);
-      }
-    }
-  CHECK(all_agree);
-}
-
-// --- points of the grid in edges and triangles ---------------------------------------------------
-
-// Coordinates are multiples of 1/8, so that integers of 64 bits tell the truth.
-void test_lattice_points()
-{
-  Random random(seed);
-  std::size_t wrong = 0, number = 0;
-  for(int run = 0; run < 4000; ++run) {
-    std::array<std::array<long, 2>, 3> t;
-    Uv_triangle uv;
-    const long offset = run % 3 == 0 ? (1l << 40) : 0, unit = run % 2 == 0 ? 8 : 1;
-    for(std::size_t k = 0; k < 3; ++k)
-      for(std::size_t c = 0; c < 2; ++c) {
-        t[k][c] = 8 * offset + unit * (long(random() % 60) - 30);
-        uv[k][c] = double(t[k][c]) / 8;
-      }
-    const auto side = [&](const std::size_t i, const std::size_t j, const long x, const long y) {
-      return (t[j][0] - t[i][0]) * (8 * y - t[i][1]) - (t[j][1] - t[i][1]) * (8 * x - t[i][0]);
-    };
-    std::set<std::array<double, 2> > inside, on_edge;
-    const bool is_positive = side(0, 1, 0, 0) + side(1, 2, 0, 0) + side(2, 0, 0, 0) > 0;
-    for(long x = offset - 40; x <= offset + 40; ++x)
-      for(long y = offset - 40; y <= offset + 40; ++y) {
-        if(is_positive && side(0, 1, x, y) > 0 && side(1, 2, x, y) > 0 && side(2, 0, x, y) > 0)
-          inside.insert({double(x), double(y)});
-        const auto along = [&](const std::size_t k) {
-          return (t[1][0] - t[0][0]) * (8 * x - t[k][0]) + (t[1][1] - t[0][1]) * (8 * y - t[k][1]);
-        };
-        if(side(0, 1, x, y) == 0 && along(0) > 0 && along(1) < 0)
-          on_edge.insert({double(x), double(y)});
-      }
-    std::multiset<std::array<double, 2> > found_inside, found_on_edge;
-    if(is_positive)
-      for_lattice_points_inside(uv, [&](const Uv& p)
-                                              { found_inside.insert(p); });
-    if(t[0] != t[1])
-      for_lattice_points_on_edge(uv[0], uv[1], [&](const Uv& p)
-                                               { found_on_edge.insert(p); });
-    wrong += std::equal(inside.begin(), inside.end(), found_inside.begin(), found_inside.end())
-               ? 0 : 1;
-    wrong += std::equal(on_edge.begin(), on_edge.end(), found_on_edge.begin(), found_on_edge.end())
-               ? 0 : 1;
-    number += inside.size() + on_edge.size();
-  }
-  CHECK_EQUAL(wrong, std::size_t(0));
-  CHECK(number > 10000);
-}
-
 // --- orientations --------------------------------------------------------------------------------
 
 int exact_orientation(const Uv_triangle& t)
@@ -496,19 +306,11 @@ int main()
 {
   std::cout << "random seed " << seed << std::endl;
   test_differences();
-  test_integer_differences();
   test_sums();
-  test_transitions<Trivial>({{{{1, 0}}, {{0, 1}}}}, "N = 1");
-  test_transitions<Half_turns>({{{{-1, 0}}, {{0, -1}}}}, "N = 2");
-  test_transitions<Third_turns>({{{{-1, -1}}, {{1, 0}}}}, "N = 3");
-  test_transitions<Quarter_turns>({{{{0, -1}}, {{1, 0}}}}, "N = 4");
-  test_transitions<Sixth_turns>({{{{0, -1}}, {{1, 1}}}}, "N = 6");
   test_integers();
   test_grids<double>();
   test_grids<float>();
   test_rows();
-  test_levels();
-  test_lattice_points();
   test_orientations();
   return report_checks();
 }

@@ -5,7 +5,7 @@
 #include "benchmark_tools.h"
 #include "command_line.h"
 
-#include "../../test/Seamless_snapping/Height_field_surface.h"
+#include "Height_field_surface.h"
 
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>

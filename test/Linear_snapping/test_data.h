@@ -29,17 +29,27 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   return files;
 }
 
-// A parametrization of the package.
+// Where the parametrizations of the packages are, seen from the folder of a test; within CGAL, each
+// package has a root.
+inline std::filesystem::path data_folder()
+{
+  for(const char* const folder : {"data", "../Seamless_snapping/data"})
+    if(std::filesystem::is_directory(folder))
+      return folder;
+  return "../../../Seamless_snapping/test/Seamless_snapping/data";
+}
+
+// A parametrization of the packages.
 inline std::string package_file(const std::string& name)
 {
-  return "data/" + name + ".obj";
+  return (data_folder() / (name + ".obj")).string();
 }
 
 inline std::vector<std::filesystem::path> package_files()
 {
-  const auto files = files_in("data", ".obj");
+  const auto files = files_in(data_folder(), ".obj");
   if(!CHECK(!files.empty()))
-    std::cerr << "  run this program in the folder of its source, where data/ is" << std::endl;
+    std::cerr << "  run this program in the folder of its source" << std::endl;
   return files;
 }
 

@@ -3,7 +3,7 @@
 // of many bits, values of mixed scale. Each is compared with a reference that shares nothing with
 // the package.
 //
-//   test_seamless_snapping_closeness [NUMBER [SEED]]
+//   test_linear_snapping_closeness [NUMBER [SEED]]
 //
 // runs NUMBER random small systems instead of a few thousand.
 

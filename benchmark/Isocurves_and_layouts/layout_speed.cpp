@@ -4,7 +4,7 @@
 #include "benchmark_tools.h"
 #include "command_line.h"
 
-#include "../../test/Seamless_snapping/Height_field_surface.h"
+#include "Height_field_surface.h"
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
