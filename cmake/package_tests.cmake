@@ -206,6 +206,16 @@ foreach(way IN ITEMS installed subdirectory)
   set_tests_properties(consumer_${way} PROPERTIES LABELS package COST 800)
 endforeach()
 
+# A package is configured, with its tests and all, without those above it.
+foreach(without IN ITEMS SEAMLESS_SNAPPING ISOCURVES_AND_LAYOUTS QUAD_REMESHING)
+  string(TOLOWER "configured_without_${without}" name)
+  add_test(NAME ${name}
+    COMMAND "${CMAKE_COMMAND}" -S "${PROJECT_SOURCE_DIR}" -B "${PROJECT_BINARY_DIR}/${name}"
+      -G "${CMAKE_GENERATOR}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}" "-DCGAL_DIR=${CGAL_DIR}"
+      -DCMAKE_BUILD_TYPE=Release -DSEAMLESS_SNAPPING_WITH_${without}=OFF)
+  set_tests_properties(${name} PROPERTIES LABELS package)
+endforeach()
+
 # What README.md shows is so.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(program_dir "")

@@ -1,5 +1,5 @@
-# Builds and runs test/Seamless_snapping/consumer against the installed package, or with the package
-# as a sub-folder. Run by ctest, with the variables that package_tests.cmake passes.
+# Builds and runs test/Seamless_snapping/consumer against the installed packages, or with the lowest
+# of them, alone, as a sub-folder. Run by ctest, with the variables that package_tests.cmake passes.
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -41,12 +41,15 @@ if(WAY STREQUAL "subdirectory")
     run("${CMAKE_COMMAND}" -S "${PACKAGE_SOURCE_DIR}/test/Seamless_snapping/consumer"
       -B "${WORK_DIR}/build" -DSEAMLESS_SNAPPING_INSTALL=${install})
     run("${CMAKE_COMMAND}" --install "${WORK_DIR}/build" --prefix "${WORK_DIR}/${install}")
-    set(header "${WORK_DIR}/${install}/include/CGAL/Seamless_snapping/snap_to_seamless.h")
+    set(header "${WORK_DIR}/${install}/include/CGAL/Linear_snapping/snap_to_linear_constraints.h")
     if(NOT EXISTS "${WORK_DIR}/${install}/bin/consumer")
       message(SEND_ERROR "the program of the project is not installed")
     endif()
     if((install AND NOT EXISTS "${header}") OR (NOT install AND EXISTS "${header}"))
       message(SEND_ERROR "SEAMLESS_SNAPPING_INSTALL=${install} has no effect")
+    endif()
+    if(EXISTS "${WORK_DIR}/${install}/include/CGAL/Seamless_snapping")
+      message(SEND_ERROR "headers of a package that is left out are installed")
     endif()
   endforeach()
 endif()
