@@ -178,9 +178,10 @@ Where cones and features lie close together, so few quads may not exist, or meet
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this
 condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
-sixteen, which always helps. There are at most 122 quantizations. The result has about as many quads
-as wanted, or as few as were found, and not more, but for 8 %, than if more were wanted. The quad
-around a vertex of one edge is left out.
+sixteen, which always helps. There are at most 226 quantizations, and 121 with `coarsest`. The
+result has about as many quads as wanted, or as few as were found, which the message tells; and at
+least 95 % of those that are made where fewer are wanted. The quad around a vertex of one edge is
+left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

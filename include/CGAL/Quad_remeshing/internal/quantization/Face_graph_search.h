@@ -98,20 +98,21 @@ class Face_graph_search
 {
   static constexpr int most_divisions = 2;
   static constexpr int steps_per_division = 56; // of 2.5 %
-  static constexpr double tolerance_below = 0.05, tolerance_above = 0.025;
+  static constexpr double tolerance = 0.05;
 
 public:
   explicit Face_graph_search(const Quantize& quantize) : m_quantize(quantize) { }
 
-  // The result, divided as often as it has to be; or an undivided one that is none.
+  // The result, divided as often as it has to be; or an undivided one that is none. It is not less
+  // than that for a smaller number, up to the tolerance.
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;
-    const int step = step_of(wanted);
-    m_best = step;
-    try_divisions(step, 0);
-    if(!is_found(step))
-      search(step);
+    m_first = step_of((std::max)(1., 0.9 * at(0).number_of_quads));
+    const int begin = m_best = (std::max)(m_first, step_of(wanted));
+    if(begin > step_of(wanted))
+      try_smaller_numbers();
+    climb(begin);
     Quantized_complex result = at(m_best);
     refine(1 << m_divisions, result.complex);
     result.number_of_quads = result.number_after(m_divisions);
@@ -123,29 +124,37 @@ private:
   { return int(std::lround(std::log2(number) * steps_per_division / 2)); }
   static double number_at(const int step) { return std::exp2(2. * step / steps_per_division); }
 
-  bool is_found(const int step) const { return m_least <= (1 + tolerance_above) * number_at(step); }
-
-  // Upwards, until what was found is about the number of the step. Numbers below those of the
-  // coarsest quantization lead to about that number, too: some of them are tried for luck.
-  void search(const int wanted)
+  // Numbers below those of the coarsest quantization lead to about that number, too: some of them
+  // are tried for luck, the same ones whatever is wanted.
+  void try_smaller_numbers()
   {
-    const int first = step_of((std::max)(1., 0.9 * at(0).number_of_quads));
-    for(int d = 0; d <= most_divisions; ++d)
-      for(int step = first; step > 0 && step > first - 2 * steps_per_division;
-          step -= steps_per_division / 4)
+    for(int d = 0; d <= most_divisions; ++d) {
+      try_divisions(0, d);
+      for(int step = m_first - steps_per_division / 4;
+          step > 0 && step > m_first - 2 * steps_per_division; step -= steps_per_division / 4)
         try_divisions(step, d);
-    const int begin = (std::max)(wanted, first);
-    for(int step = begin;
-        !is_found(step) && step <= begin + most_divisions * steps_per_division; ++step)
-      for(int d = 0; d <= most_divisions; ++d)
-        try_divisions((std::max)(first, step - d * steps_per_division), d);
+    }
+  }
+
+  // Until nothing is left to be found: what lies far below its step doesn't count, since searches
+  // that end before would not find it.
+  void climb(const int begin)
+  {
+    for(int step = begin; step <= begin + most_divisions * steps_per_division; ++step)
+      for(int d = 0; d <= (step == begin ? 0 : most_divisions); ++d) {
+        if(m_least <= number_at(step))
+          return;
+        const int divided = (std::max)(m_first, step - d * steps_per_division);
+        if(at(divided).number_after(d) >= (1 - tolerance) * number_at(step))
+          try_divisions(divided, d);
+      }
   }
 
   void try_divisions(const int step, const int divisions)
   {
     const Quantized_complex& q = at(step);
     const double number = q.number_after(divisions);
-    if(number >= (1 - tolerance_below) * m_wanted && number < m_least &&
+    if(number >= (1 - tolerance) * m_wanted && number < m_least &&
        q.has_face_graph_after(divisions)) {
       m_least = number;
       m_best = step;
@@ -163,6 +172,7 @@ private:
   const Quantize& m_quantize;
   std::map<int, Quantized_complex> m_known; // by step
   double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
+  int m_first = 0; // the least step whose number may be reached
   int m_best = 0, m_divisions = 0;
 };
 

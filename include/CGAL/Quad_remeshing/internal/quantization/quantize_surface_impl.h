@@ -184,8 +184,7 @@ private:
       return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
     if(!m_options.is_coarsest && found.number_of_quads > 1.1 * m_options.number_of_quads)
       m_result.message = "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
-                         " of fewer than " + std::to_string(m_result.number_of_quads) +
-                         " quads was found";
+                         " of fewer quads was found";
     m_surface.complex = std::move(found.complex);
     m_surface.is_for_face_graph = m_options.needs_face_graph;
     m_result.set_surface(std::make_shared<const Quantized_surface>(std::move(m_surface)));
