@@ -20,11 +20,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SS = CGAL::Seamless_snapping;
@@ -105,7 +107,8 @@ double scale_for_number(const Model& model, const Quad_options& options)
     return options.scale;
   const double area = area_in_domain(model);
   if(!(area > 0))
-    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area");
+    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area; 'seamless "
+                                              "parametrize' computes others");
   return std::sqrt(options.number / area);
 }
 
@@ -128,15 +131,55 @@ void check_snapped(const Quad_options& options, const Model& model,
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
-SS::Quantization quantize(const Quad_options& options, Model& model)
+// What is written, and how it was made.
+struct Result
+{
+  SS::Extraction_report report;
+  Quad_soup soup;
+  Mesh mesh;
+  Edge_bool_map is_feature;
+  SS::Snapping_report snapped; // to integers, unless there is a quantization
+  std::string integers;        // which they are
+  std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
+};
+
+// Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
+bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const double violation)
+{
+  const Mesh& mesh = model.mesh;
+  return std::all_of(faces.begin(), faces.end(), [&](const std::size_t f) {
+    const Halfedge h = mesh.halfedge(Mesh::Face_index(Mesh::size_type(f)));
+    const Kernel::Point_2 &a = model.uv_map[h], &b = model.uv_map[mesh.next(h)],
+                          &c = model.uv_map[mesh.prev(h)];
+    const double longest = (std::max)({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c),
+                                       CGAL::squared_distance(c, a)});
+    return 2 * std::abs(CGAL::area(a, b, c)) <= violation * std::sqrt(longest);
+  });
+}
+
+// Flips that are noise are repaired without being asked for, and counted in `result`.
+SS::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
   const Alignment alignment(model, options.seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  check_snapped(options, model, snap_in_double(model, alignment, options.seams));
-  return SS::quantize(model.mesh, model.uv_map,
-                      SS::parameters::edge_is_constrained_map(model.is_feature)
-                        .needs_face_graph(!options.soup)
-                        .target_number_of_quads(static_cast<std::size_t>(options.number)));
+  const auto snap_and_quantize = [&](const Seam_options& seams, SS::Snapping_report& snapped) {
+    snapped = snap_in_double(model, alignment, seams);
+    check_snapped(options, model, snapped);
+    return SS::quantize(model.mesh, model.uv_map,
+                        SS::parameters::edge_is_constrained_map(model.is_feature)
+                          .needs_face_graph(!options.soup)
+                          .target_number_of_quads(static_cast<std::size_t>(options.number)));
+  };
+  SS::Snapping_report snapped;
+  const SS::Quantization quantization = snap_and_quantize(options.seams, snapped);
+  const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
+  if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
+    return quantization;
+  Seam_options repairing = options.seams;
+  repairing.repair_flips = true;
+  const SS::Quantization other = snap_and_quantize(repairing, snapped);
+  result.number_of_repaired_flips = flips.size() - other.nonpositive_faces.size();
+  return other;
 }
 
 // In the words of the command line.
@@ -159,17 +202,6 @@ void check_report(const Quad_options& options, const Model& model,
                                     : to_string(report.status) + (": " + report.message);
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
 }
-
-// What is written, and how it was made.
-struct Result
-{
-  SS::Extraction_report report;
-  Quad_soup soup;
-  Mesh mesh;
-  Edge_bool_map is_feature;
-  SS::Snapping_report snapped; // to integers, unless there is a quantization
-  std::string integers;        // which they are
-};
 
 // `input` is the mesh and its map, or a quantization and the mesh.
 template <typename... Input>
@@ -198,28 +230,35 @@ void extract_rounded(const Quad_options& options, Model& model, const double rou
   extract(options, model, result, model.mesh, model.uv_map);
 }
 
-// By the integers that are near in the map itself, if any are; or by a quantization; or, where this
-// needs an aligned border or faces that are not flipped, by integers at any distance.
+// By the integers that are near in the map itself, if there are and make about the number; or by a
+// quantization, also where that can't make so few, so that it never makes more than for a larger
+// number; or, where this needs an aligned border or faces that are not flipped, by integers at any
+// distance.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
 {
+  constexpr double tolerance = 0.05;
   const Uv_map input = copy_of_uv_map(model);
   const auto restore = [&] {
     for(const Halfedge h : model.mesh.halfedges())
       model.uv_map[h] = input[h];
   };
-  result.snapped = snap_to_integers(options, options.rounding, model);
-  if(result.snapped && result.snapped.lost_faces.empty() &&
-     result.snapped.remaining_flips.empty()) {
-    extract(options, model, result, model.mesh, model.uv_map);
-    result.integers = "those near in the map";
-    if(result.report)
-      return;
-  }
+  Result near_by;
+  near_by.snapped = snap_to_integers(options, options.rounding, model);
+  if(near_by.snapped && near_by.snapped.lost_faces.empty() &&
+     near_by.snapped.remaining_flips.empty())
+    extract(options, model, near_by, model.mesh, model.uv_map);
+  near_by.integers = "those near in the map";
+  const double number = static_cast<double>(near_by.report.number_of_faces);
+  const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;
   restore();
-  const SS::Quantization quantization = quantize(options, model);
+  const SS::Quantization quantization = quantize(options, model, result);
+  const double least = static_cast<double>(quantization.number_of_quads);
+  if(is_near && !(quantization && least > (1 + tolerance) * options.number)) {
+    result = std::move(near_by);
+    return;
+  }
   result.integers = "of a quantization";
   if(quantization) {
-    result.snapped = SS::Snapping_report();
     if(!quantization.message.empty())
       result.integers += "; " + quantization.message;
     return extract(options, model, result, quantization, model.mesh);
@@ -242,6 +281,11 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
      << counted(report.number_of_cones, "cone") << "\n";
   if(!result.integers.empty())
     os << "integers: " << result.integers << "\n";
+  if(result.number_of_repaired_flips > 0)
+    os << "note: " << counted(result.number_of_repaired_flips, "face")
+       << (result.number_of_repaired_flips == 1 ? ", thinner than the seams are inaccurate, was"
+                                                : ", thinner than the seams are inaccurate, were")
+       << " flipped, and repaired\n";
   if(result.snapped.run.number_of_faces > 0)
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
        << "\n";
@@ -269,6 +313,7 @@ nlohmann::json json_of(const Result& result)
           {"number_of_cut_cells", report.number_of_cut_cells},
           {"nonpositive_faces", report.nonpositive_faces},
           {"integers", result.integers},
+          {"number_of_repaired_flips", result.number_of_repaired_flips},
           {"largest_rounding", result.snapped.largest_rounding},
           {"steps", json_of_steps(result.snapped.step_times)}};
 }
