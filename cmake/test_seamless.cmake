@@ -385,7 +385,7 @@ foreach(wanted IN ITEMS 1 20 100 500)
   expect("${CMAKE_MATCH_1} quads for ${wanted}, ${least} for fewer" NOT CMAKE_MATCH_1 LESS least)
   set(least ${CMAKE_MATCH_1})
   if(wanted EQUAL 1)
-    expect_message("${out}" "no mesh of fewer than ${least} quads was found")
+    expect_message("${out}" "no mesh of fewer quads was found")
   endif()
 endforeach()
 expect("${least} quads, about 500 wanted" least LESS 530)
@@ -531,6 +531,29 @@ foreach(number IN ITEMS "" --float)
   seamless(0 check repaired.obj)
   expect_message("${out}" "0 flipped faces")
 endforeach()
+
+# a map of one point, of which there is nothing to be told
+string(REGEX REPLACE "vt [0-9. ]+" "vt 5 5" point "${atlas}")
+file(WRITE "${WORK_DIR}/point.obj" "${point}f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+seamless(0 trace point.obj)
+expect("${out}" NOT out MATCHES "nan")
+seamless(1 quads point.obj new.obj --number 8)
+expect_message("${err}" "the coordinates enclose no area; 'seamless parametrize' computes others")
+
+# a flip that is smaller than the noise of the seam is repaired unasked
+set(thin "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\nv 0.5 0 0\n")
+string(APPEND thin "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 -0.0000001\n")
+string(APPEND thin "vt 3 5\nvt 4 5\nvt 4 6\nvt 3 6.0000002\n")
+string(APPEND thin "f 1/1 2/2 7/5\nf 2/2 5/3 7/5\nf 5/3 6/4 7/5\nf 6/4 1/1 7/5\n")
+string(APPEND thin "f 2/6 3/7 4/8\nf 2/6 4/8 5/9\n")
+file(WRITE "${WORK_DIR}/thin.obj" "${thin}")
+seamless(0 quads thin.obj quads.obj --number 50 --align-border)
+expect_message("${out}" "of a quantization")
+expect_message("${out}" "1 face, thinner than the seams are inaccurate, was flipped, and repaired")
+string(REPLACE "-0.0000001" "-0.00001" thin "${thin}")
+file(WRITE "${WORK_DIR}/thin.obj" "${thin}")
+seamless(1 quads thin.obj new.obj --number 50 --align-border)
+expect_message("${err}" "1 face of the integer-grid map is flipped")
 
 # --- the files that are written
 

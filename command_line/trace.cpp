@@ -156,9 +156,10 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
   if(!report)
     throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(outcome.str(), model));
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
-            << " cycles: " << outcome.str() << ", largest change " << report.largest_change
-            << ", that is " << report.largest_change / report.extent << " of the extent"
-            << std::endl;
+            << " cycles: " << outcome.str() << ", largest change " << report.largest_change;
+  if(report.extent > 0)
+    std::cout << ", that is " << report.largest_change / report.extent << " of the extent";
+  std::cout << std::endl;
 }
 
 void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after)
