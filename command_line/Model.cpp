@@ -25,9 +25,9 @@ namespace SS = CGAL::Seamless_snapping;
 namespace {
 
 // Options in place of the library's named parameters and functions.
-std::string with_options(std::string message)
+std::string with_options(const std::string& message)
 {
-  const char* const words[][2] = {
+  static const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
     {"by grid_scale, or call extract_quad_soup()",
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
@@ -39,10 +39,7 @@ std::string with_options(std::string message)
     {"by grid_scale", "by --grid-scale or --number"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
-  for(const auto& [parameter, option] : words)
-    if(const std::size_t i = message.find(parameter); i != message.npos)
-      message.replace(i, std::string(parameter).size(), option);
-  return message;
+  return with_words(message, words);
 }
 
 // Names of formats are suffixes.

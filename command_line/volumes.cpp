@@ -4,6 +4,7 @@
 #include "Options.h"
 #include "commands.h"
 #include "files.h"
+#include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
@@ -20,6 +21,7 @@
 #include <iostream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -84,6 +86,16 @@ struct Volume_options
   }
 };
 
+std::string with_options(const std::string& message)
+{
+  static const char* const words[][2] = {
+    {"pass align_boundary(false)", "give --free-boundary"},
+    {"grid_scale", "--grid-scale"},
+    {"the rounding_tolerance of", "--rounding"},
+    {"number_of_untangling_iterations", "--untangling-iterations"}};
+  return with_words(message, words);
+}
+
 Snapping::Volume_seamlessness measure(Volume& volume, const Volume_options& options)
 {
   return Snapping::measure_volume_seamlessness(volume.mesh.tetrahedra,
@@ -141,7 +153,12 @@ void check_volume(const Arguments& arguments)
   if(!options.parse(arguments))
     return;
   Volume volume(input);
-  const Snapping::Volume_seamlessness result = measure(volume, volume_options);
+  Snapping::Volume_seamlessness result;
+  try {
+    result = measure(volume, volume_options);
+  } catch(const std::invalid_argument& error) { // what is wrong with cells or features
+    throw Failure(NOT_SOLVED, input + ": " + with_options(error.what()));
+  }
   std::cout << result;
   Snapping::Volume_integer_grid_measure grid;
   if(volume_options.integer_grid) {
@@ -199,7 +216,7 @@ void snap_volume(const Arguments& arguments)
       .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE : Snapping::Flip_repair::NONE)
       .number_of_untangling_iterations(untangling_iterations));
   if(!report)
-    throw Failure(NOT_SOLVED, input + ": " + report.message);
+    throw Failure(NOT_SOLVED, input + ": " + with_options(report.message));
   if(!measure(volume, volume_options).is_exact() ||
      (volume_options.integer_grid && !measure_grid(volume, volume_options)))
     throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
@@ -223,5 +240,5 @@ void snap_volume(const Arguments& arguments)
   if(report.run.number_of_repaired_flips > 0)
     summary << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
   if(report.status == Snapping::Outcome::FLIPS_REMAIN)
-    throw Failure(STILL_FLIPPED, input + ": " + report.message);
+    throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
 }

@@ -116,7 +116,7 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
         return invalid_cells(name() + " has a vertex whose index is negative or too large");
       for(std::size_t j = first; j < i; ++j)
         if(result.vertices[j] == static_cast<std::int32_t>(v))
-          return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice");
+          return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice; remove it");
       result.vertices[i++] = static_cast<std::int32_t>(v);
       result.number_of_vertices = (std::max)(result.number_of_vertices, std::size_t(v) + 1);
     }

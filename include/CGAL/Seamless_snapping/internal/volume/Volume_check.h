@@ -76,7 +76,9 @@ inline bool is_exact(const Flat_volume& volume, const Volume_transitions& transi
     is_open[std::size_t(facet)] = is_open[std::size_t(volume.opposite[std::size_t(facet)])] = 1;
   for(std::size_t i = 0; i < volume.opposite.size() && result; ++i)
     if(volume.opposite[i] > Corner_index(i) && is_open[i] == 0)
-      result = volume.sides(Corner_index(i), u).are_identical();
+      for(const Corner_index corner : corners_of_facet(Corner_index(i)))
+        result = result && u[std::size_t(corner)] ==
+                             u[std::size_t(volume.across(Corner_index(i), corner))];
   return result;
 }
 

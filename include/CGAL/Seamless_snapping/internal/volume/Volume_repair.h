@@ -104,7 +104,7 @@ private:
     const Uvw_tetrahedron before = cell(m_volume.coordinates, c), now = cell(m_coordinates, c);
     if(before == now)
       return false;
-    return orientation(before) == m_orientation && orientation(now) != m_orientation;
+    return orientation(now) != m_orientation && orientation(before) == m_orientation;
   }
 
   const Place& place_of(const Member& member) const { return m_places.places[member.place]; }

@@ -121,7 +121,8 @@ private:
       if(!add_to_extent(get_uvw(m_uvw_map, f))) // of the corner of that number
         return Refusal(Outcome::NOT_FINITE,
                        "cell " + std::to_string(f / 4) + ": a coordinate at vertex " +
-                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300");
+                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300; "
+                         "correct it, or scale the map down");
       if(other == no_facet ? align_boundary : facet < other && !are_identical(facet, other)) {
         (other == no_facet ? m_aligned_facets : m_open_facets).push_back(facet);
         mark(facet);
@@ -246,7 +247,8 @@ private:
       names.assign(features.edges[i - features.facets.size()].begin(),
                    features.edges[i - features.facets.size()].end());
     return {Outcome::INVALID_ARGUMENT,
-            "feature " + name_of(is_facet ? "facet" : "edge", names) + " is in no cell", {}};
+            "feature " + name_of(is_facet ? "facet" : "edge", names) +
+              " is in no cell; correct the features, or leave them out", {}};
   }
 
   void copy_cells(Flat_volume& volume)
