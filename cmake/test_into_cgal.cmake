@@ -64,6 +64,14 @@ expect_once("${checkout}/${parameters}" "CGAL_add_named_parameter(weld_t, weld, 
 file(STRINGS "${PACKAGE_SOURCE_DIR}/doc/biblio.bib" entries REGEX "^@")
 list(GET entries 0 entry)
 expect_once("${bibliography}" "${entry}")
+foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+  foreach(file IN ITEMS ${package}.txt PackageDescription.txt Doxyfile.in dependencies examples.txt
+      fig)
+    if(NOT EXISTS "${checkout}/${package}/doc/${package}/${file}")
+      message(SEND_ERROR "no ${package}/doc/${package}/${file}")
+    endif()
+  endforeach()
+endforeach()
 
 # All public headers in two sources: those of Seamless_snapping where the packages above it are not
 # to be found, and those of these; each with a program, of which one adds parameters to those that

@@ -32,7 +32,7 @@
   for all sources, and include this header in one of them. The linker misses functions where no
   source, or more than one, does so.
 
-  \sa \ref SSnappingCompiling
+  \sa \ref LSnappingCompiling
 */
 
 #endif // CGAL_LINEAR_SNAPPING_COMPILED_H

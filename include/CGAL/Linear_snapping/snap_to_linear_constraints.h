@@ -202,7 +202,7 @@ looked for with a grid for each unknown: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ n
 \f$ (1, -1, 0) \f$ that gives \f$ (1, -1, 2^{-60}) \f$. The grids are those of the sizes of the
 optimum, then those of a solution for which all values change by about the same factor. Up to twelve
 times for each, a grid becomes finer where a right-hand side wants that, or coarser where a value is
-too large. So a solution near by can be missed, but rarely is (see \ref SSnappingGuarantees). If
+too large. So a solution near by can be missed, but rarely is (see \ref LSnappingGuarantees). If
 what is found is farther than ten times what can be expected, `Linear_report::distance_ratio` and
 `Linear_report::message` say so.
 

@@ -1,6 +1,7 @@
-# The method in four panels: reduction, elimination, target, evaluation.
+# The method in four panels: reduction and elimination of a surface; target and evaluation of one
+# equation, and the latter by itself as a small picture.
 #
-#   method.py MESH.obj OUT.png
+#   method.py MESH.obj SURFACE_OUT.png EQUATION_OUT.png SMALL_OUT.png
 
 import sys
 
@@ -107,6 +108,9 @@ def plane(axes):
     axes.set_yticks([])
     x = np.array([-0.3, 8.3])
     axes.plot(x, x / 2 + 0.5, color=BLACK, lw=2)
+
+
+def name(axes):
     axes.text(7.0, 4.65, "$C x = 0$", fontsize=15, ha="right")
 
 
@@ -131,17 +135,23 @@ def labelled(axes, p, text, color, offset):
 
 def target(axes):
     plane(axes)
+    name(axes)
     axes.plot(*np.array([GIVEN, TARGET]).T, color=GRAY, lw=1.6, ls="--")
     labelled(axes, GIVEN, "$\\bar x$  given", VERMILLION, (0.3, 0.5))
     labelled(axes, TARGET, "$x^*$  nearest real solution", BLUE, (1.6, -0.7))
 
 
-def evaluation(axes):
-    plane(axes)
+def grid(axes):
     x, y = np.meshgrid(np.arange(0, 9), np.arange(1, 6))
     axes.plot(x.ravel(), y.ravel(), "o", color="#b8b8b8", ms=4)
     exact = np.array([(2 * y - 1, y) for y in range(1, 5)])
     axes.plot(*exact.T, "o", color=GREEN, ms=8)
+
+
+def evaluation(axes):
+    plane(axes)
+    name(axes)
+    grid(axes)
     result = np.array([5, 3])
     labelled(axes, TARGET, "$x^*$", BLUE, (-0.45, 0.45))
     axes.annotate(
@@ -153,22 +163,21 @@ def evaluation(axes):
     labelled(axes, result, "$x$  exact, in doubles", GREEN, (1.5, -0.65))
 
 
-def panel(figure, column, row, title, text):
-    left, top = 0.01 + 0.5 * column, 0.985 - 0.5 * row
-    axes = figure.add_axes([left, top - 0.385, 0.475, 0.335])
-    figure.text(left, top, title, weight="bold", fontsize=15, va="top")
-    figure.text(left, top - 0.4, text, fontsize=12.5, va="top", linespacing=1.25)
+def panel(figure, column, title, text):
+    left = 0.01 + 0.5 * column
+    axes = figure.add_axes([left, 0.2, 0.475, 0.67])
+    figure.text(left, 0.97, title, weight="bold", fontsize=15, va="top")
+    figure.text(left, 0.17, text, fontsize=12.5, va="top", linespacing=1.25)
     return axes
 
 
-def main(mesh_name, out):
-    mesh = read_obj(mesh_name)
-    figure = plt.figure(figsize=(14, 11.5))
-    axes = panel(figure, 0, 0, "1  Reduction", "")
+def surface(mesh, out):
+    figure = plt.figure(figsize=(14, 5.75))
+    axes = panel(figure, 0, "1  Reduction", "")
     counts = reduction(axes, mesh)
     figure.text(
         0.01,
-        0.585,
+        0.17,
         "Only the %d nodes and one translation for each of the %d branches\n"
         "enter the system; the %d cut edges follow from them." % counts,
         fontsize=12.5,
@@ -183,7 +192,6 @@ def main(mesh_name, out):
     before = panel(
         figure,
         1,
-        0,
         "2  Elimination",
         "Integer rows, brought to echelon form with pivots "
         "of 1 and −1. The free\nunknowns, at the right, can be chosen; the others follow.",
@@ -206,26 +214,6 @@ def main(mesh_name, out):
         borderpad=0,
     )
 
-    target(
-        panel(
-            figure,
-            0,
-            1,
-            "3  Target",
-            "The nearest solution in real numbers, by least squares, "
-            "in floating point.\nIt is not exact, and need not be.",
-        )
-    )
-    evaluation(
-        panel(
-            figure,
-            1,
-            1,
-            "4  Evaluation",
-            "The free unknowns of the target are rounded to a "
-            "grid. The others follow\nin integers, and are points of the grid as well.",
-        )
-    )
     print(
         "unknowns",
         n,
@@ -237,6 +225,39 @@ def main(mesh_name, out):
         max(abs(x) for _, row in pivots for x in row.values()),
     )
     save(figure, out)
+
+
+def equation(out, small_out):
+    figure = plt.figure(figsize=(14, 5.75))
+    target(
+        panel(
+            figure,
+            0,
+            "Target",
+            "The nearest solution in real numbers, by least squares, "
+            "in floating point.\nIt is not exact, and need not be.",
+        )
+    )
+    evaluation(
+        panel(
+            figure,
+            1,
+            "Evaluation",
+            "The free unknown of the target is rounded to a grid. "
+            "The other one follows\nin integers, and is a point of the grid as well.",
+        )
+    )
+    save(figure, out)
+    small = plt.figure(figsize=(3, 2))
+    axes = small.add_axes([0.01, 0.01, 0.98, 0.98])
+    plane(axes)
+    grid(axes)
+    save(small, small_out)
+
+
+def main(mesh_name, surface_out, equation_out, small_out):
+    surface(read_obj(mesh_name), surface_out)
+    equation(equation_out, small_out)
 
 
 if __name__ == "__main__":

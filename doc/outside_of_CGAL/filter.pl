@@ -1,7 +1,7 @@
 # Prints a source file as doxygen is to read it where CGAL's tools for its documentation are
 # missing: formulas as HTML, so that they need neither LaTeX nor a network; citations and the
-# bibliography from ../biblio.bib; figures with numbers. A formula with a command that is not known
-# here is left alone; doxygen then complains.
+# bibliography from biblio.bib; figures with numbers; the manual of each package as a page. A formula
+# with a command that is not known here is left alone; doxygen then complains.
 
 use strict;
 use warnings;
@@ -64,7 +64,7 @@ sub formula_or_source
 my %entries; # key -> label and fields
 sub read_bibliography
 {
-  open my $in, '<', '../biblio.bib' or die "no ../biblio.bib\n";
+  open my $in, '<', 'biblio.bib' or die "no biblio.bib\n";
   local $/ = undef;
   my $text = <$in>;
   while($text =~ /\@\w+\{\s*([^,\s]+)\s*,(.*?)\n\}/gs) {
@@ -83,7 +83,7 @@ sub read_bibliography
 sub cite
 {
   my ($key) = @_;
-  die "$key is not in ../biblio.bib\n" unless $entries{$key};
+  die "$key is not in biblio.bib\n" unless $entries{$key};
   (my $anchor = $key) =~ s/\W/_/g;
   return "<a href=\"bibliography.html#$anchor\">[$entries{$key}{label}]</a>";
 }
@@ -110,6 +110,17 @@ sub bibliography
 open my $in, '<', $ARGV[0] or die "cannot read $ARGV[0]\n";
 my $text = do { local $/ = undef; <$in> };
 read_bibliography() if $text =~ /\\cgalCite|\\bibliography/;
+
+# What a package is called, by the description beside its manual.
+sub title
+{
+  (my $description = $ARGV[0]) =~ s/[^\/]*$/PackageDescription.txt/;
+  open my $in, '<', $description or die "no $description\n";
+  local $/ = undef;
+  return <$in> =~ /\\cgalPkgDescriptionBegin\{([^,}]*)/ ? $1 : die "no title in $description\n";
+}
+
+$text =~ s/\\mainpage User Manual\s+\\anchor (Chapter_\w+)/"\\page $1 " . title()/e;
 
 my %figures;
 $text =~ s/\\cgalFigureBegin\{(\w+),([^}]*)\}/
