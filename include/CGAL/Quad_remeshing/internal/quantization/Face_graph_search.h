@@ -141,8 +141,9 @@ private:
   void climb(const int begin)
   {
     for(int step = begin; step <= begin + most_divisions * steps_per_division; ++step)
-      for(int d = 0; d <= (step == begin ? 0 : most_divisions); ++d) {
-        if(m_least <= number_at(step))
+      for(int d = 0; d <= most_divisions; ++d) {
+        const bool is_next_enough = step == begin && d > 0;
+        if(m_least <= number_at(is_next_enough ? step + 1 : step))
           return;
         const int divided = (std::max)(m_first, step - d * steps_per_division);
         if(at(divided).number_after(d) >= (1 - tolerance) * number_at(step))
