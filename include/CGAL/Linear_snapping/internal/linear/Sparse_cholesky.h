@@ -47,8 +47,14 @@ public:
 
   void compute(const Matrix& matrix)
   {
+    this->analyzePattern(matrix);
+    factorize(matrix);
+  }
+
+  void factorize(const Matrix& matrix)
+  {
     const One_blas_thread guard;
-    Base::compute(matrix);
+    Base::factorize(matrix);
   }
 
   template <typename Right_hand_side>

@@ -49,17 +49,17 @@ std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
-                      const long number_of_rounds, Report& report)
+                      const long number_of_rounds, Timed_solver<Solver>& solver, Report& report)
 {
   const Coordinate_table table(coordinates, complex.number_of_sectors());
   std::vector<double> weights(surface.number_of_faces(), 1), best;
   for(long round = 0; ; ++round) {
     std::vector<double> unknowns;
     try {
-      unknowns = solve_poisson<Solver>(
+      unknowns = solve_poisson(
         surface,
         [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
-        complex, table, coordinates.number_of_unknowns(), weights, report.seconds_in_solvers);
+        complex, table, coordinates.number_of_unknowns(), weights, solver);
     } catch(const Refusal&) {
       if(round == 0)
         throw;
@@ -80,20 +80,19 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
 }
 
 // The free unknowns of coordinates that meet all constraints, up to roundings.
-template <typename Solver, typename Report>
+template <typename Solver>
 std::vector<double>
 unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
-            const Free_coordinates<Quarter_turns>& coordinates, Report& report)
+            const Free_coordinates<Quarter_turns>& coordinates, Timed_solver<Solver>& solver)
 {
   const auto difference = [&](const Corner_index h) {
     const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
     return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
   };
-  return solve_poisson<Solver>(surface, difference, complex,
-                               Coordinate_table(coordinates, complex.number_of_sectors()),
-                               coordinates.number_of_unknowns(),
-                               std::vector<double>(surface.number_of_faces(), 1),
-                               report.seconds_in_solvers);
+  return solve_poisson(surface, difference, complex,
+                       Coordinate_table(coordinates, complex.number_of_sectors()),
+                       coordinates.number_of_unknowns(),
+                       std::vector<double>(surface.number_of_faces(), 1), solver);
 }
 
 // The shortest of some edges that are aligned and can be released: borders have to stay straight.
@@ -145,7 +144,8 @@ public:
                   const std::vector<double>& angles, const std::vector<int>& index,
                   const Parametrization_options& options, Report& report)
     : m_surface(surface), m_is_cut(is_cut), m_rotation(rotation), m_angles(angles),
-      m_index(index), m_options(options), m_report(report)
+      m_index(index), m_options(options), m_solver(report.seconds_in_solvers),
+      m_report(report)
   { }
 
   void run(const std::size_t number_of_untangling_iterations)
@@ -155,9 +155,9 @@ public:
       make_complex();
       while(m_options.may_release && release(degenerate_faces()))
         make_complex();
-      std::vector<double> unknowns = solve_with_stiffening<Solver>(
+      std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows,
-        round == 0 ? m_options.number_of_stiffening_rounds : 0, m_report);
+        round == 0 ? m_options.number_of_stiffening_rounds : 0, m_solver, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
       else
@@ -194,7 +194,7 @@ private:
   void keep_better(std::vector<double>& unknowns)
   {
     std::vector<double> reached =
-      unknowns_of<Solver>(m_surface, m_uv, *m_complex, *m_rows, m_report);
+      unknowns_of(m_surface, m_uv, *m_complex, *m_rows, m_solver);
     const std::size_t flips =
       number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
     if(flips < m_report.number_of_flipped_faces) {
@@ -295,6 +295,7 @@ private:
   const std::vector<double>& m_angles;
   const std::vector<int>& m_index; // per vertex
   const Parametrization_options& m_options;
+  Timed_solver<Solver> m_solver;
   Report& m_report;
   std::size_t m_iterations_left = 0;
   std::optional<Surface_complex> m_complex;

@@ -184,7 +184,6 @@ Parametrization_result parametrize(Triangle_surface& surface,
                                      const Parametrization_options& options, Report& report)
 {
   Step_timer timer(report, options.verbose);
-  double& seconds = report.seconds_in_solvers;
   Parametrization_result result;
 
   if(options.may_release)
@@ -195,14 +194,17 @@ Parametrization_result parametrize(Triangle_surface& surface,
 
   Matching matching;
   std::vector<double> angles;
-  if(!options.cone_index.empty()) {
-    angles = field_with_cones<Solver>(surface, topo, options.cone_index, matching, seconds);
-  } else {
-    const Prescribed_field prescribed = prescribe_alignment(surface);
-    angles = (options.curvature_alignment > 0)
-             ? curvature_field<Solver>(surface, prescribed, options.curvature_alignment, seconds)
-             : smoothest_field<Solver>(surface, prescribed, options.random_seed, seconds);
-    matching = match_crosses(surface, angles);
+  {
+    Timed_solver<Solver> solver(report.seconds_in_solvers);
+    if(!options.cone_index.empty()) {
+      angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
+    } else {
+      const Prescribed_field prescribed = prescribe_alignment(surface);
+      angles = (options.curvature_alignment > 0)
+               ? curvature_field(surface, prescribed, options.curvature_alignment, solver)
+               : smoothest_field(surface, prescribed, options.random_seed, solver);
+      matching = match_crosses(surface, angles);
+    }
   }
   timer.finish("field");
 

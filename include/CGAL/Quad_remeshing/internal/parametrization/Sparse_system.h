@@ -37,8 +37,18 @@ namespace parametrization {
 template <typename Solver>
 constexpr bool reads_lower_triangle_only = std::is_same_v<Solver, Default_solver>;
 
-// `Solver` is a model of `SparseLinearAlgebraWithFactorTraits_d`. The time that factorizations and
-// solves take is added to a counter of the caller.
+// The time that factorizations and solves take is added to a counter of the caller.
+template <typename Solver>
+struct Timed_solver
+{
+  explicit Timed_solver(double& s) : seconds(s) { }
+
+  Solver solver;
+  double& seconds;
+};
+
+// `Solver` is a model of `SparseLinearAlgebraWithFactorTraits_d`. Systems that follow each other
+// share one, as long as it has one matrix at a time.
 template <typename Solver>
 class Sparse_system
 {
@@ -46,12 +56,12 @@ class Sparse_system
   using Vector = typename Solver::Vector;
 
 public:
-  Sparse_system(const std::size_t dimension, double& seconds)
+  Sparse_system(const std::size_t dimension, Timed_solver<Solver>& solver)
     : m_dimension(dimension)
     , m_matrix(dimension == 0 ? nullptr : new Matrix(static_cast<int>(dimension),
                                                      static_cast<int>(dimension)))
     , m_scale(1)
-    , m_seconds(seconds)
+    , m_solver(solver)
   { }
 
   void add(const std::size_t row, const std::size_t column, const double value)
@@ -66,8 +76,8 @@ public:
   {
     CGAL::Real_timer timer;
     timer.start();
-    const bool success = m_dimension == 0 || m_solver.factor(*m_matrix, m_scale);
-    m_seconds += timer.time();
+    const bool success = m_dimension == 0 || m_solver.solver.factor(*m_matrix, m_scale);
+    m_solver.seconds += timer.time();
     if(!success)
       throw Refusal(Outcome::SOLVER_FAILED, "a factorization failed");
   }
@@ -81,14 +91,14 @@ public:
     Vector b(m_dimension), x(m_dimension);
     for(std::size_t i = 0; i < m_dimension; ++i)
       b.set(i, right_hand_side[i]);
-    const bool success = m_solver.linear_solver(b, x);
+    const bool success = m_solver.solver.linear_solver(b, x);
     std::vector<double> result(m_dimension);
     bool finite = true;
     for(std::size_t i = 0; i < m_dimension; ++i) {
       result[i] = x[static_cast<int>(i)] / m_scale;
       finite = finite && std::isfinite(result[i]);
     }
-    m_seconds += timer.time();
+    m_solver.seconds += timer.time();
     if(!success || !finite)
       throw Refusal(Outcome::SOLVER_FAILED, "a linear system could not be solved");
     return result;
@@ -97,9 +107,8 @@ public:
 private:
   std::size_t m_dimension;
   std::unique_ptr<Matrix> m_matrix; // its address must not change: solvers keep a pointer to it
-  Solver m_solver;
   typename Solver::NT m_scale;
-  double& m_seconds;
+  Timed_solver<Solver>& m_solver;
 };
 
 } // namespace parametrization

@@ -65,12 +65,12 @@ inline Prescribed_field principal_crosses(const Triangle_surface& surface)
 template <typename Solver>
 std::vector<double> curvature_field(const Triangle_surface& surface,
                                     const Prescribed_field& prescribed, const double strength,
-                                    double& seconds)
+                                    Timed_solver<Solver>& solver)
 {
   Prescribed_field wanted = principal_crosses(surface);
   for(Complex& z : wanted)
     z *= strength;
-  Cross_field_system<Solver> system(surface, prescribed, strength, 1., seconds);
+  Cross_field_system<Solver> system(surface, prescribed, strength, 1., solver);
   return angles_of_field(system.solve(wanted));
 }
 

@@ -62,7 +62,7 @@ inline void check_prescribed_indices(const Triangle_surface& surface, const Topo
 // gradient of a vertex function, which is 0 on the border.
 template <typename Solver>
 std::vector<double> deviation_of_cones(const Triangle_surface& surface,
-                                       const std::vector<int>& index, double& seconds)
+                                       const std::vector<int>& index, Timed_solver<Solver>& solver)
 {
   std::vector<std::size_t> unknown(surface.number_of_vertices(), none);
   std::vector<char> has_border(surface.number_of_components, false);
@@ -79,7 +79,7 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
   }
 
   const auto weight = [&](const Corner_index h) { return 1 / dual_weight(surface, h); };
-  Sparse_system<Solver> system(count, seconds);
+  Sparse_system<Solver> system(count, solver);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const std::size_t i = unknown[surface.vertex(h)], j = unknown[surface.source(h)];
     if(surface.is_border_edge(h) || i == none)
@@ -109,9 +109,9 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
 // become smallest.
 template <typename Solver>
 void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>& angles,
-                            Matching& matching, double& seconds)
+                            Matching& matching, Timed_solver<Solver>& solver)
 {
-  Sparse_system<Solver> system(surface.number_of_faces(), seconds);
+  Sparse_system<Solver> system(surface.number_of_faces(), solver);
   std::vector<double> b(surface.number_of_faces(), 0);
   std::vector<char> has_anchor(surface.number_of_components, false);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
@@ -138,13 +138,13 @@ void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>
 template <typename Solver>
 std::vector<double> field_with_cones(const Triangle_surface& surface, const Topology& topo,
                                      const std::vector<int>& index, Matching& matching,
-                                     double& seconds)
+                                     Timed_solver<Solver>& solver)
 {
   check_prescribed_indices(surface, topo, index);
-  const std::vector<double> deviation = deviation_of_cones<Solver>(surface, index, seconds);
+  const std::vector<double> deviation = deviation_of_cones(surface, index, solver);
   Integrated_field field = integrate_connection(surface, deviation);
   matching = match_along_connection(surface, deviation, field);
-  smoothen_matched_field<Solver>(surface, field.angles, matching, seconds);
+  smoothen_matched_field(surface, field.angles, matching, solver);
   return field.angles;
 }
 

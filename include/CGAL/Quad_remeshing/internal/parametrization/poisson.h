@@ -55,9 +55,10 @@ std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const Surface_complex& complex,
                                   const Coordinate_table& table,
                                   const std::size_t number_of_unknowns,
-                                  const std::vector<double>& weights, double& seconds)
+                                  const std::vector<double>& weights,
+                                  Timed_solver<Solver>& solver)
 {
-  Sparse_system<Solver> system(number_of_unknowns, seconds);
+  Sparse_system<Solver> system(number_of_unknowns, solver);
   std::vector<double> right_hand_side(number_of_unknowns, 0);
   Sparse_row row;
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {

@@ -23,6 +23,7 @@
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -47,12 +48,13 @@ class Cross_field_system
 {
 public:
   Cross_field_system(const Triangle_surface& surface, const Prescribed_field& prescribed,
-                     const double mass_factor, const double laplace_factor, double& seconds)
+                     const double mass_factor, const double laplace_factor,
+                     Timed_solver<Solver>& solver)
     : m_prescribed(prescribed)
     , m_mass(surface.area)
     , m_unknown(surface.number_of_faces(), none)
     , m_number_of_unknowns(number_unknowns())
-    , m_system(2 * m_number_of_unknowns, seconds)
+    , m_system(2 * m_number_of_unknowns, solver)
     , m_boundary_terms(2 * m_number_of_unknowns, 0)
   {
     const std::vector<double> mean_area = component_means(surface, surface.area);
@@ -149,21 +151,23 @@ inline void normalize_components(const Triangle_surface& surface, Prescribed_fie
 // prescribed face; the harmonic field in the others.
 template <typename Solver>
 Prescribed_field harmonic_field(const Triangle_surface& surface, const Prescribed_field& prescribed,
-                                const unsigned int seed, double& seconds)
+                                const unsigned int seed, Timed_solver<Solver>& solver)
 {
-  constexpr int number_of_iterations = 20;
   const double shift = 1e-3 / static_cast<double>(surface.number_of_faces());
   std::vector<char> has_prescribed(surface.number_of_components, false);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     if(prescribed[f] != Complex(0))
       has_prescribed[surface.component[f]] = true;
+  const bool has_eigenvector =
+    std::find(has_prescribed.begin(), has_prescribed.end(), false) != has_prescribed.end();
+  const int number_of_iterations = has_eigenvector ? 20 : 1;
 
   CGAL::Random random(seed);
   Prescribed_field field(surface.number_of_faces());
   for(Complex& z : field)
     z = std::polar(1., random.get_double(-pi, pi));
 
-  Cross_field_system<Solver> system(surface, prescribed, shift, 1., seconds);
+  Cross_field_system<Solver> system(surface, prescribed, shift, 1., solver);
   for(int i = 0; i < number_of_iterations; ++i) {
     for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
       if(has_prescribed[surface.component[f]])
@@ -183,12 +187,12 @@ Prescribed_field harmonic_field(const Triangle_surface& surface, const Prescribe
 // over a few edge lengths removes pairs of cones that cancel out.
 template <typename Solver>
 void smoothen_unit_field(const Triangle_surface& surface, const Prescribed_field& prescribed,
-                         Prescribed_field& field, double& seconds)
+                         Prescribed_field& field, Timed_solver<Solver>& solver)
 {
   constexpr int number_of_rounds = 8;
   normalize_each(field);
   for(const double time : {100., 10.}) {
-    Cross_field_system<Solver> system(surface, prescribed, 1., time, seconds);
+    Cross_field_system<Solver> system(surface, prescribed, 1., time, solver);
     for(int i = 0; i < number_of_rounds; ++i) {
       field = system.solve(field);
       normalize_each(field);
@@ -209,10 +213,10 @@ inline std::vector<double> angles_of_field(const Prescribed_field& field)
 template <typename Solver>
 std::vector<double> smoothest_field(const Triangle_surface& surface,
                                     const Prescribed_field& prescribed,
-                                    const unsigned int seed, double& seconds)
+                                    const unsigned int seed, Timed_solver<Solver>& solver)
 {
-  Prescribed_field field = harmonic_field<Solver>(surface, prescribed, seed, seconds);
-  smoothen_unit_field<Solver>(surface, prescribed, field, seconds);
+  Prescribed_field field = harmonic_field(surface, prescribed, seed, solver);
+  smoothen_unit_field(surface, prescribed, field, solver);
   return angles_of_field(field);
 }
 
