@@ -6,6 +6,7 @@
 #include "Progress.h"
 #include "Repairs.h"
 #include "commands.h"
+#include "directions.h"
 #include "files.h"
 #include "json_report.h"
 #include "picture.h"
@@ -30,7 +31,7 @@ namespace {
 
 struct Parametrize_options
 {
-  std::string input, output, approximate, picture, report;
+  std::string input, output, field, approximate, picture, report;
   Plain_reading_options reading;
   double feature_angle = 0; // in degrees; 0: no features
   double curvature = 0;
@@ -54,6 +55,9 @@ struct Parametrize_options
     options.add("align-border", align_border, "align border edges");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature");
+    options.add("field", "FILE", field,
+                "a direction of the field for each face of IN, as a .rosy or .rawfield\n"
+                "file; where it is 0, the field is smooth, and features go first");
     reading.add_to(options);
     options.add("approximate", "APPROX", approximate, "write the input of the snapping, too");
     options.add("overwrite", overwrite, "let OUT replace IN");
@@ -65,10 +69,11 @@ struct Parametrize_options
     if(!options.parse(arguments))
       return false;
     check_format(output);
+    check_direction_file(field);
     if(!approximate.empty())
       check_format(approximate);
     check_picture(picture);
-    check_outputs({input}, {output, approximate, picture, report},
+    check_outputs({input, field}, {output, approximate, picture, report},
                   overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
     return true;
   }
@@ -125,7 +130,8 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
     const Progress progress("parametrizing " + faces, options.verbose);
     outcome.made = SS::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
-      alignment.curvature_alignment(options.curvature).release_alignment(true));
+      alignment.curvature_alignment(options.curvature).release_alignment(true)
+        .face_direction_map(read_directions(options.field, outcome.repairs, model.mesh)));
   }
   const auto& made = outcome.made;
   if(!made)

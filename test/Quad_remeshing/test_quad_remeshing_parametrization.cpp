@@ -217,6 +217,58 @@ void test_curvature_alignment()
   CHECK_EQUAL(report.cones.size(), std::size_t(0));
 }
 
+// A square in space, whose coordinates have to be turned by 20 degrees against that of its sides.
+void test_given_directions()
+{
+  using Vector_3 = Kernel::Vector_3;
+  constexpr int n = 5;
+  const Vector_3 side(2, 1, 0), other(-1, 2, 3), normal = CGAL::cross_product(side, other);
+  const Vector_3 x = side / std::sqrt(side.squared_length());
+  const Vector_3 y = CGAL::cross_product(normal, x) / std::sqrt(normal.squared_length());
+  const double angle = 20 * std::acos(-1.) / 180;
+  Mesh mesh;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      mesh.add_vertex(CGAL::ORIGIN + i * side + j * other + 0.1 * ((i * j) % 3) * side);
+  for(int i = 0; i + 1 < n; ++i)
+    for(int j = 0; j + 1 < n; ++j) {
+      const Vertex a(n * i + j), b(n * i + n + j), c(n * i + n + j + 1), d(n * i + j + 1);
+      mesh.add_face(a, b, c);
+      mesh.add_face(c, d, a);
+    }
+  const auto direction =
+    mesh.add_property_map<Mesh::Face_index, Vector_3>("f:direction", Vector_3(0, 0, 0)).first;
+  const auto np = parameters::face_direction_map(direction);
+  for(const bool is_for_all : {false, true}) { // of one face only, the others follow
+    for(const auto f : mesh.faces())
+      if(is_for_all || f == Mesh::Face_index(7)) // each of the four of a cross will do
+        direction[f] = 1e200 * (std::cos(angle + std::acos(0.) * int(f)) * x +
+                                std::sin(angle + std::acos(0.) * int(f)) * y + 0.5 * normal);
+    const Uv_map uv = mesh.add_property_map<Halfedge, Point_2>().first;
+    const auto report = SS::approximate_seamless_parametrization(mesh, uv, np);
+    CHECK_IN(report.message, bool(report));
+    CHECK(report.cones.empty() && report.number_of_flipped_faces == 0);
+    for(const Halfedge h : mesh.halfedges()) {
+      if(mesh.is_border(h))
+        continue;
+      const Vector_3 edge = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+      const auto in_plane = uv[h] - uv[mesh.prev(h)];
+      const double turn = std::atan2(in_plane.y(), in_plane.x()) -
+                          std::atan2(edge * y, edge * x) + angle; // some quarter turns
+      CHECK(std::abs(std::sin(2 * turn)) < 1e-6);
+    }
+  }
+  const Uv_map uv = new_uv_map(mesh);
+  const auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
+  CHECK(SS::approximate_seamless_parametrization(mesh, uv, np.cone_index_map(index)).status ==
+        Outcome::INVALID_ARGUMENT);
+  direction[Mesh::Face_index(3)] = Vector_3(1, std::numeric_limits<double>::quiet_NaN(), 0);
+  const auto refused = SS::approximate_seamless_parametrization(mesh, uv, np);
+  CHECK(refused.status == Outcome::NOT_FINITE &&
+        refused.message.find("face 3") != std::string::npos);
+  CHECK(is_untouched(mesh, uv));
+}
+
 void test_given_cones()
 {
   std::vector<std::pair<int, int> > cones;
@@ -618,6 +670,7 @@ int main()
   test_reproducibility();
   test_target_edge_length();
   test_curvature_alignment();
+  test_given_directions();
   test_given_cones();
   test_given_cones_around_handles();
   test_unavoidable_flips();

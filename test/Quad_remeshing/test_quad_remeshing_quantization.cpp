@@ -881,6 +881,8 @@ void test_sizes_in_space()
 
 // --- improvement of quads ------------------------------------------------------------------------
 
+const auto no_direction = [](const Mesh::Face_index) { return Kernel::Vector_3(0, 0, 0); };
+
 // A grid of 4 x 4 points at integers, times a height, and the surface below.
 struct Flat_quads
 {
@@ -912,7 +914,8 @@ struct Flat_quads
     for(const auto e : quads.edges())
       is_feature[e] = quads.is_border(e);
     const SS::internal::Surface_to_remesh surface(
-      square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+      square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
+      no_direction);
     scale_quads(1 / surface.unscaled(1)); // as large as the copy
     SS::internal::Quad_smoother smoother(quads, surface.mesh());
     const SS::internal::Feature_lines lines(surface);
@@ -990,7 +993,7 @@ void test_division()
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
     const SS::internal::Surface_to_remesh surface(
       surface_mesh, surface_mesh.points(),
-      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>());
+      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction);
     SS::internal::Quad_smoother smoother(quads, surface.mesh());
     CHECK(smoother.measure_shape()[0] <= 0);
     SS::internal::Quad_divider divider(quads, is_feature, smoother);

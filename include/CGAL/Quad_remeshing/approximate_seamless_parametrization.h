@@ -23,6 +23,7 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Default_solver.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Seamless_parametrizer.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/read_directions.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 
@@ -123,7 +124,8 @@ std::vector<int> read_cones(const Flat_numbering<TriangleMesh>& numbering,
 }
 
 template <typename TriangleMesh, typename NamedParameters>
-Parametrization_options read_options(const Flat_numbering<TriangleMesh>& numbering,
+Parametrization_options read_options(const TriangleMesh& tmesh,
+                                     const Flat_numbering<TriangleMesh>& numbering,
                                       const Triangle_surface& surface, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
@@ -147,6 +149,12 @@ Parametrization_options read_options(const Flat_numbering<TriangleMesh>& numberi
     choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
   if constexpr(is_given<NamedParameters, internal_np::cone_index_t>)
     options.cone_index = read_cones(numbering, surface, get_parameter(np, internal_np::cone_index));
+  if constexpr(is_given<NamedParameters, internal_np::face_direction_t>)
+    options.directions =
+      read_directions(tmesh, numbering,
+                      choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, tmesh)),
+                      get_parameter(np, internal_np::face_direction));
   check_options(options, surface);
   return options;
 }
@@ -187,7 +195,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
                                   CGAL::Static_boolean_property_map<Edge, false>()),
                  choose_parameter(get_parameter(np, internal_np::align_border), false),
                  surface);
-  const Parametrization_options options = read_options(numbering, surface, np);
+  const Parametrization_options options = read_options(tmesh, numbering, surface, np);
   const Parametrization_result result = parametrize<Solver, FT>(surface, options, report);
   write_coordinates(numbering, result, uv_map);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
@@ -271,6 +279,19 @@ report.
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
+  \cgalParamNBegin{face_direction_map}
+    \cgalParamDescription{a property map that associates to each face a direction of its cross, in
+                          space: what is perpendicular to the face does not count. A face with the
+                          direction 0 is free: the field is smooth there. So a few directions are
+                          guides, and one for each face is a field of one's own, from which the
+                          cones follow. Features go first.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
+                   as value type}
+    \cgalParamDefault{all faces are free}
+    \cgalParamExtra{A direction that is not finite is refused. Can't be combined with
+                    `cone_index_map`.}
+  \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
     \cgalParamDescription{a property map that associates to each vertex the index that it is to
                           have, in quarter turns: 0 for regular vertices, 1 for the corner of a
@@ -281,8 +302,9 @@ report.
                    value type}
     \cgalParamDefault{the field decides}
     \cgalParamExtra{On each closed component, the indices have to add up to \f$ 4 \chi \f$. Can't be
-                    combined with features, `align_border`, or `curvature_alignment`: given cones
-                    leave the field no freedom but one angle, and what it turns by around handles.
+                    combined with features, `align_border`, `curvature_alignment`, or
+                    `face_direction_map`: given cones leave the field no freedom but one angle, and
+                    what it turns by around handles.
                     Indices of 4 or more are refused: the angle of a cone is 4 minus its index.}
   \cgalParamNEnd
   \cgalParamNBegin{largest_cone_index}

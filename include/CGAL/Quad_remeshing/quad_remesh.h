@@ -111,12 +111,21 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  const auto read_direction = [&]([[maybe_unused]] const auto f) {
+    if constexpr(is_given<NamedParameters, internal_np::face_direction_t>) {
+      const auto& d = get(get_parameter(np, internal_np::face_direction), f);
+      return Surface_to_remesh::Kernel::Vector_3(CGAL::to_double(d.x()), CGAL::to_double(d.y()),
+                                                 CGAL::to_double(d.z()));
+    }
+    return Surface_to_remesh::Kernel::Vector_3(0, 0, 0);
+  };
   return Surface_to_remesh(
     tmesh,
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                     CGAL::Static_boolean_property_map<Edge, false>()));
+                     CGAL::Static_boolean_property_map<Edge, false>()),
+    read_direction);
 }
 
 // Makes the quads, as large as the input. The surface gets its map, and loses features that are
@@ -222,6 +231,17 @@ left out.
                           `approximate_seamless_parametrization()`}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_direction_map}
+    \cgalParamDescription{a property map that associates to each face a direction of its cross, in
+                          space: what is perpendicular to the face does not count. A face with the
+                          direction 0 is free: the field is smooth there. So a few directions are
+                          guides, and one for each face is a field of one's own, from which the
+                          cones follow. Features go first.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
+                   as value type}
+    \cgalParamDefault{all faces are free}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the number of rounds of smoothing; 0 for none}

@@ -82,6 +82,7 @@ private:
     const auto made = approximate_seamless_parametrization(
       surface_mesh(), m_surface.uv_map(),
       features().align_border(true).curvature_alignment(m_options.curvature_alignment)
+                .face_direction_map(m_surface.directions())
                 .release_alignment(true).largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)

@@ -47,6 +47,7 @@
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
+  F(face_direction_t, face_direction, face_direction_map)                                          \
   F(feature_edges_t, feature_edges, feature_edges)                                                 \
   F(feature_facets_t, feature_facets, feature_facets)                                              \
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
@@ -218,6 +219,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `face_direction_map`: the direction that the field of crosses is to have in each face
  * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
  *   to be aligned
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)

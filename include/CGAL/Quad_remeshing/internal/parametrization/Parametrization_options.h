@@ -17,6 +17,8 @@
 
 // What the caller asks of a parametrization.
 
+#include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -36,6 +38,7 @@ struct Parametrization_options
   bool verbose = false;
   int largest_cone_index = 3;  // of the cones that the field decides
   std::vector<int> cone_index; // per vertex; empty: the field decides
+  Prescribed_field directions; // empty: no face has one
 };
 
 } // namespace parametrization

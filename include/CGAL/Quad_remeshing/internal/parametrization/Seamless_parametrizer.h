@@ -72,8 +72,9 @@ inline void check_options(const Parametrization_options& options, const Triangle
     refuse("number_of_iterations must not be negative");
   const bool is_aligned = std::find(surface.is_aligned.begin(), surface.is_aligned.end(), true)
                           != surface.is_aligned.end();
-  if(!options.cone_index.empty() && (is_aligned || options.curvature_alignment > 0))
-    refuse("given cones can't be combined with alignment");
+  if(!options.cone_index.empty() &&
+     (is_aligned || options.curvature_alignment > 0 || !options.directions.empty()))
+    refuse("given cones can't be combined with alignment or given directions");
 }
 
 template <typename Report>
@@ -199,7 +200,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
     if(!options.cone_index.empty()) {
       angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
     } else {
-      const Prescribed_field prescribed = prescribe_alignment(surface);
+      const Prescribed_field prescribed = prescribe_alignment(surface, options.directions);
       angles = (options.curvature_alignment > 0)
                ? curvature_field(surface, prescribed, options.curvature_alignment, solver)
                : smoothest_field(surface, prescribed, options.random_seed, solver);

@@ -97,7 +97,9 @@ inline void open_sectors(const Triangle_surface& surface, const std::size_t v,
   } while(h != no_index && h != first);
 }
 
-inline Prescribed_field prescribe_alignment(const Triangle_surface& surface)
+// Elsewhere, the field follows the directions of the caller, if there are any.
+inline Prescribed_field prescribe_alignment(const Triangle_surface& surface,
+                                            const Prescribed_field& directions)
 {
   Prescribed_field field(surface.number_of_faces(), 0);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
@@ -115,6 +117,9 @@ inline Prescribed_field prescribe_alignment(const Triangle_surface& surface)
   }
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     open_sectors(surface, v, field);
+  for(std::size_t f = 0; f < directions.size(); ++f)
+    if(field[f] == Complex(0))
+      field[f] = directions[f];
   return field;
 }
 

@@ -56,12 +56,16 @@ public:
   using Halfedge = Mesh::Halfedge_index;
   using Feature_map = Mesh::Property_map<Edge, bool>;
   using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
+  using Direction_map = Mesh::Property_map<Face, Kernel::Vector_3>;
 
-  template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap>
+  // \param read_direction of the cross of a face, or 0
+  template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
+            typename ReadDirection>
   Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                    const EdgeIsConstrainedMap& is_feature)
+                    const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction)
     : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
-      m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first)
+      m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
+      m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first)
   {
     std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
                           Halfedge> > copies;
@@ -69,6 +73,9 @@ public:
                           CGAL::parameters::vertex_point_map(point_map)
                             .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
     scale();
+    for(const auto& [original, copy] : copies)
+      if(!m_mesh.is_border(copy) && m_mesh.halfedge(m_mesh.face(copy)) == copy)
+        m_directions[m_mesh.face(copy)] = read_direction(face(original, tmesh));
     for(const auto& [original, copy] : copies)
       m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
     for(const Face f : m_mesh.faces())
@@ -83,6 +90,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   Feature_map is_feature() const { return m_is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
+  Direction_map directions() const { return m_directions; }
 
   // A length in the size of the input.
   double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
@@ -160,11 +168,14 @@ private:
     const Halfedge h = CGAL::Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
     m_mesh.point(m_mesh.target(h)) = Kernel::Point_3(center[0], center[1], center[2]);
     m_originals.resize(m_mesh.number_of_faces(), std::size_t(f));
+    for(const Halfedge g : m_mesh.halfedges_around_target(h))
+      m_directions[m_mesh.face(g)] = m_directions[f];
   }
 
   Mesh m_mesh;
   Feature_map m_is_feature;
   Uv_map m_uv_map;
+  Direction_map m_directions;
   std::vector<std::size_t> m_originals; // per face
   int m_exponent = 0;
 };

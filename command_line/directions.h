@@ -1,0 +1,20 @@
+// Files with a direction for each face, by which other programs hand on fields of crosses.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_DIRECTIONS_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_DIRECTIONS_H
+
+#include "Model.h"
+#include "Repairs.h"
+
+#include <string>
+
+using Direction_map = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
+
+// Throws `Failure` if it is not the name of a file with directions. An empty name is none.
+void check_direction_file(const std::string& filename);
+
+// Reads the directions of the faces, which are those of the file that the model was read from; 0
+// without a name. Throws `Failure`, also if the faces were repaired.
+Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_DIRECTIONS_H
