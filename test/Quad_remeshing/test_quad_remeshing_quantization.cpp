@@ -467,6 +467,7 @@ void check_numbers(const Square_complex& complex, const std::string& name)
 {
   Grid_map map(complex, 16, 4);
   map.perturb(5, 0.5, 20);
+  const SS::Quantization first = SS::quantize(map.mesh, map.uv);
   std::size_t before = 0, near_by = 0, least = 0;
   for(double wanted = 1; wanted < 3000; wanted *= 1.3) {
     const std::string context = name + ", " + std::to_string(wanted) + " quads";
@@ -492,7 +493,26 @@ void check_numbers(const Square_complex& complex, const std::string& name)
     if(least == 0) {
       least = number;
       CHECK_EQUAL(SS::quantize(map.mesh, map.uv, np.coarsest(true)).number_of_quads, least);
+      const auto fewer =
+        SS::quantize(map.mesh, map.uv, np.coarsest(true).maximum_number(least - 1));
+      CHECK_IN(context + ": " + fewer.message,
+               fewer.status == Status::TOO_LARGE &&
+                 fewer.message.find("maximum_number") != std::string::npos);
+      CHECK(fewer.number_of_quads >= least); // and that many would work
+      CHECK(bool(SS::quantize(map.mesh, map.uv,
+                              np.target_number_of_quads(fewer.number_of_quads))));
     }
+    const SS::Quantization again =
+      SS::quantize_again(first, map.mesh, np.target_number_of_quads(std::size_t(wanted)));
+    CHECK_IN(context + ": " + again.message,
+             again.status == quantization.status && again.message == quantization.message &&
+               again.number_of_quads == number &&
+               again.number_of_moves == quantization.number_of_moves &&
+               again.number_of_coarse_faces == quantization.number_of_coarse_faces);
+    const auto& corners = quantization.surface().complex.corners;
+    CHECK_IN(context, std::equal(corners.begin(), corners.end(),
+                                 again.surface().complex.corners.begin(),
+                                 [](const auto& a, const auto& b) { return a.units == b.units; }));
     near_by += double(number) <= 1.05 * wanted ? 1 : 0;
     before = (std::max)(before, number);
   }
@@ -699,6 +719,27 @@ void test_maps()
             << " of them face graphs, and " << sizes.divided << " once divided, "
             << sizes.folds << " vertices of one edge" << std::endl;
   CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
+}
+
+// What is told of the quads that features force is what there is without them.
+void test_quads_without_features()
+{
+  std::size_t number_of_forced = 0;
+  for(const auto& file : test_data::package_files()) {
+    Parametrized_model model(file.string());
+    const auto features = parameters::edge_is_constrained_map(model.is_aligned);
+    if(!SS::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
+      continue;
+    const auto with = SS::quantize(model.mesh, model.uv, features.target_number_of_quads(1));
+    const auto without = SS::quantize(model.mesh, model.uv, parameters::target_number_of_quads(1));
+    if(!with)
+      continue;
+    CHECK_EQUAL(with.number_of_quads - with.number_of_forced_quads,
+                (std::min)(with.number_of_quads, without.number_of_quads));
+    number_of_forced += with.number_of_forced_quads;
+  }
+  std::cout << number_of_forced << " quads are forced by features" << std::endl;
+  CHECK(number_of_forced > 0);
 }
 
 // --- quads around vertices of one edge -----------------------------------------------------------
@@ -1136,6 +1177,7 @@ int main()
   {
     const Floating_point_traps traps; // for public functions
     test_maps();
+    test_quads_without_features();
     test_folds();
     test_empty_mesh();
     test_search();

@@ -52,6 +52,9 @@ struct Remeshing_report
   std::size_t number_of_quads = 0;    ///< faces that were written
   std::size_t number_of_vertices = 0; ///< vertices that were written
   std::size_t number_of_cones = 0;    ///< irregular vertices inside
+  /// where there are more than 1.1 times as many quads as wanted: how many of them the features
+  /// force; the message tells of it, too
+  std::size_t number_of_forced_quads = 0;
   double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
   double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
   /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
@@ -218,6 +221,12 @@ left out.
     \cgalParamDescription{whether there are to be as few quads as are found}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the largest number of quads: where features and cones force more than so
+                          many, this is said, and nothing is made}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the feature edges}

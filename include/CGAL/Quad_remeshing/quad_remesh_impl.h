@@ -112,6 +112,7 @@ private:
     const Quantization quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
                                                    strip(features()), m_options.quantization);
     m_timer.finish("quantization");
+    m_report.number_of_forced_quads = quantization.number_of_forced_quads;
     if(!quantization)
       return refuse(m_report, quantization);
     const Extraction_report extracted = extract_quad_mesh(

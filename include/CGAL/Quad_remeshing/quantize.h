@@ -32,6 +32,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -92,6 +93,10 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
     options.number_of_quads = static_cast<double>(choose_parameter(
       get_parameter(np, internal_np::target_number_of_quads), std::size_t(10000)));
   }
+  constexpr double least_maximum = 100000; // so many take no time
+  options.maximum_number = static_cast<double>(
+    choose_parameter(get_parameter(np, CGAL::internal_np::maximum_number),
+                     (std::max)(100 * options.number_of_quads, least_maximum)));
   return options;
 }
 
@@ -124,7 +129,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
                                              "there is no quantization: " + quantization.message);
   const Protect_exact_arithmetic protect;
   const Quantized_surface& surface = quantization.surface();
-  if(3 * faces(tmesh).size() != surface.input.corners.size())
+  if(3 * faces(tmesh).size() != surface.coarse->input.corners.size())
     return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
                                              "the mesh is not the one that has been quantized");
   std::vector<char> is_feature;
@@ -143,7 +148,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
     const auto point_map = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    const Point_locator locator(surface.input, surface.complex, extractor.mesh());
+    const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
     const auto locate_point = [&](const Lattice_point& p) { return locator.locate(p); };
     output.template locate<ConcurrencyTag>(
       extractor, make_embedding(tmesh, point_map, locate_point));
@@ -187,7 +192,8 @@ become vectors of integers, such that all triangles close, match across edges, a
 It succeeds for each exactly seamless map of positive faces whose border lies on isocurves, unless
 numbers exceed 64 bits. Where the scale wanted is too coarse for integers to be found there, the
 search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
-one wanted, by far where cones lie close together.
+one wanted, by far where cones lie close together. Above `maximum_number` of them the status is
+`TOO_LARGE`, and the message tells which number would work.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -225,6 +231,12 @@ one wanted, by far where cones lie close together.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the largest number of quads: where cones and features force more than so
+                          many, this is said, and nothing is made}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -255,6 +267,34 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::quantize_map(tmesh, uv_map, parameters,
                                   internal::quantization_options(tmesh, parameters));
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+finds another number of quads for a map that has been quantized: what `quantize()` has read, checked
+and made coarse is used again, so that only the search for integers is left. The result is the one
+that `quantize()` returns for the map, to the bit.
+
+\param quantization a quantization, of which `quantize()` says that it succeeded
+\param tmesh the mesh that has been quantized, not changed since
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
+       for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
+       `coarsest`, `needs_face_graph`, and `maximum_number`; and `vertex_point_map`
+
+\return the quantization, or why there is none
+*/
+template <typename TriangleMesh,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Quantization quantize_again(const Quantization& quantization, const TriangleMesh& tmesh,
+                            const NamedParameters& np = CGAL::parameters::default_values())
+{
+  if(!quantization)
+    return internal::refused<Quantization>(
+      Outcome::INVALID_ARGUMENT, "there is no quantization: " + quantization.message);
+  const internal::Protect_exact_arithmetic protect;
+  return internal::quantize_again(
+    quantization, internal::quantization_options(tmesh, internal::strip(np)));
 }
 
 /*!

@@ -46,6 +46,9 @@ public:
   /// \name Size
   /// @{
   std::size_t number_of_quads = 0;           ///< of the mesh that it describes
+  /// where there are more than 1.1 times as many as wanted: how many of them the features force, as
+  /// so many fewer were found where these need not lie on edges of quads
+  std::size_t number_of_forced_quads = 0;
   std::size_t number_of_coarse_vertices = 0; ///< of the coarse triangulation, with all cones
   std::size_t number_of_coarse_faces = 0;    ///< of the coarse triangulation
   /// @}

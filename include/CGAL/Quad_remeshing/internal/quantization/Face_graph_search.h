@@ -101,10 +101,15 @@ class Face_graph_search
   static constexpr double tolerance = 0.05;
 
 public:
-  explicit Face_graph_search(const Quantize& quantize) : m_quantize(quantize) { }
+  // \param maximum_number of quads: what has more is neither checked nor searched on
+  explicit Face_graph_search(const Quantize& quantize,
+                             const double maximum_number = (std::numeric_limits<double>::max)())
+    : m_quantize(quantize), m_maximum(maximum_number)
+  { }
 
-  // The result, divided as often as it has to be; or an undivided one that is none. It is not less
-  // than that for a smaller number, up to the tolerance.
+  // The result, divided as often as it has to be; or an undivided one that is none, or has more
+  // quads than the largest number. It is not less than that for a smaller number, up to the
+  // tolerance.
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;
@@ -112,7 +117,8 @@ public:
     const int begin = m_best = (std::max)(m_first, step_of(wanted));
     if(begin > step_of(wanted))
       try_smaller_numbers();
-    climb(begin);
+    if(at(begin).number_of_quads <= m_maximum)
+      climb(begin);
     Quantized_complex result = at(m_best);
     refine(1 << m_divisions, result.complex);
     result.number_of_quads = result.number_after(m_divisions);
@@ -156,7 +162,7 @@ private:
     const Quantized_complex& q = at(step);
     const double number = q.number_after(divisions);
     if(number >= (1 - tolerance) * m_wanted && number < m_least &&
-       q.has_face_graph_after(divisions)) {
+       (number > m_maximum || q.has_face_graph_after(divisions))) {
       m_least = number;
       m_best = step;
       m_divisions = divisions;
@@ -172,7 +178,7 @@ private:
 
   const Quantize& m_quantize;
   std::map<int, Quantized_complex> m_known; // by step
-  double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
+  double m_maximum, m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
   int m_first = 0; // the least step whose number may be reached
   int m_best = 0, m_divisions = 0;
 };

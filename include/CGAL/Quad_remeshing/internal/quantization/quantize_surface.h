@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,14 +36,22 @@ namespace internal {
 struct Quantization_options
 {
   double number_of_quads = 0;
+  double maximum_number = (std::numeric_limits<double>::max)(); // of quads; more are refused
   bool is_coarsest = false; // as few as are found
   bool needs_face_graph = false; // of more quads, if there is none of so many
+};
+
+// What is the same whatever number of quads is wanted.
+struct Coarse_surface
+{
+  Integer_mesh input;
+  Intrinsic_complex complex; // without units
 };
 
 // Invariant: the units of the complex are feasible.
 struct Quantized_surface
 {
-  Integer_mesh input;
+  std::shared_ptr<const Coarse_surface> coarse;
   Intrinsic_complex complex;
   bool is_for_face_graph = false; // without the quads around vertices of one edge
 };
@@ -52,6 +61,10 @@ struct Quantized_surface
 Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
                               const Quantization_options& options,
                               const std::function<std::string(std::size_t)>& vertex_name);
+
+// Of the same surface, of another number of quads.
+// \pre there is a quantization
+Quantization quantize_again(const Quantization& quantization, const Quantization_options& options);
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -32,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,41 +41,44 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-class Surface_quantizer
+inline bool check_options(const Quantization_options& options, Report& report)
+{
+  const double largest = (std::min)(std::ldexp(1., 28), options.maximum_number);
+  return options.is_coarsest ||
+         (options.number_of_quads >= 1 && options.number_of_quads <= largest) ||
+         refuse(report, Outcome::INVALID_ARGUMENT,
+                "the target is " + short_number(options.number_of_quads) +
+                  " quads; it must be at least 1 and at most 2^28, and at most maximum_number");
+}
+
+inline Intrinsic_complex make_coarse_complex(const Integer_mesh& input)
+{
+  Intrinsic_complex complex = make_complex(input);
+  internal::coarsen(input, complex);
+  return compacted(complex);
+}
+
+class Surface_coarsener
 {
 public:
-  Surface_quantizer(const Chart_mesh& mesh, const std::vector<char>& is_feature,
-                    const Quantization_options& options,
-                    const std::function<std::string(std::size_t)>& vertex_name)
-    : m_mesh(mesh), m_is_feature(is_feature), m_options(options), m_vertex_name(vertex_name)
+  // \param result tells why there is no coarse surface
+  Surface_coarsener(const Chart_mesh& mesh, const std::vector<char>& is_feature,
+                    const std::function<std::string(std::size_t)>& vertex_name,
+                    Quantization& result)
+    : m_mesh(mesh), m_is_feature(is_feature), m_vertex_name(vertex_name), m_result(result)
   { }
 
-  Quantization run()
+  bool run(Coarse_surface& surface)
   {
-    try {
-      if(check_options() && check_faces() && check_border() && read_integers()) {
-        make_coarse();
-        find_units();
-      }
-    } catch(const Integer_overflow&) {
-      refuse(m_result, Outcome::TOO_LARGE,
-             "the coordinates and the edges of a coarse triangulation differ too much in size for "
-             "integers of 64 bits; pass the map through snap_to_seamless()");
-    }
-    return std::move(m_result);
+    if(!check_faces() || !check_border() || !read_integers(surface.input))
+      return false;
+    surface.complex = make_coarse_complex(surface.input);
+    m_result.number_of_coarse_vertices = surface.complex.number_of_vertices();
+    m_result.number_of_coarse_faces = std::size_t(surface.complex.number_of_faces());
+    return true;
   }
 
 private:
-  bool check_options()
-  {
-    if(m_options.is_coarsest)
-      m_options.number_of_quads = 1;
-    return (m_options.number_of_quads >= 1 && m_options.number_of_quads <= std::ldexp(1., 28)) ||
-           refuse(m_result, Outcome::INVALID_ARGUMENT,
-                  "the target is " + short_number(m_options.number_of_quads) +
-                    " quads; it must be at least 1 and at most 2^28");
-  }
-
   bool check_faces()
   {
     m_result.nonpositive_faces = nonpositive_faces(m_mesh);
@@ -101,16 +105,16 @@ private:
                     "; parametrize and snap with align_border(true)");
   }
 
-  bool read_integers()
+  bool read_integers(Integer_mesh& input)
   {
     Integer_reader reader(m_mesh, m_is_feature);
-    if(!reader.read(m_surface.input))
+    if(!reader.read(input))
       return refuse(m_result, Outcome::TOO_LARGE,
                   "the coordinates around vertex " + m_vertex_name(reader.unrepresentable_vertex) +
                     " have more bits than integers of 64 bits can hold beside the largest "
                     "coordinate; snap the map by snap_to_seamless()");
     m_result.number_of_unaligned_features = reader.number_of_unaligned_features;
-    const Intrinsic_complex complex = make_complex(m_surface.input);
+    const Intrinsic_complex complex = make_complex(input);
     const std::string problem =
       defect(complex, angles_around_vertices(complex), &Intrinsic_corner::vector);
     return problem.empty() ||
@@ -118,25 +122,59 @@ private:
                   "the map has " + problem + ", once its coordinates are rounded to 59 bits");
   }
 
-  void make_coarse()
+  const Chart_mesh& m_mesh;
+  const std::vector<char>& m_is_feature;
+  const std::function<std::string(std::size_t)>& m_vertex_name;
+  Quantization& m_result;
+};
+
+// Invariant: the result tells why there are no units, if it is no success.
+class Unit_finder
+{
+public:
+  Unit_finder(std::shared_ptr<const Coarse_surface> coarse, const Quantization_options& options,
+              Quantization& result)
+    : m_coarse(std::move(coarse)), m_options(options), m_result(result)
   {
-    Intrinsic_complex complex = make_complex(m_surface.input);
-    internal::coarsen(m_surface.input, complex);
-    m_surface.complex = compacted(complex);
-    m_result.number_of_coarse_vertices = m_surface.complex.number_of_vertices();
-    m_result.number_of_coarse_faces = std::size_t(m_surface.complex.number_of_faces());
+    if(m_options.is_coarsest)
+      m_options.number_of_quads = 1;
   }
 
+  bool run()
+  {
+    const std::vector<int> angles = angles_around_vertices(m_coarse->complex);
+    Quantized_complex found = find_quads();
+    m_result.first_scale = found.first_scale;
+    m_result.number_of_moves = found.number_of_moves;
+    m_result.number_of_long_edges = found.number_of_long_edges;
+    m_result.number_of_quads = std::size_t(std::llround(found.number_of_quads));
+    if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
+      return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
+    if(!m_options.is_coarsest && has_more_than_wanted()) {
+      m_result.number_of_forced_quads = number_of_forced_quads();
+      m_result.message = words_for_number();
+    }
+    if(found.number_of_quads > m_options.maximum_number)
+      return refuse(m_result, Outcome::TOO_LARGE,
+                    "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
+                      words_for_number() + ". That is more than maximum_number: raise it, or ask "
+                      "for about as many, or mark fewer features");
+    m_result.set_surface(std::make_shared<const Quantized_surface>(
+      Quantized_surface{m_coarse, std::move(found.complex), m_options.needs_face_graph}));
+    return true;
+  }
+
+private:
   // Units per step of each part's grid. Steps, which are powers of two, are measured by the largest
   // one, so that no square is too large.
   std::vector<double> scales(const double number_of_quads) const
   {
-    std::vector<double> result(m_surface.input.steps);
+    std::vector<double> result(m_coarse->input.steps);
     const double largest = *std::max_element(result.begin(), result.end());
     for(double& s : result)
       s /= largest;
     double area = 0;
-    const Intrinsic_complex& complex = m_surface.complex;
+    const Intrinsic_complex& complex = m_coarse->complex;
     for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
       const double step = result[std::size_t(complex.part[std::size_t(h / 3)])];
       area += step * step *
@@ -151,8 +189,8 @@ private:
   Quantized_complex quantize(const double number_of_quads, const bool is_coarsest) const
   {
     Quantized_complex result;
-    result.complex = m_surface.complex;
-    Complex_quantizer quantizer(m_surface.input, result.complex, scales(number_of_quads));
+    result.complex = m_coarse->complex;
+    Complex_quantizer quantizer(m_coarse->input, result.complex, scales(number_of_quads));
     quantizer.start();
     result.first_scale = quantizer.growth;
     quantizer.improve();
@@ -169,41 +207,86 @@ private:
     if(!m_options.needs_face_graph)
       return quantize(m_options.number_of_quads, m_options.is_coarsest);
     const auto quantize_to = [&](const double number) { return quantize(number, false); };
-    return Face_graph_search<decltype(quantize_to)>(quantize_to).run(m_options.number_of_quads);
+    return Face_graph_search<decltype(quantize_to)>(quantize_to, m_options.maximum_number)
+      .run(m_options.number_of_quads);
   }
 
-  bool find_units()
+  bool has_more_than_wanted() const
+  { return double(m_result.number_of_quads) > 1.1 * m_options.number_of_quads; }
+
+  // So many fewer are found for the same map where features are no walls.
+  std::size_t number_of_forced_quads() const
   {
-    const std::vector<int> angles = angles_around_vertices(m_surface.complex);
-    Quantized_complex found = find_quads();
-    m_result.first_scale = found.first_scale;
-    m_result.number_of_moves = found.number_of_moves;
-    m_result.number_of_long_edges = found.number_of_long_edges;
-    m_result.number_of_quads = std::size_t(std::llround(found.number_of_quads));
-    if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
-      return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
-    if(!m_options.is_coarsest && found.number_of_quads > 1.1 * m_options.number_of_quads)
-      m_result.message = "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
-                         " of fewer quads was found";
-    m_surface.complex = std::move(found.complex);
-    m_surface.is_for_face_graph = m_options.needs_face_graph;
-    m_result.set_surface(std::make_shared<const Quantized_surface>(std::move(m_surface)));
-    return true;
+    const auto without = std::make_shared<Coarse_surface>();
+    without->input = m_coarse->input;
+    bool has_features = false;
+    for(Integer_corner& corner : without->input.corners)
+      if(corner.is_wall && corner.opposite != no_index) {
+        corner.is_wall = false;
+        has_features = true;
+      }
+    if(!has_features)
+      return 0;
+    without->complex = make_coarse_complex(without->input);
+    const double number = Unit_finder(without, m_options, m_result).find_quads().number_of_quads;
+    const std::size_t rounded = std::size_t(std::llround(number));
+    return rounded < m_result.number_of_quads ? m_result.number_of_quads - rounded : 0;
   }
 
-  const Chart_mesh& m_mesh;
-  const std::vector<char>& m_is_feature;
+  std::string words_for_number() const
+  {
+    const std::size_t forced = m_result.number_of_forced_quads;
+    return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
+           " of fewer quads was found" +
+           (forced > 0 ? "; features force " + std::to_string(forced) : "");
+  }
+
+  std::shared_ptr<const Coarse_surface> m_coarse;
   Quantization_options m_options;
-  std::function<std::string(std::size_t)> m_vertex_name;
-  Quantization m_result;
-  Quantized_surface m_surface;
+  Quantization& m_result;
 };
+
+// Calls `run()`, and refuses where integers are too large.
+template <typename Run>
+void refuse_overflow(const Run& run, Quantization& result)
+{
+  try {
+    run();
+  } catch(const Integer_overflow&) {
+    refuse(result, Outcome::TOO_LARGE,
+           "the coordinates and the edges of a coarse triangulation differ too much in size for "
+           "integers of 64 bits; pass the map through snap_to_seamless()");
+  }
+}
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
                               const Quantization_options& options,
                               const std::function<std::string(std::size_t)>& vertex_name)
-{ return Surface_quantizer(mesh, is_feature, options, vertex_name).run(); }
+{
+  Quantization result;
+  const auto run = [&] {
+    const auto coarse = std::make_shared<Coarse_surface>();
+    if(check_options(options, result) &&
+       Surface_coarsener(mesh, is_feature, vertex_name, result).run(*coarse))
+      Unit_finder(coarse, options, result).run();
+  };
+  refuse_overflow(run, result);
+  return result;
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Quantization quantize_again(const Quantization& quantization, const Quantization_options& options)
+{
+  Quantization result;
+  result.number_of_coarse_vertices = quantization.number_of_coarse_vertices;
+  result.number_of_coarse_faces = quantization.number_of_coarse_faces;
+  result.number_of_unaligned_features = quantization.number_of_unaligned_features;
+  if(check_options(options, result))
+    refuse_overflow([&] { Unit_finder(quantization.surface().coarse, options, result).run(); },
+                    result);
+  return result;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
