@@ -142,8 +142,12 @@ private:
       improver.move_vertices();
       if(improver.remove_vertices_of_two_edges() > 0)
         improver.move_vertices();
-      if(Quad_divider(m_quads, m_is_feature, smoother).run() > 0)
+      improver.move_vertices_of_flat_quads();
+      Quad_divider divider(m_quads, m_is_feature, smoother);
+      for(int i = 0; i < 3 && divider.run() > 0; ++i) {
         improver.move_vertices();
+        improver.move_vertices_of_flat_quads();
+      }
     }
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);

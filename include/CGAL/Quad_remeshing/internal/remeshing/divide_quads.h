@@ -26,7 +26,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -70,11 +72,13 @@ public:
   }
 
 private:
-  // The best of some: on rays from a point of a diagonal, longer towards one of its ends. Returns
-  // false if none is good enough.
+  // The best of some: on rays from a point of a diagonal, longer towards one of its ends; or else
+  // where these come to by moves. Returns false if none has quads that face as the surface.
   bool find_inner_quad(const Quad& q, Quad& inner) const
   {
-    double best = 2 * flat;
+    const double before = (std::max)(0., scaled_jacobian(q, quad_normal(q)));
+    double best = before;
+    std::vector<std::pair<double, Quad> > starts;
     for(std::size_t i = 0; i < 4; ++i)
       for(const double along : {0.35, 0.5, 0.65})
         for(const double towards_end : {0.4, 0.6, 0.8})
@@ -84,14 +88,58 @@ private:
             for(std::size_t k = 0; k < 4; ++k)
               p[k] = m_smoother.nearest(
                 between(middle, q[k], k == i ? towards_end : towards_others), q[k]);
-            const std::array<Quad, 5> five = five_quads(q, p);
-            const double least = least_scaled_jacobian(five);
-            if(least > best && face_upwards(five)) {
-              best = least;
-              inner = p;
+            consider(q, p, best, inner);
+            if(best < flat)
+              starts.emplace_back(badness(q, p), p);
+          }
+    std::sort(starts.begin(), starts.end());
+    for(std::size_t i = 0; i < starts.size() && i < most_starts && best < flat; ++i) {
+      move_inner_quad(q, starts[i].second);
+      consider(q, starts[i].second, best, inner);
+    }
+    return best > before;
+  }
+
+  void consider(const Quad& q, const Quad& p, double& best, Quad& inner) const
+  {
+    const std::array<Quad, 5> five = five_quads(q, p);
+    const double least = least_scaled_jacobian(five);
+    if(least > best && face_upwards(five)) {
+      best = least;
+      inner = p;
+    }
+  }
+
+  // Moves the corners of the inner quad along the surface, each by smaller steps as none helps.
+  void move_inner_quad(const Quad& q, Quad& p) const
+  {
+    double least = badness(q, p);
+    for(double step = norm(vector_to(q[0], q[2])) / 4, end = step / 100; step > end;) {
+      bool has_changed = false;
+      for(Space_vector& corner : p)
+        for(std::size_t c = 0; c < 3; ++c)
+          for(const double sign : {1., -1.}) {
+            const Space_vector old = corner;
+            corner[c] += sign * step;
+            corner = m_smoother.nearest(corner, old);
+            const double now = badness(q, p);
+            if(now < 0.99 * least) {
+              least = now;
+              has_changed = true;
+            } else {
+              corner = old;
             }
           }
-    return best > 2 * flat;
+      step = has_changed ? step : step / 2;
+    }
+  }
+
+  static double badness(const Quad& q, const Quad& p)
+  {
+    double sum = 0;
+    for(const Quad& r : five_quads(q, p))
+      sum += std::exp(-20 * scaled_jacobian(r, quad_normal(r)));
+    return sum;
   }
 
   static Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
@@ -152,6 +200,7 @@ private:
   }
 
   static constexpr double flat = 0.01; // as a scaled Jacobian
+  static constexpr std::size_t most_starts = 6;
 
   Mesh& m_quads;
   Feature_map m_is_feature;

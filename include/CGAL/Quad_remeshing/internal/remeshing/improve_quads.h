@@ -68,6 +68,17 @@ public:
     }
   }
 
+  // The same for quads that are still inverted or flat, as good as all costs of those around. Cones
+  // on a feature slide, too, where it is straight enough in space.
+  void move_vertices_of_flat_quads()
+  {
+    m_thin = flat;
+    m_steepness = 50;
+    move_vertices();
+    m_thin = thin;
+    m_steepness = 8;
+  }
+
   // Makes one quad of the two around a vertex of two edges, where one of them is inverted and
   // that one is better. Returns the number of vertices that were removed.
   std::size_t remove_vertices_of_two_edges()
@@ -107,7 +118,7 @@ private:
     };
     for(const Face f : faces(m_quads)) {
       const auto q = m_smoother.quad(f);
-      if(scaled_jacobian(q, quad_normal(q)) >= thin)
+      if(scaled_jacobian(q, quad_normal(q)) >= m_thin)
         continue;
       for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
         add(v);
@@ -191,10 +202,21 @@ private:
       return false;
     const Halfedge g = m_lines_at_vertex[0], h = m_lines_at_vertex[1];
     const Vertex v = target(h, m_quads);
+    if(m_thin == flat && is_straight_in_space(g, h))
+      return true;
     if(CGAL::is_border(v, m_quads))
       return degree(v, m_quads) == 3;
     const Halfedge second_next = next(opposite(next(g, m_quads), m_quads), m_quads);
     return degree(v, m_quads) == 4 && opposite(second_next, m_quads) == h;
+  }
+
+  // Up to 20 degrees.
+  bool is_straight_in_space(const Halfedge g, const Halfedge h) const
+  {
+    const Space_vector p = m_smoother.point(target(h, m_quads));
+    const Space_vector a = scaled_to_one(vector_to(p, m_smoother.point(source(g, m_quads))));
+    const Space_vector b = scaled_to_one(vector_to(p, m_smoother.point(source(h, m_quads))));
+    return inner_product(a, b) < -0.94;
   }
 
   void collect_star(const Vertex v)
@@ -248,8 +270,8 @@ private:
       const auto q = m_smoother.quad(m_star[i]);
       const Space_vector normal = quad_normal(q);
       sum += inner_product(normal, m_normals[i]) > 0
-               ? std::exp(-steepness * scaled_jacobian(q, normal))
-               : std::exp(2 * steepness);
+               ? std::exp(-m_steepness * scaled_jacobian(q, normal))
+               : std::exp(2 * m_steepness);
     }
     return sum;
   }
@@ -275,14 +297,14 @@ private:
     return least < thin && scaled_jacobian(joined, quad_normal(joined)) > least;
   }
 
-  static constexpr double thin = 0.2; // as a scaled Jacobian
-  static constexpr double steepness = 8;
+  static constexpr double thin = 0.2, flat = 0.02; // as scaled Jacobians
   static constexpr std::size_t largest_number_of_rounds = 10;
 
   Mesh& m_quads;
   Feature_map m_is_feature;
   const Feature_lines& m_lines;
   Quad_smoother& m_smoother;
+  double m_thin = thin, m_steepness = 8;
   std::map<Face, Space_vector> m_upper_side;
   // scratch: of the vertex that moves
   std::vector<Face> m_star;
