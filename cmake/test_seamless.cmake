@@ -426,6 +426,29 @@ expect("${number_seen} of ${CMAKE_MATCH_1} quads are seen" number_seen GREATER 5
 expect("${number_seen} of ${CMAKE_MATCH_1} quads are seen" number_seen LESS CMAKE_MATCH_1)
 expect_message("${picture}" "stroke=\"#000\" stroke-width=\"2\" stroke-linecap=\"round\" d=\"M")
 
+# a direction in one of two faces, which the other one follows
+file(WRITE "${WORK_DIR}/sheet.off" "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 2 3 0\n")
+set(rosy "2 4  1 1 0  0 0 0")
+set(rawfield "4 2  1 1 0 -1 1 0 -1 -1 0 1 -1 0  0 0 0 0 0 0 0 0 0 0 0 0")
+foreach(suffix IN ITEMS rosy rawfield)
+  set(text "${${suffix}}")
+  file(WRITE "${WORK_DIR}/field.${suffix}" "${text}\n")
+  seamless(0 parametrize sheet.off turned.obj --field field.${suffix})
+  file(STRINGS "${WORK_DIR}/turned.obj" lines REGEX "^vt")
+  expect("${lines}" lines MATCHES "vt [-0-9.]*70[67]") # half a diagonal of the square
+  seamless(0 remesh sheet.off turned.off --field field.${suffix} --number 20)
+  file(WRITE "${WORK_DIR}/field.${suffix}" "${text} 5\n")
+  seamless(3 remesh sheet.off turned.off --field field.${suffix})
+  expect_message("${err}" "more numbers than it says")
+  file(WRITE "${WORK_DIR}/field.${suffix}" "3 ${text}\n")
+  seamless(3 remesh sheet.off turned.off --field field.${suffix})
+endforeach()
+seamless(2 remesh sheet.off turned.off --field sheet.off)
+seamless(3 remesh sheet.off turned.off --field missing.rosy)
+# more quads than allowed: which number would work
+seamless(1 remesh box.off no_quads.obj --quads 1 --feature-angle 40 --maximum-number 5)
+expect_message("${err}" "more than --maximum-number")
+
 # inverted quads are named, as the file that is written counts them
 seamless(0 remesh in.obj inverted.off --quads 20 --feature-angle 5 --report inverted.json)
 string(REGEX MATCH "warning: ([0-9]+) quad" match "${out}")

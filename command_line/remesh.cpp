@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "Repairs.h"
 #include "commands.h"
+#include "directions.h"
 #include "files.h"
 #include "json_report.h"
 #include "plain_meshes.h"
@@ -29,9 +30,9 @@ namespace {
 
 struct Remesh_options
 {
-  std::string input, output, picture, report;
+  std::string input, output, field, picture, report;
   Plain_reading_options reading;
-  double number = 10000, edge_length = 0, feature_angle = 0, curvature = 0;
+  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, curvature = 0;
   bool coarsest = false, verbose = false;
 
   // Returns whether there is something to do.
@@ -50,10 +51,16 @@ struct Remesh_options
     options.add("edge-length", "L", edge_length, {0, infinity, true},
                 "instead, how long to make their edges");
     options.add("coarsest", coarsest, "instead, make as few quads as are found");
+    options.add("maximum-number", "N", maximum_number, {1, largest_number},
+                "refuse to make more quads, where features force them\n"
+                "(default: 100 times the number wanted, and at least 100000)");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
                 "keep edges that are sharper");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature");
+    options.add("field", "FILE", field,
+                "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
+                "file; where it is 0, the field is smooth, and features go first");
     reading.add_to(options);
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
@@ -64,27 +71,33 @@ struct Remesh_options
     if(!options.parse(arguments))
       return false;
     check_quad_file(output);
+    check_direction_file(field);
     check_picture(picture);
-    check_outputs({input}, {output, picture, report});
+    check_outputs({input, field}, {output, picture, report});
     return true;
   }
 };
 
-SS::Remeshing_report make_quads(const Remesh_options& options, Model& model, Mesh& quads,
+SS::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
+                                const Direction_map& directions, Mesh& quads,
                                 const Edge_bool_map is_kept)
 {
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
                           options.verbose);
   const auto parameters =
     SS::parameters::edge_is_constrained_map(model.is_feature)
-                   .curvature_alignment(options.curvature)
+                   .curvature_alignment(options.curvature).face_direction_map(directions)
                    .coarsest(options.coarsest).verbose(options.verbose)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
-  const auto output = SS::parameters::edge_is_constrained_map(is_kept);
-  return options.edge_length > 0
-           ? SS::quad_remesh(model.mesh, quads, parameters.target_edge_length(options.edge_length),
-                             output)
-           : SS::quad_remesh(model.mesh, quads, parameters, output);
+  const auto make = [&](const auto& np) {
+    return SS::quad_remesh(model.mesh, quads, np, SS::parameters::edge_is_constrained_map(is_kept));
+  };
+  const auto make_at_most = [&](const auto& np) {
+    return options.maximum_number > 0
+             ? make(np.maximum_number(static_cast<std::size_t>(options.maximum_number))) : make(np);
+  };
+  return options.edge_length > 0 ? make_at_most(parameters.target_edge_length(options.edge_length))
+                                 : make_at_most(parameters);
 }
 
 double diagonal(const Mesh& mesh)
@@ -118,6 +131,7 @@ nlohmann::json json_of(const SS::Remeshing_report& report, const std::string& me
           {"message", message},
           {"input", json_of(repairs)},
           {"number_of_quads", report.number_of_quads},
+          {"number_of_forced_quads", report.number_of_forced_quads},
           {"number_of_vertices", report.number_of_vertices},
           {"number_of_cones", report.number_of_cones},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
@@ -144,9 +158,10 @@ void remesh(const Arguments& arguments)
   write_repairs(os, options.input, repairs);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  const Direction_map directions = read_directions(options.field, repairs, model.mesh);
   Mesh quads;
   const Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
-  const SS::Remeshing_report report = make_quads(options, model, quads, is_kept);
+  const SS::Remeshing_report report = make_quads(options, model, directions, quads, is_kept);
   const std::string message =
     report ? report.message
            : in_words_of_user(to_string(report.status) + (": " + report.message), model);
