@@ -204,6 +204,8 @@ void snap_volume(const Arguments& arguments)
     return;
   if(suffix_of(output) != "hexex" && !is_special_file(output))
     throw Failure(USAGE, output + ": a tetrahedral mesh is written as .hexex only");
+  if(options.is_given("rounding") && !volume_options.integer_grid)
+    throw Failure(USAGE, "--rounding is for --integer-grid; give that, too");
   check_outputs({input}, {output},
                 overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
   Volume volume(input);
