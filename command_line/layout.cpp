@@ -6,7 +6,7 @@
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
-#include "layout_picture.h"
+#include "pictures/layout_picture.h"
 #include "measures.h"
 #include "snap_model.h"
 #include "words.h"

@@ -9,7 +9,7 @@
 #include "directions.h"
 #include "files.h"
 #include "json_report.h"
-#include "picture.h"
+#include "pictures/picture.h"
 #include "plain_meshes.h"
 #include "words.h"
 

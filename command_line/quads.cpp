@@ -10,7 +10,7 @@
 #include "json_report.h"
 #include "measures.h"
 #include "plain_meshes.h"
-#include "quad_picture.h"
+#include "pictures/quad_picture.h"
 #include "snap_model.h"
 #include "words.h"
 

@@ -9,7 +9,7 @@
 #include "files.h"
 #include "json_report.h"
 #include "plain_meshes.h"
-#include "quad_picture.h"
+#include "pictures/quad_picture.h"
 #include "words.h"
 
 #include <CGAL/Quad_remeshing/quad_remesh.h>

@@ -7,7 +7,7 @@
 #include "commands.h"
 #include "files.h"
 #include "measures.h"
-#include "picture.h"
+#include "pictures/picture.h"
 #include "snap_model.h"
 #include "words.h"
 

@@ -8,10 +8,10 @@
 #include "Progress.h"
 #include "commands.h"
 #include "files.h"
-#include "tracing_constraint_figure.h"
-#include "tracing_failure_figure.h"
-#include "tracing_overview.h"
-#include "tracing_types.h"
+#include "pictures/tracing_constraint_figure.h"
+#include "pictures/tracing_failure_figure.h"
+#include "pictures/tracing_overview.h"
+#include "pictures/tracing_types.h"
 
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>

@@ -4,7 +4,7 @@
 #ifndef SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
 #define SEAMLESS_SNAPPING_BENCHMARK_LOG_LOG_PLOT_H
 
-#include "../../command_line/svg_view.h"
+#include "../../command_line/pictures/svg_view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_LAYOUT_PICTURE_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_LAYOUT_PICTURE_H
 
-#include "Model.h"
+#include "../Model.h"
 #include "surface_picture.h"
 
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
@@ -50,8 +50,11 @@ inline std::string layout_picture(const Layout_graph& graph)
   SS::refine_along_arcs(graph, mesh, SS::parameters::default_values(),
                         SS::parameters::face_patch_map(patches).edge_is_constrained_map(is_arc));
   const std::vector<std::size_t> color = patch_colors(graph, colors.size());
-  Surface_picture picture(mesh, [&](const auto f) { return colors[color[patches[f]]]; });
-  picture.add_edges([&](const Edge e) { return is_arc[e]; }, 1.6, "#222");
+  const Surface_picture picture(
+    mesh, [&](const auto f) { return colors[color[patches[f]]]; },
+    [&](double) {
+      return std::vector<Line_style>{{[&](const Edge e) { return is_arc[e]; }, 1.6, "#222"}};
+    });
   return picture.svg();
 }
 

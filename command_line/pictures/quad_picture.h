@@ -3,7 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_QUAD_PICTURE_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_QUAD_PICTURE_H
 
-#include "Model.h"
+#include "../Model.h"
 
 #include <string>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -21,11 +22,14 @@ bool is_irregular(const Mesh& quads, const Edge_bool_map& is_feature, const Mesh
 std::string quad_picture(const Mesh& quads, const Edge_bool_map& is_feature)
 {
   constexpr Surface_picture::Color color = {{214, 228, 240}};
-  Surface_picture picture(quads, [&](Mesh::Face_index) { return color; });
-  const double width = (std::min)(0.8, 0.08 * picture.edge_length());
   const auto is_bold = [&](const Edge e) { return is_feature[e] || quads.is_border(e); };
-  picture.add_edges([&](const Edge e) { return !is_bold(e); }, width, "#456");
-  picture.add_edges(is_bold, 2.5 * width, "#000");
+  double width = 0;
+  const auto lines = [&](const double scale) {
+    width = (std::min)(0.8, 0.08 * scale * edge_length(quads));
+    return std::vector<Line_style>{
+      {[&](const Edge e) { return !is_bold(e); }, width, "#456"}, {is_bold, 2.5 * width, "#000"}};
+  };
+  Surface_picture picture(quads, [&](Mesh::Face_index) { return color; }, lines);
   picture.add_vertices([&](const auto v) { return is_irregular(quads, is_feature, v); },
                        4 * width, "#d55e00");
   return picture.svg();

@@ -3,7 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_TYPES_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_TYPES_H
 
-#include "Model.h"
+#include "../Model.h"
 
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
