@@ -1,5 +1,5 @@
-# The folders of the headers, and who includes whom: read from the #include lines, so that the
-# picture shows the code as it is.
+# The rooms of the four packages, and which includes which: read from the #include lines, so that the
+# picture shows the code as it is. Left out are the folders `types`, which all may include.
 #
 #   rooms.py INCLUDE_FOLDER OUT.svg
 
@@ -10,52 +10,59 @@ import textwrap
 
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
-from style import BLACK, PALE, PALE_BLUE, PALE_GREEN, PALE_ORANGE, plt, save
+from style import BLACK, PALE_BLUE, PALE_GREEN, PALE_ORANGE, plt, save
 
-PACKAGES = ("Linear_snapping", "Seamless_snapping", "Isocurves_and_layouts", "Quad_remeshing")
-WIDTH, HEIGHT = 3.1, 1.25
-WORDS = {  # what a room is for, and the color of its kind
-    "public functions": ("what callers include", PALE_ORANGE),
-    "public IO": ("files in and out", PALE_ORANGE),
-    "types": ("parameters, reports, constraints", PALE_ORANGE),
-    "exact": ("checked integers, the grid, exact differences", PALE_BLUE),
-    "support": ("refusals, threads, options, times", PALE_BLUE),
-    "transitions": ("groups of rotations, sides of edges", PALE_BLUE),
-    "linear": ("rows, elimination, lattice, target, solver", PALE_BLUE),
-    "complex": ("cuts without a mesh: sectors, branches", PALE_BLUE),
-    "volume": ("maps of tetrahedra", PALE_BLUE),
-    "untangling": ("makes triangles positive, under constraints", PALE_BLUE),
-    "mesh": ("reads meshes, their cuts, and rotations", PALE_GREEN),
-    "orientation": ("signs of faces, moves, repair", PALE_GREEN),
-    "snapping": ("the steps of snapping, integers, writing", PALE_GREEN),
-    "parametrization": ("computes parametrizations", PALE_GREEN),
-    "charts": ("exact maps as plain arrays", PALE_GREEN),
-    "tracing": ("walks along isocurves", PALE_BLUE),
-    "layout": ("motorcycle graphs, patches", PALE_BLUE),
-    "cells": ("cells of a grid, extracted", PALE_GREEN),
-    "quantization": ("integers for a coarse complex", PALE_BLUE),
-    "remeshing": ("smooths and divides quads", PALE_GREEN),
-    "IO": ("parses and writes files", PALE_GREEN),
+PACKAGES = {  # and their colors
+    "Linear_snapping": PALE_BLUE,
+    "Seamless_snapping": PALE_GREEN,
+    "Isocurves_and_layouts": PALE_ORANGE,
+    "Quad_remeshing": "#f3e1ec",
+}
+WIDTH, HEIGHT = 3.35, 1.25
+WORDS = {  # what a room is for
+    "exact": "checked integers, the grid, exact differences",
+    "support": "refusals, threads, options, times",
+    "transitions": "groups of rotations, sides of edges",
+    "linear": "rows, elimination, lattice, target, solver",
+    "complex": "cuts without a mesh: sectors, branches",
+    "volume": "maps of tetrahedra",
+    "untangling": "makes triangles positive, under constraints",
+    "mesh": "reads meshes, their cuts, and rotations",
+    "orientation": "signs of faces, moves, repair",
+    "snapping": "the steps of snapping, integers, writing",
+    "parametrization": "computes parametrizations",
+    "charts": "exact maps as plain arrays",
+    "tracing": "walks along isocurves",
+    "layout": "motorcycle graphs, patches",
+    "cells": "cells of a grid, extracted",
+    "quantization": "integers for a coarse complex",
+    "remeshing": "smooths and divides quads",
+    "IO": "parses and writes files",
 }
 
 
 def read_rooms(include):
-    """Room -> the rooms it includes, without itself."""
+    """Room -> the rooms it includes, without itself; and room -> package."""
     root = pathlib.Path(include) / "CGAL"
     names = r"#\s*include <CGAL/((?:%s)/[^>]+)>" % "|".join(PACKAGES)
 
+    package = {}
+
     def room(name):
-        _, *folders, _ = name.split("/")
-        if folders[:1] == ["internal"]:
-            return folders[1]
-        return {(): "public functions", ("IO",): "public IO"}.get(tuple(folders), *folders[:1])
+        of, *folders, _ = name.split("/")
+        result = folders[1] if folders[:1] == ["internal"] else "types"
+        if folders in ([], ["IO"]):
+            result = of
+        package.setdefault(result, of)
+        return result
 
     uses = {}
     for header in sorted(h for p in PACKAGES for h in (root / p).rglob("*.h")):
         text = header.read_text(encoding="utf-8")
         used = {room(n) for n in re.findall(names, text)}
         uses.setdefault(room(str(header.relative_to(root))), set()).update(used)
-    return {r: others - {r} for r, others in uses.items()}
+    del uses["types"]
+    return {r: others - {r, "types"} for r, others in uses.items()}, package
 
 
 def reachable(uses, start):
@@ -139,8 +146,8 @@ class Layout:
         return WIDTH + 0.35 if isinstance(place, str) else 0.7
 
 
-def draw_room(axes, room, x, y):
-    words, color = WORDS.get(room, ("", PALE))
+def draw_room(axes, room, x, y, color):
+    words = WORDS.get(room, "public functions")
     axes.add_patch(
         FancyBboxPatch(
             (x - WIDTH / 2, y - HEIGHT / 2),
@@ -149,14 +156,14 @@ def draw_room(axes, room, x, y):
             fc=color,
             ec=BLACK,
             boxstyle="round,pad=0,rounding_size=0.12",
-            lw=1.4,
+            lw=2.4 if room in PACKAGES else 1.2,
             zorder=3,
         )
     )
     axes.text(
         x,
         y + 0.33,
-        room if room.startswith("public") else room + "/",
+        room if room in PACKAGES else room + "/",
         weight="bold",
         fontsize=14,
         ha="center",
@@ -203,7 +210,7 @@ def draw_arrow(axes, points):
 
 
 def main(include, out):
-    uses = read_rooms(include)
+    uses, package = read_rooms(include)
     for room in uses:
         for other in uses[room]:
             if room in reachable(uses, other):
@@ -222,7 +229,7 @@ def main(include, out):
     for floor in layout.floors:
         for room in floor:
             if isinstance(room, str):
-                draw_room(axes, room, *center[room])
+                draw_room(axes, room, *center[room], PACKAGES[package[room]])
     save(figure, out)
 
 
