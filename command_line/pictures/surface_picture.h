@@ -121,6 +121,7 @@ private:
   struct Corner
   {
     Point point;
+    Vertex vertex;
     Halfedge side;
     bool is_outline;
   };
@@ -136,7 +137,7 @@ private:
   {
     std::vector<Corner> result;
     for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-      result.push_back({m_mesh.point(m_mesh.target(h)), h, false});
+      result.push_back({m_mesh.point(m_mesh.target(h)), m_mesh.target(h), h, false});
     return result;
   }
 
@@ -190,10 +191,10 @@ private:
     return pieces;
   }
 
-  void write_point(const char command, const Point& point)
+  void write_point(std::ostream& os, const char command, const Point& point) const
   {
     const Depth_buffer::Point p = pixel(point);
-    m_svg << command << p.x << ' ' << p.y;
+    os << command << p.x << ' ' << p.y;
   }
 
   // The stroke of the area closes the seams to its neighbors.
@@ -209,26 +210,40 @@ private:
     m_svg << "<path d=\"";
     char command = 'M';
     for(const Corner& c : piece.corners)
-      write_point(std::exchange(command, 'L'), c.point);
+      write_point(m_svg, std::exchange(command, 'L'), c.point);
     m_svg << "Z\" style=\"fill:" << rgb.str() << ");stroke:" << rgb.str() << ")\"/>\n";
 
     for(const Line_style& line : lines) {
-      bool is_first = true;
-      for(std::size_t i = 0; i < piece.corners.size(); ++i) {
+      std::ostringstream way;
+      way.precision(6);
+      const auto is_drawn = [&](const Corner& c) {
+        return c.side != Mesh::null_halfedge() ? line.is_wanted(m_mesh.edge(c.side))
+                                               : c.is_outline && &line == &lines[0];
+      };
+      const std::size_t count = piece.corners.size();
+      for(std::size_t i = 0; i < count; ++i) {
         const Corner& c = piece.corners[i];
-        const bool is_edge = c.side != Mesh::null_halfedge();
-        if(is_edge ? !line.is_wanted(m_mesh.edge(c.side)) : !c.is_outline || &line != &lines[0])
-          continue;
-        if(is_first)
-          m_svg << "<path fill=\"none\" stroke=\"" << line.color << "\" stroke-width=\""
-                << line.width << "\" d=\"";
-        is_first = false;
-        write_point('M', piece.corners[(i + piece.corners.size() - 1) % piece.corners.size()].point);
-        write_point('L', c.point);
+        if(is_drawn(c)) {
+          write_point(way, 'M', piece.corners[(i + count - 1) % count].point);
+          write_point(way, 'L', c.point);
+        } else if(!is_drawn(piece.corners[(i + 1) % count]) && is_end(c, line)) {
+          write_point(way, 'M', c.point); // the round end, of which the area has taken some
+          write_point(way, 'L', c.point);
+        }
       }
-      if(!is_first)
-        m_svg << "\"/>\n";
+      if(!way.str().empty())
+        m_svg << "<path fill=\"none\" stroke=\"" << line.color << "\" stroke-width=\""
+              << line.width << "\" d=\"" << way.str() << "\"/>\n";
     }
+  }
+
+  // Whether a line ends at a corner.
+  bool is_end(const Corner& c, const Line_style& line) const
+  {
+    for(const Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(c.vertex)))
+      if(line.is_wanted(m_mesh.edge(h)))
+        return true;
+    return false;
   }
 
   const Mesh& m_mesh;
