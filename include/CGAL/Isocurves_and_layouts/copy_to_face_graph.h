@@ -176,6 +176,9 @@ faces are added in the order of nodes, arcs, and patches.
         or a patch on both sides of an arc, which no valid polygon mesh has; or a patch that is not
         a disc, which a border can have cut that does not lie on isocurves. Then nothing is added.
         More nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
+
+\par Complexity
+Linear in the number of nodes, arcs, and patches, but for a logarithmic factor.
 */
 template <typename TriangleMesh, typename PolygonMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
@@ -209,6 +212,10 @@ The parameters are those of `copy_to_face_graph()`, but for these:
   `vertices(tmesh)`, but for vertices without a face.
 
 \return `false` if there is no layout; then nothing is added.
+
+\par Complexity
+Linear in the size of the mesh and of the result, but for a logarithmic factor where points of arcs
+are sorted along an edge or in a face.
 
 \sa `CGAL::Polygon_mesh_processing::triangulate_faces()`
 */

@@ -64,6 +64,9 @@ solve what a quantization of the layout has to solve, at a scale that is far too
 `are_lengths_consistent()`.
 
 \pre `bool(graph)`
+
+\par Complexity
+Linear in the number of arcs, times the bits of their lengths.
 */
 template <typename TriangleMesh>
 Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& graph)
@@ -108,6 +111,9 @@ the products of width and height.
 \param lengths one length per arc
 
 \pre `bool(graph)`, and `lengths.size() == graph.number_of_arcs()`
+
+\par Complexity
+Linear in the number of arcs.
 */
 template <typename TriangleMesh, typename Length>
 bool are_lengths_consistent(const Motorcycle_graph<TriangleMesh>& graph,

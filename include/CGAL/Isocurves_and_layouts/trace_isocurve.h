@@ -207,6 +207,9 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
         `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
 
 
+\par Complexity
+One pass over the mesh, and constant time for each edge crossed.
+
 \sa `trace_isocurve()`
 */
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
@@ -312,6 +315,9 @@ missed. To follow an isocurve on an approximately seamless parametrization, see 
 \pre the curve has its points (`trace_isocurve()` writes them to its output
      iterator instead), starts at a vertex, and ends at a vertex or has missed one
 
+\par Complexity
+Linear in the number of edges crossed, and of faces around the vertices met.
+
 \sa `cycle_along_isocurve()`
 */
 template <typename TriangleMesh>
@@ -344,6 +350,9 @@ status of the curve is `Isocurve_status::CLOSED` or, if it passes by this vertex
 \param curve a curve with its points, traced on `tmesh`
 \pre the curve has its points (`trace_isocurve()` writes them to its output
      iterator instead), starts at a vertex, and has one of these statuses
+
+\par Complexity
+Linear in the number of edges crossed, and of faces around the vertices met.
 
 \sa `connection_along_isocurve()`
 */

@@ -381,6 +381,10 @@ The cost is that of sparse Cholesky factorizations with twice as many rows as `t
 (three, for the field) and vertices (one, and one for each stiffening round): on surface meshes
 somewhat more than linear, 4 to 7 seconds per 100,000 faces.
 
+\par Complexity
+Some sparse factorizations with an unknown or two for each face or vertex; in addition at most
+`number_of_untangling_iterations` iterations over all faces, where triangles are flipped.
+
 \sa `snap_to_seamless()`
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,

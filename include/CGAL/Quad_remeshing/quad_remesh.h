@@ -295,6 +295,10 @@ left out.
 
 \return the outcome, and figures of the result
 
+\par Complexity
+That of the steps. The parametrization takes most of the time, unless many numbers of quads are
+tried.
+
 \sa `quantize()`
 */
 template <typename TriangleMesh, typename QuadMesh,

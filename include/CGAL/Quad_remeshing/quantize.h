@@ -255,6 +255,11 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
 
 \return the quantization, or why there is none
 
+\par Complexity
+Linear in the number of faces, but for a logarithmic factor, until the coarse triangulation is
+found; then a shortest path on that for each move. Its size depends on the cones, corners, and
+features only.
+
 \sa `snap_to_seamless()`
 \sa `quad_remesh()`
 */

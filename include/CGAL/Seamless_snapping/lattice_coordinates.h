@@ -67,6 +67,9 @@ those of faces that are nearly degenerate. Corners with the same coordinates kee
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
 
+\par Complexity
+Linear in the number of faces.
+
 \sa `convert_to_cartesian_coordinates()`
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
@@ -91,6 +94,9 @@ in general, in these: convert for pictures and measurements, not to go on from t
 
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
+
+\par Complexity
+Linear in the number of faces.
 
 \sa `convert_to_lattice_coordinates()`
 */

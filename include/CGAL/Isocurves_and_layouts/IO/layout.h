@@ -110,6 +110,9 @@ group `arcs`.
 \cgalNamedParamsEnd
 
 \return `false` if there is no layout, or if writing fails
+
+\par Complexity
+That of `refine_along_arcs()`, and linear in what is written.
 */
 template <typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -168,6 +168,9 @@ followed by their vertices.
 
 \returns an object that converts to `true` if the mesh was read, and that holds the reason and the
          line otherwise
+
+\par Complexity
+Linear in the size of the file.
 */
 inline File_status read_HEXEX(std::istream& is, HEXEX_mesh& mesh)
 {
@@ -197,6 +200,9 @@ inline File_status read_HEXEX(const std::string& filename, HEXEX_mesh& mesh)
 
 \brief writes a tetrahedral mesh with coordinates per corner to a stream in the HEXEX format, with
 as many digits as it takes to read the numbers back bit for bit.
+
+\par Complexity
+Linear in the size of the mesh.
 */
 inline File_status write_HEXEX(std::ostream& os, const HEXEX_mesh& mesh)
 {

@@ -113,6 +113,10 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
 
 Runs in \f$ O(n \log n) \f$ time where the degrees of vertices are bounded (for each face that is
 added, the faces around its vertices are visited), and needs the memory for the whole text.
+
+\par Complexity
+Linear in the size of the file, but for a logarithmic factor where edges, and with `weld` points,
+are sorted.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -184,6 +188,9 @@ written.
          otherwise
 
 \pre All faces are triangles.
+
+\par Complexity
+Linear in the size of the mesh, as long as each vertex has few different coordinates.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -259,6 +266,9 @@ bit for bit, as with `write_OBJ()`.
 \returns an object that converts to `true` if the file was written, and that holds the reason
          otherwise: the original cannot be read, the faces of the mesh are not those of the file, or
          a coordinate is not finite. Then nothing is written.
+
+\par Complexity
+Linear in the size of the file, as long as each vertex has few different coordinates.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
