@@ -28,9 +28,6 @@ using Aligned =
 using Vertex_point_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 using Vertex_index_map = std::decay_t<decltype(
     CGAL::get_initialized_vertex_index_map(std::declval<const Mesh&>(), std::declval<Plain>()))>;
-template <typename Group>
-using Given = decltype(
-    SS::internal::given_transitions<Group>(std::declval<const Mesh&>(), std::declval<Plain>()));
 using Scaled_uv_map = std::decay_t<decltype(
     get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), std::declval<const Mesh&>()))>;
 
@@ -42,7 +39,8 @@ using Scaled_uv_map = std::decay_t<decltype(
   internal::read_transitions<internal::Quarter_turns>(                                             \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     const seamless_snapping_precompiled::Vertex_index_map&, bool,                                  \
-    const seamless_snapping_precompiled::Given<internal::Quarter_turns>&, double);                 \
+    const internal::Given_transitions<internal::Quarter_turns,                                     \
+                                      seamless_snapping_precompiled::Mesh>&, double);              \
   PREFIX template std::vector<std::pair<SM_Vertex_index, int> >                                    \
   internal::singular_vertices<internal::Quarter_turns>(                                            \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
@@ -58,13 +56,12 @@ using Scaled_uv_map = std::decay_t<decltype(
 #define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, MAY_UNTANGLE)      \
   PREFIX template class internal::Surface_snapper<                                                 \
     GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
-    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given<GROUP>,  \
-    MAY_ROUND, MAY_UNTANGLE>;
+    seamless_snapping_precompiled::Vertex_index_map, MAY_ROUND, MAY_UNTANGLE>;
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                        \
   PREFIX template class internal::Transition_reader<                                               \
     GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
-    seamless_snapping_precompiled::Vertex_index_map, seamless_snapping_precompiled::Given<GROUP> >;\
+    seamless_snapping_precompiled::Vertex_index_map>;                                              \
   PREFIX template class internal::Cut_complex_reader<                                              \
     GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
     seamless_snapping_precompiled::Vertex_index_map>;

@@ -77,10 +77,9 @@ struct Seamlessness
 namespace internal {
 
 // Whether the transition across an interior edge is exact: the given one, or any.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Given,
-          typename Halfedge>
-bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Given& given,
-                   const Halfedge h)
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                   const Given_transitions<Group, TriangleMesh>& given, const Halfedge h)
 {
   const Edge_sides sides = edge_sides(tmesh, uv_map, h);
   for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
@@ -88,14 +87,10 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const
       return false;
   if(!given.is_consistent(h))
     return false;
-  if constexpr(Given::has_cuts) {
-    if(!given.is_cut(h))
-      return sides.are_identical();
-  }
-  if constexpr(Given::has_rotations)
-    return satisfies_transition<Group>(sides, given.rotation(h));
-  else
-    return satisfies_some_transition<Group>(sides);
+  if(given.has_cuts() && !given.is_cut(h))
+    return sides.are_identical();
+  return given.has_rotations() ? satisfies_transition<Group>(sides, given.rotation(h))
+                               : satisfies_some_transition<Group>(sides);
 }
 
 // [MC19] Eq. (5) for one edge: by how much the functional differs that differs least along it. 0
@@ -141,7 +136,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameter
 bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
   using Group = Symmetry_group<NamedParameters>;
-  const auto given = given_transitions<Group>(tmesh, np);
+  const Given_transitions<Group, TriangleMesh> given(tmesh, np);
   for(const auto e : edges(tmesh)) {
     const auto h = halfedge(e, tmesh);
     if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge<Group>(tmesh, uv_map, given, h))
@@ -169,7 +164,7 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 {
   Seamlessness result;
   using Group = Symmetry_group<NamedParameters>;
-  const auto given = given_transitions<Group>(tmesh, np);
+  const Given_transitions<Group, TriangleMesh> given(tmesh, np);
   Uv_box box;
   for(const auto f : faces(tmesh)) {
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))

@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -60,72 +61,71 @@ struct Transition_data
   double violation = 0;
 };
 
-// What the caller knows about cuts and rotations, if anything.
-template <typename Group, typename TriangleMesh, typename EdgeIsCutMap,
-          typename HalfedgeRotationMap>
-struct Given_transitions
+// What the caller knows about cuts and rotations, if anything. The types of the maps that tell it
+// end here, so that all calls share the code behind.
+template <typename Group, typename TriangleMesh>
+class Given_transitions
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  static constexpr bool has_cuts = is_given<EdgeIsCutMap>;
-  static constexpr bool has_rotations = is_given<HalfedgeRotationMap>;
 
-  const TriangleMesh& tmesh;
-  EdgeIsCutMap edge_is_cut;
-  HalfedgeRotationMap halfedge_rotation;
-
-  bool is_cut(const Halfedge h) const
+public:
+  template <typename NamedParameters>
+  Given_transitions(const TriangleMesh& tmesh, const NamedParameters& np) : m_tmesh(tmesh)
   {
-    if constexpr(has_cuts)
-      return get(edge_is_cut, edge(h, tmesh));
-    else
-      return false;
+    using CGAL::parameters::get_parameter;
+    const auto edge_is_cut = get_parameter(np, CGAL::internal_np::edge_is_cut);
+    if constexpr(is_given<std::decay_t<decltype(edge_is_cut)> >)
+      m_is_cut = [edge_is_cut, &tmesh](const Halfedge h) -> bool
+        { return get(edge_is_cut, edge(h, tmesh)); };
+    const auto rotation = get_parameter(np, CGAL::internal_np::halfedge_rotation);
+    if constexpr(is_given<std::decay_t<decltype(rotation)> >)
+      m_rotation = [rotation](const Halfedge h)
+        { return static_cast<int>(get(rotation, h) % Group::order); };
   }
+
+  bool has_cuts() const { return bool(m_is_cut); }
+  bool has_rotations() const { return bool(m_rotation); }
+
+  bool is_cut(const Halfedge h) const { return has_cuts() && m_is_cut(h); }
 
   typename Group::Element rotation(const Halfedge h) const
-  {
-    if constexpr(has_rotations)
-      return Group::element(static_cast<int>(get(halfedge_rotation, h) % Group::order));
-    else
-      return Group::identity();
-  }
+  { return has_rotations() ? Group::element(m_rotation(h)) : Group::identity(); }
 
   // Whether what is given of an edge fits together.
   bool is_consistent(const Halfedge h) const
   {
+    if(!has_rotations())
+      return true;
     const auto g = rotation(h);
-    return g == Group::inverse(rotation(opposite(h, tmesh))) &&
-           (g == Group::identity() || !has_cuts || is_cut(h));
+    return g == Group::inverse(rotation(opposite(h, m_tmesh))) &&
+           (g == Group::identity() || !has_cuts() || is_cut(h));
   }
 
-  // Edges that count as open even if their sides are the same to the bit.
-  bool is_cut_anyway(const Halfedge h) const
+  // Whether an edge counts as open even if its sides are the same to the bit; empty if none does.
+  std::function<bool(Halfedge)> predicate_of_open_edges() const
   {
-    if constexpr(has_rotations)
-      if(rotation(h) != Group::identity() ||
-         rotation(opposite(h, tmesh)) != Group::identity()) // perhaps not inverse
-        return true;
-    return is_cut(h);
+    if(!has_cuts() && !has_rotations())
+      return {};
+    return [this](const Halfedge h) {
+      return is_cut(h) || rotation(h) != Group::identity() ||
+             rotation(opposite(h, m_tmesh)) != Group::identity(); // perhaps not inverse
+    };
   }
+
+private:
+  const TriangleMesh& m_tmesh;
+  std::function<bool(Halfedge)> m_is_cut;
+  std::function<int(Halfedge)> m_rotation;
 };
 
-template <typename Group, typename TriangleMesh, typename NamedParameters>
-auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  const auto edge_is_cut =
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_cut);
-  const auto rotations =
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::halfedge_rotation);
-  return Given_transitions<Group, TriangleMesh, std::decay_t<decltype(edge_is_cut)>,
-                           std::decay_t<decltype(rotations)> >{tmesh, edge_is_cut, rotations};
-}
-
 // By how much an edge violates [MC19] Eq. (4), times `scale`: for the given rotation, or the best.
-template <typename Group, typename Given, typename Halfedge>
-double transition_violation(const Edge_sides& sides, const Given& given, const Halfedge h,
+template <typename Group, typename TriangleMesh, typename Halfedge>
+double transition_violation(const Edge_sides& sides,
+                            const Given_transitions<Group, TriangleMesh>& given, const Halfedge h,
                             const double scale)
 {
   const Edge_vectors vectors(sides);
-  const bool is_known = Given::has_rotations || (Given::has_cuts && !given.is_cut(h));
+  const bool is_known = given.has_rotations() || (given.has_cuts() && !given.is_cut(h));
   Mismatched_edge<Halfedge> edge;
   set_rotation<Group>(edge, vectors, is_known ? given.rotation(h) : vectors.best_fit<Group>(scale),
                       scale);
@@ -141,11 +141,11 @@ edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const
 }
 
 // One run; the member functions are its steps, in order.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
 class Transition_reader
 {
   using Data = Transition_data<TriangleMesh>;
+  using Given = Given_transitions<Group, TriangleMesh>;
   using Halfedge = typename Data::Halfedge;
 
 public:
@@ -185,8 +185,8 @@ private:
   {
     const Edge_vectors vectors(edge.sides);
     measure_length_and_gap<Group>(edge, vectors, m_scale);
-    edge.is_cut = !Given::has_cuts || m_given.is_cut(edge.halfedge);
-    if constexpr(Given::has_rotations) {
+    edge.is_cut = !m_given.has_cuts() || m_given.is_cut(edge.halfedge);
+    if(m_given.has_rotations()) {
       const auto g = m_given.rotation(edge.halfedge);
       set_rotation<Group>(edge, vectors, g, m_scale);
       if(g != Group::inverse(m_given.rotation(opposite(edge.halfedge, m_tmesh)))) {
@@ -247,7 +247,7 @@ private:
     std::vector<Edge_sides> edges;
     for(const Mismatched_edge<Halfedge>& edge : data.edges)
       edges.push_back(edge.sides);
-    return Given::has_cuts || Given::has_rotations
+    return m_given.has_cuts() || m_given.has_rotations()
       ? std::string() : hint_on_symmetry(edges, m_tolerance * data.extent, Group::order);
   }
 
@@ -264,7 +264,7 @@ private:
       return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences(numbers.size(), ends);
-    if(!Given::has_rotations) {
+    if(!m_given.has_rotations()) {
       data.number_of_edges_decided_by_surroundings =
         Seam_estimator<Group, TriangleMesh, Halfedge>(
           m_tmesh, m_scale, m_tolerance * (data.extent * m_scale), epsilon(), ends, incidences,
@@ -272,7 +272,7 @@ private:
       if(data.number_of_edges_decided_by_surroundings > 0 && !check_residuals(data))
         return false;
     }
-    if(!Given::has_cuts)
+    if(!m_given.has_cuts())
       mark_merged_edges<Group>(m_tmesh, incidences, data.edges);
     return true;
   }
@@ -298,10 +298,9 @@ private:
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
 Transition_data<TriangleMesh>
-Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>::run()
+Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
 {
   Data data;
   if(!(m_tolerance >= 0)) {
@@ -310,8 +309,7 @@ Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>::ru
     return data;
   }
   Uv_survey<TriangleMesh> survey =
-    survey_uv(m_tmesh, m_uv_map, m_vertex_indices,
-              [&](const Halfedge h) { return m_given.is_cut_anyway(h); });
+    survey_uv(m_tmesh, m_uv_map, m_vertex_indices, m_given.predicate_of_open_edges());
   data.extent = survey.extent;
   data.refusal = std::move(survey.refusal);
   if(data.refusal)
@@ -349,14 +347,12 @@ bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_i
 // The residual, relative to the extent, up to which a map counts as seamless by default.
 constexpr double default_tolerance = 1e-4;
 
-// \param given see Given_transitions
 // \param has_given_indices whether the indices are the caller's, and may be wrong
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given>
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
 Transition_data<TriangleMesh>
 read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                  const VertexIndexMap& vertex_indices, const bool has_given_indices,
-                 const Given& given, const double tolerance)
+                 const Given_transitions<Group, TriangleMesh>& given, const double tolerance)
 {
   if(has_given_indices && !are_valid_indices(tmesh, vertex_indices)) {
     Transition_data<TriangleMesh> data;
@@ -366,7 +362,7 @@ read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                            "vertices; leave the parameter out to have them made");
     return data;
   }
-  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given>(
+  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
            tmesh, uv_map, vertex_indices, given, tolerance).run();
 }
 
@@ -384,7 +380,8 @@ read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
 {
   return read_transitions<Group>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
                                  is_given<NamedParameters, CGAL::internal_np::vertex_index_t>,
-                                 given_transitions<Group>(tmesh, np), chosen_tolerance(np));
+                                 Given_transitions<Group, TriangleMesh>(tmesh, np),
+                                 chosen_tolerance(np));
 }
 
 } // namespace internal

@@ -34,6 +34,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -170,15 +171,13 @@ bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
 // Edges whose corners are on their way from the memory, while those before them are compared.
 constexpr std::size_t surveyed_together = 64;
 
-// `is_open_anyway(h)` lets callers add edges that are the same on both sides, but known to be cuts.
-template <typename TriangleMesh,
-          typename HalfedgeUVMap,
-          typename VertexIndexMap,
-          typename Predicate>
-Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh,
-                                  const HalfedgeUVMap& uv_map,
-                                  const VertexIndexMap& vertex_indices,
-                                  const Predicate& is_open_anyway)
+// `is_open_anyway`, if it is not empty, lets callers add edges that are the same on both sides, but
+// known to be cuts.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+Uv_survey<TriangleMesh>
+survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+          const VertexIndexMap& vertex_indices,
+          const std::function<bool(typename Uv_survey<TriangleMesh>::Halfedge)>& is_open_anyway)
 {
   using Survey = Uv_survey<TriangleMesh>;
   using Halfedge = typename Survey::Halfedge;
@@ -203,7 +202,8 @@ Uv_survey<TriangleMesh> survey_uv(const TriangleMesh& tmesh,
     box.add(get_uv(uv_map, g));
     // Points are compared where they are: copying them first would take as long again.
     if(are_equal(get(uv_map, h), get(uv_map, prev(g, tmesh))) &&
-       are_equal(get(uv_map, g), get(uv_map, prev(h, tmesh))) && !is_open_anyway(h))
+       are_equal(get(uv_map, g), get(uv_map, prev(h, tmesh))) &&
+       !(is_open_anyway && is_open_anyway(h)))
       return;
     const Edge_sides sides = edge_sides(tmesh, uv_map, h);
     survey.mismatched_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),

@@ -71,12 +71,12 @@ constexpr double negligible_rounding = 1e-4;
 // Of cones that untangling makes, one after the other.
 constexpr int largest_number_of_roundings = 8;
 
-// \tparam Given see Given_transitions
 // \tparam may_round whether rounding to an integer-grid map is compiled
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given, bool may_round, bool may_untangle>
+          bool may_round, bool may_untangle>
 class Surface_snapper
 {
+  using Given = Given_transitions<Group, TriangleMesh>;
   using Options = Snapping_options<TriangleMesh>;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Cuts = Surface_cuts<Group, TriangleMesh>;
@@ -472,10 +472,9 @@ private:
 
 // Outside of the class, so that programs that share a library can share this, too.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap,
-          typename Given, bool may_round, bool may_untangle>
+          bool may_round, bool may_untangle>
 Snapping_report
-Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, Given, may_round,
-                may_untangle>::run()
+Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap, may_round, may_untangle>::run()
 {
   std::optional<Refusal> refusal = snap();
   if constexpr(may_round && may_untangle)
@@ -572,10 +571,10 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   constexpr bool may_untangle = // others have no free coordinates
     Group::is_signed_permutation && std::is_same<Flip_parameter, Flip_repair>::value;
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto given = given_transitions<Group>(tmesh, np);
+  const Given_transitions<Group, TriangleMesh> given(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
   return Surface_snapper<Group, TriangleMesh, HalfedgeUVMap, std::decay_t<decltype(vertex_indices)>,
-                         std::decay_t<decltype(given)>, may_round, may_untangle>(
+                         may_round, may_untangle>(
            tmesh, uv_map, vertex_indices, given, options).run();
 }
 
