@@ -101,15 +101,19 @@ public:
            (g == Group::identity() || !has_cuts() || is_cut(h));
   }
 
-  // Whether an edge counts as open even if its sides are the same to the bit; empty if none does.
-  std::function<bool(Halfedge)> predicate_of_open_edges() const
+  // Edges that count as open even if their sides are the same to the bit.
+  bool is_cut_anyway(const Halfedge h) const
+  {
+    return is_cut(h) || rotation(h) != Group::identity() ||
+           rotation(opposite(h, m_tmesh)) != Group::identity(); // perhaps not inverse
+  }
+
+  // The same, or empty if there is none.
+  std::function<bool(Halfedge)> predicate_of_cuts() const
   {
     if(!has_cuts() && !has_rotations())
       return {};
-    return [this](const Halfedge h) {
-      return is_cut(h) || rotation(h) != Group::identity() ||
-             rotation(opposite(h, m_tmesh)) != Group::identity(); // perhaps not inverse
-    };
+    return [this](const Halfedge h) { return is_cut_anyway(h); };
   }
 
 private:
@@ -309,7 +313,7 @@ Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
     return data;
   }
   Uv_survey<TriangleMesh> survey =
-    survey_uv(m_tmesh, m_uv_map, m_vertex_indices, m_given.predicate_of_open_edges());
+    survey_uv(m_tmesh, m_uv_map, m_vertex_indices, m_given.predicate_of_cuts());
   data.extent = survey.extent;
   data.refusal = std::move(survey.refusal);
   if(data.refusal)
