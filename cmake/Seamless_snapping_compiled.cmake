@@ -13,7 +13,8 @@ set(surfaces Seamless_snapping/internal/complex/Free_unknowns
 set(volumes Seamless_snapping/internal/volume/volume_snappers)
 set(layouts Isocurves_and_layouts/internal/layout/Refined_faces
   Isocurves_and_layouts/internal/layout/make_layout)
-set(quads Quad_remeshing/internal/quantization/quantize_surface Quad_remeshing/quad_remesh)
+set(quads Quad_remeshing/internal/quantization/quantize_surface
+  Quad_remeshing/internal/quad_remesh)
 
 if(NOT TARGET Seamless_snapping_compiled)
   set(Seamless_snapping_compiled_SOURCES "")

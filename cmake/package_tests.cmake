@@ -10,7 +10,7 @@ set(public_headers ${headers})
 list(FILTER public_headers EXCLUDE REGEX "/internal/")
 # The library has what these compile.
 foreach(list IN ITEMS headers public_headers)
-  list(FILTER ${list} EXCLUDE REGEX "(/compiled|_impl)\\.h$")
+  list(FILTER ${list} EXCLUDE REGEX "_impl\\.h$")
 endforeach()
 if(NOT SEAMLESS_SNAPPING_CHECK_ALL_HEADERS)
   set(headers ${public_headers})

@@ -88,7 +88,6 @@ function(compile name)
       "${root}/include/CGAL/*/IO/*.h")
     file(GLOB program "${root}/examples/*/snap_linear_constraints.cpp"
       "${root}/examples/*/orbifold_pipeline.cpp")
-    list(FILTER headers EXCLUDE REGEX "/compiled\\.h$")
     foreach(header IN LISTS headers)
       string(APPEND source "#include <${header}>\n")
     endforeach()

@@ -11,8 +11,8 @@
 #include "snap_model.h"
 #include "words.h"
 
-#include <CGAL/Isocurves_and_layouts/IO/layout.h>
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 
 #include <cstddef>
 #include <ostream>

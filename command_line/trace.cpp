@@ -13,6 +13,7 @@
 #include "pictures/tracing_overview.h"
 #include "pictures/tracing_types.h"
 
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

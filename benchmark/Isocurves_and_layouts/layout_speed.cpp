@@ -8,7 +8,7 @@
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -3,7 +3,7 @@
 #include "remeshing.h"
 
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface_impl.h>
-#include <CGAL/Quad_remeshing/quad_remesh_impl.h>
+#include <CGAL/Quad_remeshing/internal/quad_remesh_impl.h>
 
 namespace CGAL {
 namespace Seamless_snapping {

@@ -4,7 +4,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_PIECES_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_PIECES_H
 
-#include <CGAL/Isocurves_and_layouts/Isocurve.h>
+#include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 
 #include <array>
 #include <cstddef>

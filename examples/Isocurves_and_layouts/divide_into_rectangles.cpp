@@ -1,9 +1,8 @@
 // Makes a parametrization exactly seamless, divides the surface into rectangles, and writes them as
 // polygons, and as a mesh refined along their sides.
 
-#include <CGAL/Isocurves_and_layouts/IO/layout.h>
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

@@ -1,9 +1,8 @@
 // Triangulates a box of two subdomains, gives it a parametrization as inaccurate as those of
 // solvers, and makes that exact: on boundary and interface, too.
 
-#include <CGAL/Seamless_snapping/cells_of_c3t3.h>
-#include <CGAL/Seamless_snapping/is_volume_seamless.h>
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
+#include <CGAL/Seamless_snapping/is_volume_seamless.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>

@@ -7,7 +7,7 @@
 #include "checking.h"
 
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

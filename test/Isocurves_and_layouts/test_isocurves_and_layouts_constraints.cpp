@@ -10,7 +10,7 @@
 #include "reduced_seamless_system.h"
 #include "test_data.h"
 
-#include <CGAL/Isocurves_and_layouts/intercepted_connections.h>
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>

@@ -10,9 +10,8 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
-#include <CGAL/Isocurves_and_layouts/IO/layout.h>
-#include <CGAL/Isocurves_and_layouts/integer_arc_lengths.h>
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>

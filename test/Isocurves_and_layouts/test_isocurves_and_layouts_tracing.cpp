@@ -8,6 +8,7 @@
 #include "tracing_checks.h"
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>

@@ -7,6 +7,7 @@
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 

@@ -13,7 +13,7 @@
 #include "test_meshes.h"
 #include "tracing_candidates.h"
 
-#include <CGAL/Isocurves_and_layouts/intercepted_connections.h>
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 
 #include <algorithm>

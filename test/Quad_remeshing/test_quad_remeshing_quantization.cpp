@@ -8,7 +8,7 @@
 #include "test_data.h"
 #include "test_surfaces.h"
 
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>

@@ -16,7 +16,7 @@
 #include "tracing_checks.h"
 #include "triangle_checks.h"
 
-#include <CGAL/Isocurves_and_layouts/intercepted_connections.h>
+#include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>

@@ -15,16 +15,20 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// The tracer: a parametrized mesh prepared for tracing any number of isocurves.
+// Isocurves: where they start, and what they are when traced; and the tracer, a parametrized mesh
+// prepared for tracing any number of them.
 
-#include <CGAL/Isocurves_and_layouts/Isocurve.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Exact_decisions.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Floating_point_decisions.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/start_walk.h>
+#include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 
 #include <CGAL/Exact_rational.h>
@@ -36,6 +40,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -43,6 +48,124 @@
 
 namespace CGAL {
 namespace Seamless_snapping {
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+A point of the surface at which an isocurve starts, together with the chart that its direction
+refers to.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+struct Isocurve_start
+{
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  Isocurve_place place = Isocurve_place::VERTEX; ///< what the point lies on
+  halfedge_descriptor halfedge{};   ///< of the face whose chart is meant
+  Exact_rational parameter{0};      ///< on an edge: 0 at its source, 1 at its target
+  std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
+
+  /*!
+  the target of `h`. The direction refers to the chart of `face(h)`. The curve need not leave
+  through this face: it takes the ray of this direction that is nearest to it, when the direction is
+  carried around the vertex; around a regular vertex there is only one.
+  \pre `h` has a face
+  */
+  static Isocurve_start at_vertex(const halfedge_descriptor h)
+  { return {Isocurve_place::VERTEX, h, Exact_rational(0), {{0, 0}}}; }
+
+  /*!
+  the point \f$ (1-t) a + t b \f$ of the edge from \f$ a \f$ to \f$ b \f$.
+  \pre `h` has a face, and `t` is larger than 0 and smaller than 1
+  */
+  static Isocurve_start on_edge(const halfedge_descriptor h, const Exact_rational& t)
+  { return {Isocurve_place::EDGE, h, t, {{0, 0}}}; }
+
+  /*!
+  the point of `face(h)` with these coordinates in its chart.
+  \pre the point lies in the face, not at one of its vertices
+  */
+  static Isocurve_start in_face(const halfedge_descriptor h, const double u, const double v)
+  { return {Isocurve_place::FACE, h, Exact_rational(0), {{u, v}}}; }
+};
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+A point of a traced isocurve: an edge that is crossed, a vertex that is met, or the point of a face
+at which the curve starts. Where two consecutive points are vertices, the curve runs along the edge
+between them.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+class Isocurve_point
+{
+public:
+  /// a halfedge of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  /// \cond SKIP_IN_MANUAL
+  Isocurve_point() = default;
+  Isocurve_point(const Isocurve_place place, const halfedge_descriptor h,
+                 const Isocurve_direction direction, const internal::Exact_level& level,
+                 const double running = 0)
+    : m_halfedge(h), m_place(place), m_direction(static_cast<unsigned char>(direction)),
+      m_level(level), m_running(running)
+  { }
+  const internal::Exact_level& level() const { return m_level; }
+  double running_coordinate() const { return m_running; }
+  /// \endcond
+
+  /// returns what the point lies on.
+  Isocurve_place place() const { return m_place; }
+
+  /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
+  /// that points to it, of a face that the curve has come through or along or, where it starts,
+  /// that it goes through or along; for a face one of its halfedges.
+  halfedge_descriptor halfedge() const { return m_halfedge; }
+
+  /// returns the direction of the curve in the chart of `face(halfedge())`.
+  Isocurve_direction direction() const { return Isocurve_direction(m_direction); }
+
+  /// returns what is constant along the curve, in this chart, exactly: \f$ u \f$, \f$ v \f$, or
+  /// in lattice coordinates \f$ u + v \f$.
+  Exact_rational constant_coordinate() const { return m_level.exact(); }
+
+  /// returns the same, rounded.
+  double approximate_constant_coordinate() const { return m_level.approximation(); }
+
+private:
+  halfedge_descriptor m_halfedge{};
+  Isocurve_place m_place = Isocurve_place::VERTEX;
+  unsigned char m_direction = 0;
+  internal::Exact_level m_level;
+  double m_running = 0;
+};
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsTracing
+
+A traced isocurve.
+
+\tparam TriangleMesh a model of `FaceGraph`
+*/
+template <typename TriangleMesh>
+struct Isocurve
+{
+  Isocurve_status status = Isocurve_status::MAXIMUM_NUMBER; ///< how it ends
+  Isocurve_start<TriangleMesh> start;                      ///< where it starts
+  Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< in which direction
+  std::size_t number_of_crossings = 0; ///< edges crossed and vertices passed
+  double length = 0;                   ///< from the start to the end; 0 unless it was bounded
+  std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
+};
+
+template <typename TriangleMesh, int D>
+class Isocurve_segment;
 
 namespace internal {
 

@@ -15,21 +15,25 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Isocurves traced by one call, and constraints made of them.
+// Single isocurves, or all that leave singular vertices; and where their points lie.
 
-#include <CGAL/Isocurves_and_layouts/Isocurve.h>
 #include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
-#include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -228,152 +232,126 @@ CurveOutputIterator trace_all_separatrices(const TriangleMesh& tmesh, HalfedgeUV
 
 namespace internal {
 
-// Appends the edges between two corners of a vertex: counterclockwise, or clockwise where the
-// border is in the way.
-template <typename TriangleMesh, typename Halfedge>
-void turn_around_vertex(const TriangleMesh& tmesh, const Halfedge from, const Halfedge to,
-                        std::vector<Halfedge>& path)
+// u, v, or u + v.
+inline Exact_rational exact_component(const Uv& u, const std::size_t c)
 {
-  const std::size_t n = path.size();
-  Halfedge h = from;
-  while(h != to && !is_border(opposite(h, tmesh), tmesh)) {
-    path.push_back(h);
-    h = prev(opposite(h, tmesh), tmesh);
-  }
-  if(h == to)
-    return;
-  path.resize(n);
-  for(h = from; h != to; h = opposite(path.back(), tmesh))
-    path.push_back(next(h, tmesh));
+  return c < 2 ? Exact_rational(u[c]) : Exact_rational(Exact_rational(u[0]) + Exact_rational(u[1]));
 }
 
-// The corner of the face of `h` at a vertex.
-template <typename TriangleMesh, typename Halfedge, typename Vertex>
-Halfedge corner_at(const TriangleMesh& tmesh, Halfedge h, const Vertex v)
+inline double rounded_component(const Uv& u, const std::size_t c)
 {
-  while(target(h, tmesh) != v)
-    h = next(h, tmesh);
-  return h;
-}
-
-// The corner that a curve ends at or, if it has missed a vertex, is about to pass by.
-template <typename TriangleMesh>
-auto corner_at_end(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
-{
-  const Isocurve_point<TriangleMesh>& end = curve.points.back();
-  if(end.place() == Isocurve_place::VERTEX)
-    return end.halfedge();
-  return next(opposite(end.halfedge(), tmesh), tmesh);
+  return c < 2 ? u[c] : u[0] + u[1];
 }
 
 } // namespace internal
 
 /*!
-\ingroup PkgIsocurvesAndLayoutsConstraints
+\ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the edges that a curve crosses, as the path of a `Connection_constraint` or
-`Cycle_constraint`: `h` leads from `face(h)` to `face(opposite(h))`. The path begins in the face of
-the first point of the curve and ends in that of its last point. It leads around the vertices that
-the curve passes.
+returns the position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its target.
+It is exact where the curve crosses the edge. Where the curve starts on the edge and runs along it,
+the position is computed from the rounded coordinates of the start.
 
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
-\param curve a curve with its points, traced on `tmesh`
+\param uv_map the coordinates of each corner
 
-\par Complexity
-Linear in the number of points of the curve and of faces around the vertices that it passes.
+\pre `point.place()` is `Isocurve_place::EDGE`, and the ends of the edge differ in the domain
 */
-template <typename TriangleMesh>
-std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
-isocurve_face_path(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
+template <typename TriangleMesh, typename HalfedgeUVMap>
+Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
+                                  const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> path;
-  const auto go_on = [&](const Isocurve_point<TriangleMesh>& from, const auto to) {
-    const auto h = from.halfedge();
-    if(face(h, tmesh) == face(to, tmesh))
-      return;
-    if(from.place() == Isocurve_place::VERTEX)
-      internal::turn_around_vertex(tmesh, h, internal::corner_at(tmesh, to, target(h, tmesh)),
-                                   path);
-    else
-      path.push_back(h);
-  };
-  for(std::size_t i = 1; i < curve.points.size(); ++i)
-    go_on(curve.points[i - 1], curve.points[i].halfedge());
-  return path;
+  const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh)),
+                     b = internal::get_uv(uv_map, point.halfedge());
+  const auto parameter = [](const Exact_rational& x, const Exact_rational& from,
+                            const Exact_rational& to)
+  { return Exact_rational((x - from) / (to - from)); };
+  const std::size_t c = internal::constant_component(point.direction());
+  const Exact_rational from = internal::exact_component(a, c), to = internal::exact_component(b, c);
+  if(from != to)
+    return parameter(point.constant_coordinate(), from, to);
+  const std::size_t k = internal::other_coordinate(point.direction());
+  return parameter(Exact_rational(point.running_coordinate()), Exact_rational(a[k]),
+                   Exact_rational(b[k]));
 }
 
 /*!
-\ingroup PkgIsocurvesAndLayoutsConstraints
+\ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the constraint that the isocurve from the vertex where a curve starts meets the vertex where
-it ends; or, if the status of the curve is `Isocurve_status::MISSED_TARGET`, the vertex that it has
-missed. To follow an isocurve on an approximately seamless parametrization, see the parameter
-`decide_exactly` of `trace_isocurve()`.
+returns the coordinates of a point in the chart of `face(point.halfedge())`, rounded.
 
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
-\param curve a curve with its points, traced on `tmesh`
-\pre the curve has its points (`trace_isocurve()` writes them to its output
-     iterator instead), starts at a vertex, and ends at a vertex or has missed one
-
-\par Complexity
-Linear in the number of edges crossed, and of faces around the vertices met.
-
-\sa `cycle_along_isocurve()`
+\param uv_map the coordinates of each corner
 */
-template <typename TriangleMesh>
-Connection_constraint<TriangleMesh>
-connection_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
+template <typename TriangleMesh, typename HalfedgeUVMap>
+std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
+                                  const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
 {
-  CGAL_precondition(!curve.points.empty());
-  const Isocurve_point<TriangleMesh>& start = curve.points.front();
-  CGAL_precondition(start.place() == Isocurve_place::VERTEX);
-  CGAL_precondition(curve.status == Isocurve_status::MISSED_TARGET ||
-                    curve.points.back().place() == Isocurve_place::VERTEX);
-  Connection_constraint<TriangleMesh> result;
-  result.a = start.halfedge();
-  result.b = internal::corner_at_end(tmesh, curve);
-  result.component = int(internal::constant_component(start.direction()));
-  result.path = isocurve_face_path(tmesh, curve);
-  if(curve.points.back().place() == Isocurve_place::EDGE)
-    result.path.push_back(curve.points.back().halfedge());
+  const internal::Protect_exact_arithmetic protect;
+  const std::size_t c = internal::constant_component(point.direction()),
+                    k = internal::other_coordinate(point.direction());
+  const internal::Uv b = internal::get_uv(uv_map, point.halfedge());
+  if(point.place() == Isocurve_place::VERTEX)
+    return b;
+  const double level = point.approximate_constant_coordinate();
+  double running = point.running_coordinate();
+  if(point.place() == Isocurve_place::EDGE) {
+    const internal::Uv a = internal::get_uv(uv_map, prev(point.halfedge(), tmesh));
+    const double from = internal::rounded_component(a, c), to = internal::rounded_component(b, c);
+    if(from != to) // else the curve starts here, and runs along the edge
+      running = a[k] + (level - from) / (to - from) * (b[k] - a[k]);
+  }
+  internal::Uv result;
+  result[k] = running;
+  result[1 - k] = c < 2 ? level
+                        : point.level().minus(internal::Exact_level(running)).approximation();
   return result;
 }
 
 /*!
-\ingroup PkgIsocurvesAndLayoutsConstraints
+\ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the constraint that the isocurve from the vertex where a curve starts closes there. The
-status of the curve is `Isocurve_status::CLOSED` or, if it passes by this vertex,
-`Isocurve_status::SPIRALS`.
+returns the place of a point in space, rounded.
 
+\tparam VertexPointMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional
+        point as value type
+
+\param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
-\param curve a curve with its points, traced on `tmesh`
-\pre the curve has its points (`trace_isocurve()` writes them to its output
-     iterator instead), starts at a vertex, and has one of these statuses
-
-\par Complexity
-Linear in the number of edges crossed, and of faces around the vertices met.
-
-\sa `connection_along_isocurve()`
+\param uv_map the coordinates of each corner
+\param vertex_point_map the points of the vertices
 */
-template <typename TriangleMesh>
-Cycle_constraint<TriangleMesh>
-cycle_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curve)
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
+typename boost::property_traits<VertexPointMap>::value_type
+isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& tmesh,
+                 const HalfedgeUVMap& uv_map, const VertexPointMap& vertex_point_map)
 {
-  CGAL_precondition(!curve.points.empty());
-  const Isocurve_point<TriangleMesh>& start = curve.points.front();
-  CGAL_precondition(start.place() == Isocurve_place::VERTEX);
-  CGAL_precondition(curve.status == Isocurve_status::CLOSED ||
-                    curve.status == Isocurve_status::SPIRALS);
-  Cycle_constraint<TriangleMesh> result;
-  result.corner = start.halfedge();
-  result.component = int(internal::constant_component(start.direction()));
-  result.path = isocurve_face_path(tmesh, curve);
-  if(curve.points.back().place() == Isocurve_place::EDGE)
-    result.path.push_back(curve.points.back().halfedge());
-  internal::turn_around_vertex(tmesh, internal::corner_at_end(tmesh, curve), result.corner,
-                               result.path);
-  return result;
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point_3>::Kernel::FT;
+  const internal::Protect_exact_arithmetic protect;
+  const auto h = point.halfedge();
+  const Point_3 q = get(vertex_point_map, target(h, tmesh));
+  if(point.place() == Isocurve_place::VERTEX)
+    return q;
+  const Point_3 p = get(vertex_point_map, source(h, tmesh));
+  const Point_3 r = get(vertex_point_map, target(next(h, tmesh), tmesh));
+  const internal::Uv a = internal::get_uv(uv_map, prev(h, tmesh)), b = internal::get_uv(uv_map, h),
+                     c = internal::get_uv(uv_map, next(h, tmesh)),
+                     x = isocurve_uv(point, tmesh, uv_map);
+  // barycentric coordinates of b and c
+  const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+  double s = ((x[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (x[1] - a[1])) / area;
+  double t = ((b[0] - a[0]) * (x[1] - a[1]) - (x[0] - a[0]) * (b[1] - a[1])) / area;
+  if(point.place() == Isocurve_place::EDGE) {
+    std::size_t k = 1 - internal::other_coordinate(point.direction());
+    k = (a[k] == b[k]) ? 1 - k : k;
+    s = (a[k] == b[k]) ? 0.5 : (x[k] - a[k]) / (b[k] - a[k]);
+    t = 0;
+  }
+  return Point_3(p + FT(s) * (q - p) + FT(t) * (r - p));
 }
 
 } // namespace Seamless_snapping

@@ -329,7 +329,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 } // namespace CGAL
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
-#include <CGAL/Quad_remeshing/quad_remesh_impl.h>
+#include <CGAL/Quad_remeshing/internal/quad_remesh_impl.h>
 #endif
 
 #endif // CGAL_QUAD_REMESHING_QUAD_REMESH_H

@@ -2,7 +2,7 @@
 // a uv map. The compiler is to say why, once for each type, and nothing else, which
 // cmake/test_refused_types.cmake checks.
 
-#include <CGAL/Isocurves_and_layouts/surface_layout.h>
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>

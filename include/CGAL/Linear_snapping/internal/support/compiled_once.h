@@ -16,7 +16,7 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // Where code is compiled that does not depend on the caller's types: in each source that calls it,
-// or, if the macro is defined, in the one that includes `compiled.h`. What is no template is
+// or, if the macro is defined, in those that include what defines it. What is no template is
 // declared in one header and defined in another one, whose name ends in `_impl.h`.
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED

@@ -16,7 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The solver of cut complexes, and what changes its solutions: neither knows the mesh. What
-// `compiled.h` compiles once is declared here, for all groups of transitions.
+// can be compiled once is declared here, for all groups of transitions.
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>

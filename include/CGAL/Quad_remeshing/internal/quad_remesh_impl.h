@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H
-#define CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_QUAD_REMESH_IMPL_H
+#define CGAL_QUAD_REMESHING_INTERNAL_QUAD_REMESH_IMPL_H
 
 #include <CGAL/license/Quad_remeshing.h>
 
@@ -201,4 +201,4 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_QUAD_REMESHING_QUAD_REMESH_IMPL_H
+#endif // CGAL_QUAD_REMESHING_INTERNAL_QUAD_REMESH_IMPL_H
