@@ -17,6 +17,8 @@
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/Dynamic_property_map.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -125,12 +127,15 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
                                         .align_border(options.align_border)
                                         .verbose(options.verbose);
+  const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), model.mesh);
+  const auto rotation = get(CGAL::dynamic_halfedge_property_t<int>(), model.mesh);
+  const auto transitions = alignment.edge_is_cut_map(is_cut).halfedge_rotation_map(rotation);
   const std::string faces = counted(model.mesh.number_of_faces(), "face");
   {
     const Progress progress("parametrizing " + faces, options.verbose);
     outcome.made = SS::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
-      alignment.curvature_alignment(options.curvature).release_alignment(true)
+      transitions.curvature_alignment(options.curvature).release_alignment(true)
         .face_direction_map(read_directions(options.field, outcome.repairs, model.mesh)));
   }
   const auto& made = outcome.made;
@@ -145,7 +150,7 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   const Uv_map old_uv_map = copy_of_uv_map(model);
   {
     const Progress progress("snapping " + faces, options.verbose);
-    outcome.snapped = SS::snap_to_seamless(model.mesh, model.uv_map, alignment);
+    outcome.snapped = SS::snap_to_seamless(model.mesh, model.uv_map, transitions);
   }
   if(!outcome.snapped)
     throw Failure(NOT_SOLVED,

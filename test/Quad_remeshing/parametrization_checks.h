@@ -16,6 +16,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <map>
@@ -121,13 +123,64 @@ void check_result(Mesh& mesh, Uv_map uv, const Report& report, const IsAligned& 
   CHECK(SS::is_seamless(mesh, uv, alignment));
 }
 
+// What is told of the transitions.
+struct Transitions
+{
+  explicit Transitions(Mesh& mesh)
+    : is_cut(mesh.add_property_map<Mesh::Edge_index, bool>("e:told_cut", true).first),
+      rotation(mesh.add_property_map<Halfedge, int>("h:told_rotation", 7).first)
+  { }
+
+  template <typename NamedParameters>
+  auto with(const NamedParameters& np) const
+  { return np.edge_is_cut_map(is_cut).halfedge_rotation_map(rotation); }
+
+  Mesh::Property_map<Mesh::Edge_index, bool> is_cut;
+  Mesh::Property_map<Halfedge, int> rotation;
+};
+
+// What is told of the transitions is what the coordinates do.
+inline void check_transitions(const Mesh& mesh, const Uv_map& uv, const Transitions& told,
+                              const Report& report)
+{
+  if(!report)
+    return;
+  std::size_t number_of_cuts = 0;
+  double violation = 0;
+  for(const auto e : mesh.edges()) {
+    number_of_cuts += told.is_cut[e] ? 1 : 0;
+    const Halfedge h = mesh.halfedge(e), g = mesh.opposite(h);
+    if(mesh.is_border(e)) {
+      CHECK(!told.is_cut[e]);
+      continue;
+    }
+    CHECK_EQUAL((told.rotation[h] + told.rotation[g]) % 4, 0);
+    double x = uv[h].x() - uv[mesh.prev(h)].x(), y = uv[h].y() - uv[mesh.prev(h)].y();
+    for(int i = 0; i < told.rotation[h]; ++i) {
+      std::swap(x, y);
+      x = -x;
+    }
+    violation = (std::max)({violation, std::abs(x + (uv[g].x() - uv[mesh.prev(g)].x())),
+                            std::abs(y + (uv[g].y() - uv[mesh.prev(g)].y()))});
+    if(!told.is_cut[e]) {
+      CHECK_EQUAL(told.rotation[h], 0);
+      CHECK(uv[h] == uv[mesh.prev(g)] && uv[g] == uv[mesh.prev(h)]);
+    }
+  }
+  CHECK_EQUAL(number_of_cuts, report.number_of_cut_edges);
+  CHECK_EQUAL(violation, report.violation);
+}
+
 inline void check_parametrization(const std::string& name, Mesh mesh, const bool may_flip = false)
 {
   std::cout << name << std::endl;
   const Uv_map uv = new_uv_map(mesh);
-  const Report report = SS::approximate_seamless_parametrization(mesh, uv);
+  const Transitions told(mesh);
+  const auto np = told.with(parameters::default_values());
+  const Report report = SS::approximate_seamless_parametrization(mesh, uv, np);
   CHECK(may_flip || report.number_of_flipped_faces == 0);
-  check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
+  check_transitions(mesh, uv, told, report);
+  check_result(mesh, uv, report, exact_check::No_edge_aligned(), np);
 }
 
 template <typename EdgeIsConstrainedMap>
@@ -136,12 +189,15 @@ void check_alignment(const std::string& name, Mesh mesh, const EdgeIsConstrained
 {
   std::cout << name << ", aligned" << std::endl;
   const Uv_map uv = new_uv_map(mesh);
-  const auto alignment = parameters::edge_is_constrained_map(is_feature).align_border(align_border);
+  const Transitions told(mesh);
+  const auto alignment =
+    told.with(parameters::edge_is_constrained_map(is_feature).align_border(align_border));
   const auto is_aligned = [&](const Mesh::Edge_index e)
   {
     return get(is_feature, e) || (align_border && mesh.is_border(e));
   };
   const Report report = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  check_transitions(mesh, uv, told, report);
   check_result(mesh, uv, report, is_aligned, alignment);
 }
 

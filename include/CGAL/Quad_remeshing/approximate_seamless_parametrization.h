@@ -171,6 +171,23 @@ void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
   }
 }
 
+// What is known of the transitions, for callers that give maps for it.
+template <typename TriangleMesh, typename NamedParameters>
+void write_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                       const Triangle_surface& surface, const Parametrization_result& result,
+                       const NamedParameters& np)
+{
+  const auto edge_is_cut = CGAL::parameters::get_parameter(np, internal_np::edge_is_cut);
+  const auto rotation = CGAL::parameters::get_parameter(np, internal_np::halfedge_rotation);
+  for(Corner_index c = 0; c < surface.number_of_halfedges(); ++c) {
+    const auto h = numbering.halfedges_of_corners()[std::size_t(c)];
+    if constexpr(is_given<decltype(edge_is_cut)>)
+      put(edge_is_cut, edge(h, tmesh), result.is_cut[c] && !surface.is_border_edge(c));
+    if constexpr(is_given<decltype(rotation)>)
+      put(rotation, h, Quarter_turns::turns(result.rotation[c]));
+  }
+}
+
 // Reads, computes, and writes when nothing can fail any more.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters, typename Report>
 void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters& np, Report& report)
@@ -198,6 +215,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   const Parametrization_options options = read_options(tmesh, numbering, surface, np);
   const Parametrization_result result = parametrize<Solver, FT>(surface, options, report);
   write_coordinates(numbering, result, uv_map);
+  write_transitions(tmesh, numbering, surface, result, np);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)
       report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
@@ -341,6 +359,22 @@ report.
     \cgalParamExtra{What comes after, as `snap_to_seamless()`, should not take the edges that were
                     released for features.}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_cut_map}
+    \cgalParamDescription{receives which edges are cuts, for `snap_to_seamless()` and the functions
+                          that follow: what is known need not be read off the coordinates again}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                   value type}
+    \cgalParamDefault{not used}
+  \cgalParamNEnd
+  \cgalParamNBegin{halfedge_rotation_map}
+    \cgalParamDescription{receives the number of counterclockwise quarter turns, from 0 to 3, of the
+                          transition across each halfedge that has a face; for the same functions}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and `int`
+                   as value type}
+    \cgalParamDefault{not used}
+  \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of the field that the search for the smoothest one starts from}
     \cgalParamType{`unsigned int`}
@@ -367,7 +401,7 @@ report.
 \cgalNamedParamsEnd
 
 \return the status and figures of the result. If the status is not
-        `Outcome::SUCCESS`, `uv_map` was not touched, and the message tells
+        `Outcome::SUCCESS`, no map was touched, and the message tells
         the reason: a face that is no triangle, a vertex whose faces form more than one fan,
         coordinates that are not finite, cones whose indices do not add up, a face with three
         features. Faces are counted in messages in the order of `faces(tmesh)`, from 0.

@@ -65,7 +65,13 @@ public:
 private:
   const Mesh& surface_mesh() const { return m_surface.mesh(); }
 
-  auto features() const { return parameters::edge_is_constrained_map(m_surface.is_feature()); }
+  // What all steps know of the surface; the first one writes the transitions.
+  auto features_and_transitions() const
+  {
+    return parameters::edge_is_constrained_map(m_surface.is_feature())
+                      .edge_is_cut_map(m_surface.is_cut())
+                      .halfedge_rotation_map(m_surface.rotations());
+  }
 
   // From here on, edges that no field can follow without flips are not features.
   template <typename Edges>
@@ -81,9 +87,10 @@ private:
   {
     const auto made = approximate_seamless_parametrization(
       surface_mesh(), m_surface.uv_map(),
-      features().align_border(true).curvature_alignment(m_options.curvature_alignment)
-                .face_direction_map(m_surface.directions())
-                .release_alignment(true).largest_cone_index(largest_cone_index));
+      features_and_transitions().align_border(true).release_alignment(true)
+                                .curvature_alignment(m_options.curvature_alignment)
+                                .face_direction_map(m_surface.directions())
+                                .largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
@@ -91,7 +98,8 @@ private:
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     const auto snapped =
       snap_to_seamless(surface_mesh(), m_surface.uv_map(),
-                       features().align_border(true).repair_flips(Flip_repair::UNTANGLE));
+                       features_and_transitions().align_border(true)
+                                                 .repair_flips(Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
       return refuse(m_report, snapped);
@@ -110,7 +118,8 @@ private:
   bool extract()
   {
     const Quantization quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
-                                                   strip(features()), m_options.quantization);
+                                                   strip(features_and_transitions()),
+                                                   m_options.quantization);
     m_timer.finish("quantization");
     m_report.number_of_forced_quads = quantization.number_of_forced_quads;
     if(!quantization)

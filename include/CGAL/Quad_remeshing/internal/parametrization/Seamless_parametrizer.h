@@ -52,6 +52,8 @@ struct Parametrization_result
   std::vector<std::size_t> sector; // per halfedge
   std::vector<int> cone_index;     // per vertex
   std::vector<Corner_index> released; // one halfedge of each edge that is not aligned after all
+  std::vector<char> is_cut;           // per halfedge; also border ones
+  std::vector<Quarter_turns::Element> rotation; // per halfedge
 };
 
 inline void check_options(const Parametrization_options& options, const Triangle_surface& surface)
@@ -252,6 +254,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
   report.number_of_flipped_faces = number_of_flips(surface, complex, result.uv);
   measure(surface, graph.is_cut(), rotation, complex, result.uv, report);
   scale_coordinates<FT>(surface.exponent - exponent, result.uv, report);
+  result.is_cut = graph.is_cut();
+  result.rotation = rotation;
   timer.finish("measuring");
   return result;
 }

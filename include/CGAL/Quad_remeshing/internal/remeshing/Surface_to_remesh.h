@@ -57,6 +57,7 @@ public:
   using Feature_map = Mesh::Property_map<Edge, bool>;
   using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
   using Direction_map = Mesh::Property_map<Face, Kernel::Vector_3>;
+  using Rotation_map = Mesh::Property_map<Halfedge, int>;
 
   // \param read_direction of the cross of a face, or 0
   template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
@@ -65,7 +66,9 @@ public:
                     const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction)
     : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
-      m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first)
+      m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
+      m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
+      m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first)
   {
     std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
                           Halfedge> > copies;
@@ -91,6 +94,8 @@ public:
   Feature_map is_feature() const { return m_is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
   Direction_map directions() const { return m_directions; }
+  Feature_map is_cut() const { return m_is_cut; }
+  Rotation_map rotations() const { return m_rotations; }
 
   // A length in the size of the input.
   double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
@@ -176,6 +181,8 @@ private:
   Feature_map m_is_feature;
   Uv_map m_uv_map;
   Direction_map m_directions;
+  Feature_map m_is_cut;     // these two are known once there are coordinates
+  Rotation_map m_rotations;
   std::vector<std::size_t> m_originals; // per face
   int m_exponent = 0;
 };
