@@ -24,52 +24,33 @@ using Features = decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map(
 using Aligned =
     decltype(SS::parameters::edge_is_constrained_map(Edge_bool_map()).align_border(true));
 
-// What all calls share that give no cuts and rotations, whatever else they ask for.
+// What all calls share, whatever they ask for.
 using Vertex_point_map = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>;
 using Vertex_index_map = std::decay_t<decltype(
     CGAL::get_initialized_vertex_index_map(std::declval<const Mesh&>(), std::declval<Plain>()))>;
-using Scaled_uv_map = std::decay_t<decltype(
-    get(CGAL::dynamic_halfedge_property_t<Kernel::Point_2>(), std::declval<const Mesh&>()))>;
+using Surface = SS::internal::Uv_surface<Mesh, Uv_map, Vertex_index_map>;
+using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::internal::No_indices>;
 
 } // namespace seamless_snapping_precompiled
 
-// Transitions and singular vertices, and what snapping takes from the mesh without its coordinates.
+// Singular vertices, and what else knows no coordinates, or no mesh.
 #define SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                              \
-  PREFIX template internal::Transition_data<seamless_snapping_precompiled::Mesh>                   \
-  internal::read_transitions<internal::Quarter_turns>(                                             \
-    const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
-    const seamless_snapping_precompiled::Vertex_index_map&, bool,                                  \
-    const internal::Given_transitions<internal::Quarter_turns,                                     \
-                                      seamless_snapping_precompiled::Mesh>&, double);              \
-  PREFIX template std::vector<std::pair<SM_Vertex_index, int> >                                    \
+  PREFIX template std::vector<std::pair<SM_Halfedge_index, int> >                                  \
   internal::singular_vertices<internal::Quarter_turns>(                                            \
-    const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
-    double, const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                    \
+    const seamless_snapping_precompiled::Surface_without_indices&, double,                         \
+    const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                            \
   PREFIX template std::optional<internal::Refusal> internal::check_paths(                          \
     const internal::Cut_complex<internal::Quarter_turns>&,                                         \
-    const internal::Constraint_list<seamless_snapping_precompiled::Mesh>&, double,                 \
-    Snapping_report&);                                                                             \
+    const internal::Constraint_list<SM_Halfedge_index>&, double, Snapping_report&);                \
   PREFIX template std::size_t internal::number_of_coinciding_border_edges(                         \
     const seamless_snapping_precompiled::Mesh&,                                                    \
     const seamless_snapping_precompiled::Vertex_point_map&);
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, MAY_UNTANGLE)      \
-  PREFIX template class internal::Surface_snapper<                                                 \
-    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
-    seamless_snapping_precompiled::Vertex_index_map, MAY_ROUND, MAY_UNTANGLE>;
-
-#define SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                        \
-  PREFIX template class internal::Transition_reader<                                               \
-    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
-    seamless_snapping_precompiled::Vertex_index_map>;                                              \
-  PREFIX template class internal::Cut_complex_reader<                                              \
-    GROUP, seamless_snapping_precompiled::Mesh, UV_MAP,                                            \
-    seamless_snapping_precompiled::Vertex_index_map>;
-
-#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, GROUP, UV_MAP, MAY_ROUND)                   \
-  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                              \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, false)                   \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, true)
+#define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, GROUP, SURFACE)                             \
+  PREFIX template class internal::Transition_reader<GROUP, SURFACE>;                               \
+  PREFIX template class internal::Cut_complex_reader<GROUP, SURFACE>;                              \
+  PREFIX template Snapping_report internal::Surface_snapper<GROUP, SURFACE, false>::run();         \
+  PREFIX template Snapping_report internal::Surface_snapper<GROUP, SURFACE, true>::run();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \
@@ -81,9 +62,7 @@ using Scaled_uv_map = std::decay_t<decltype(
 #define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
   SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                                    \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
-                                         seamless_snapping_precompiled::Uv_map, false)             \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
-                                         seamless_snapping_precompiled::Scaled_uv_map, true)       \
+                                         seamless_snapping_precompiled::Surface)                   \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Features)            \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Aligned)

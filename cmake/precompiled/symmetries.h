@@ -6,19 +6,18 @@
 
 #include "surface.h"
 
-#define SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, GROUP, UV_MAP, MAY_ROUND)                   \
-  SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX_READER(PREFIX, GROUP, UV_MAP)                              \
-  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPER(PREFIX, GROUP, UV_MAP, MAY_ROUND, false)
+#define SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, GROUP)                                      \
+  PREFIX template class internal::Transition_reader<                                               \
+    GROUP, seamless_snapping_precompiled::Surface>;                                                \
+  PREFIX template class internal::Cut_complex_reader<                                              \
+    GROUP, seamless_snapping_precompiled::Surface>;                                                \
+  PREFIX template Snapping_report internal::Surface_snapper<                                       \
+    GROUP, seamless_snapping_precompiled::Surface, false>::run();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRIES(PREFIX)                                           \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<2>,                      \
-                                         seamless_snapping_precompiled::Uv_map, false)             \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<3>,                      \
-                                         seamless_snapping_precompiled::Uv_map, false)             \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<6>,                      \
-                                         seamless_snapping_precompiled::Uv_map, false)             \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<6>,                      \
-                                         seamless_snapping_precompiled::Scaled_uv_map, true)
+  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<2>)                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<3>)                      \
+  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<6>)
 
 namespace CGAL {
 namespace Seamless_snapping {

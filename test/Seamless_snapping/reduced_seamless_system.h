@@ -63,15 +63,15 @@ Values_and_system reduced_seamless_system(const Graph& g, const UVMap& uv,
   namespace internal = CGAL::Seamless_snapping::internal;
   using Group = internal::Quarter_turns;
   const auto np = internal::strip(wrapped);
-  const auto indices = CGAL::get_initialized_vertex_index_map(g, np);
+  const auto surface = internal::uv_surface(g, uv, np);
   const auto options = internal::snapping_options<Group>(g, np);
   const auto transitions = internal::read_transitions<Group>(g, uv, np);
   check(transitions.refusal);
-  const auto aligned_edges = internal::read_aligned_edges<Group>(
-    g, uv, indices, options.edges_to_align, options.tolerance * transitions.extent);
+  const internal::Aligned_edges<Group, typename decltype(surface)::Halfedge> aligned_edges(
+    surface, options.edges_to_align, options.tolerance * transitions.extent);
   check(aligned_edges.refusal());
-  check(options.constraints.refusal());
-  const auto cuts = internal::read_cut_complex(g, uv, indices, transitions, aligned_edges,
+  check(options.constraints.refusal);
+  const auto cuts = internal::read_cut_complex(surface, transitions, aligned_edges,
                                                options.constraints);
   const internal::Complex_solver<Group> solver(cuts.complex, internal::Number_format::of<double>());
 

@@ -23,17 +23,16 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,15 +76,16 @@ struct Seamlessness
 namespace internal {
 
 // Whether the transition across an interior edge is exact: the given one, or any.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                   const Given_transitions<Group, TriangleMesh>& given, const Halfedge h)
+template <typename Group, typename Surface>
+bool is_exact_edge(const Surface& surface,
+                   const Given_transitions<Group, typename Surface::Halfedge>& given,
+                   const typename Surface::Halfedge h)
 {
-  const Edge_sides sides = edge_sides(tmesh, uv_map, h);
+  const Edge_sides sides = edge_sides(surface, h);
   for(const Uv& u : {sides.a, sides.b, sides.a_opposite, sides.b_opposite})
     if(!is_finite(u))
       return false;
-  if(!given.is_consistent(h))
+  if(!given.is_consistent(h, surface.opposite(h)))
     return false;
   if(given.has_cuts() && !given.is_cut(h))
     return sides.are_identical();
@@ -95,12 +95,12 @@ bool is_exact_edge(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
 
 // [MC19] Eq. (5) for one edge: by how much the functional differs that differs least along it. 0
 // only if it is constant, exactly.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-double misalignment(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
+template <typename Group, typename Surface>
+double misalignment(const Surface& surface, typename Surface::Halfedge h)
 {
-  if(is_border(h, tmesh))
-    h = opposite(h, tmesh);
-  const Uv a = get_uv(uv_map, prev(h, tmesh)), b = get_uv(uv_map, h);
+  if(surface.is_border(h))
+    h = surface.opposite(h);
+  const Uv a = surface.uv(surface.prev(h)), b = surface.uv(h);
   double least = (std::min)(std::abs(b[0] - a[0]), std::abs(b[1] - a[1])); // 0 only if equal
   if constexpr(!Group::is_signed_permutation)
     if(is_finite(a) && is_finite(b))
@@ -115,8 +115,8 @@ template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typenam
 bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                               const NamedParameters& np)
 {
-  const Constraint_list<TriangleMesh> constraints(tmesh, np, Group::number_of_functionals);
-  if(constraints.refusal())
+  const auto constraints = read_constraints<Group>(tmesh, np);
+  if(constraints.refusal)
     return false;
   if(constraints.empty())
     return true;
@@ -126,9 +126,9 @@ bool further_constraints_hold(const TriangleMesh& tmesh, const HalfedgeUVMap& uv
   const auto transitions = read_transitions<Group>(tmesh, uv_map, np);
   if(transitions.refusal)
     return false;
-  const auto cuts =
-    read_cut_complex(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np), transitions,
-                     Aligned_edges<Group, TriangleMesh>(tmesh), constraints);
+  const auto surface = uv_surface(tmesh, uv_map, np);
+  const Aligned_edges<Group, typename decltype(surface)::Halfedge> no_edges;
+  const auto cuts = read_cut_complex(surface, transitions, no_edges, constraints);
   return is_exact(cuts.complex, cuts.complex.coordinates);
 }
 
@@ -136,26 +136,15 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameter
 bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
   using Group = Symmetry_group<NamedParameters>;
-  const Given_transitions<Group, TriangleMesh> given(tmesh, np);
-  for(const auto e : edges(tmesh)) {
-    const auto h = halfedge(e, tmesh);
-    if(!CGAL::is_border_edge(h, tmesh) && !is_exact_edge<Group>(tmesh, uv_map, given, h))
+  const auto given = given_transitions<Group>(tmesh, np);
+  const Uv_surface surface(tmesh, uv_map, No_indices());
+  for(const auto h : surface.one_per_edge())
+    if(!lies_on_border(surface, h) && !is_exact_edge<Group>(surface, given, h))
       return false;
-  }
   const bool aligned = for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    return misalignment<Group>(tmesh, uv_map, h) == 0;
+    return misalignment<Group>(surface, h) == 0;
   });
   return aligned && further_constraints_hold<Group>(tmesh, uv_map, np);
-}
-
-// The sign of the area of a face in the domain, exactly.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Face>
-CGAL::Orientation
-face_orientation(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Face f)
-{
-  const auto h = halfedge(f, tmesh);
-  return orientation({{get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
-                       get_uv(uv_map, next(h, tmesh))}});
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -164,34 +153,36 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 {
   Seamlessness result;
   using Group = Symmetry_group<NamedParameters>;
-  const Given_transitions<Group, TriangleMesh> given(tmesh, np);
+  const auto given = given_transitions<Group>(tmesh, np);
+  const Uv_surface surface(tmesh, uv_map, No_indices());
   Uv_box box;
-  for(const auto f : faces(tmesh)) {
-    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))
-      box.add(get_uv(uv_map, h));
-    const CGAL::Orientation orientation = face_orientation(tmesh, uv_map, f);
-    result.number_of_flipped_faces += (orientation == CGAL::NEGATIVE) ? 1 : 0;
-    result.number_of_degenerate_faces += (orientation == CGAL::ZERO) ? 1 : 0;
+  for(const auto h : surface.one_per_face()) {
+    const Uv_triangle triangle{{surface.uv(surface.prev(h)), surface.uv(h),
+                                surface.uv(surface.next(h))}};
+    for(const Uv& u : triangle)
+      box.add(u);
+    const CGAL::Orientation sign = orientation(triangle);
+    result.number_of_flipped_faces += (sign == CGAL::NEGATIVE) ? 1 : 0;
+    result.number_of_degenerate_faces += (sign == CGAL::ZERO) ? 1 : 0;
   }
   result.extent = box.extent();
   const double scale = unit_scale(result.extent);
-  for(const auto e : edges(tmesh)) {
-    const auto h = halfedge(e, tmesh);
-    if(CGAL::is_border_edge(h, tmesh))
+  for(const auto h : surface.one_per_edge()) {
+    if(lies_on_border(surface, h))
       continue;
     ++result.number_of_interior_edges;
-    const Edge_sides sides = edge_sides(tmesh, uv_map, h);
-    if(sides.are_identical() && !given.is_cut_anyway(h))
+    const Edge_sides sides = edge_sides(surface, h);
+    if(sides.are_identical() && !given.is_cut_anyway(h, surface.opposite(h)))
       continue;
     ++result.number_of_mismatched_edges;
-    if(is_exact_edge<Group>(tmesh, uv_map, given, h))
+    if(is_exact_edge<Group>(surface, given, h))
       continue;
     ++result.number_of_inexact_edges;
     result.violation = (std::max)(result.violation,
                                   transition_violation<Group>(sides, given, h, scale) / scale);
   }
   for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    const double m = misalignment<Group>(tmesh, uv_map, h);
+    const double m = misalignment<Group>(surface, h);
     ++result.number_of_aligned_edges;
     result.number_of_misaligned_edges += (m == 0) ? 0 : 1;
     result.misalignment = (std::max)(result.misalignment, m);

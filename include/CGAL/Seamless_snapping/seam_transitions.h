@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
@@ -76,7 +76,7 @@ public:
   template <typename HalfedgeUVMap>
   Seam_transitions(const TriangleMesh& tmesh,
                    const HalfedgeUVMap& uv_map,
-                   internal::Transition_data<TriangleMesh>&& data)
+                   internal::Transition_data<halfedge_descriptor>&& data)
     : m_tmesh(&tmesh)
     , m_index(get(CGAL::dynamic_edge_property_t<int>(), tmesh))
     , m_data(std::move(data))
@@ -88,13 +88,15 @@ public:
     }
     if(*this) {
       const double scale = internal::unit_scale(m_data.extent);
-      m_singular_vertices =
-        internal::singular_vertices<Group>(tmesh, uv_map, scale, m_data.edges);
-      internal::add_full_turns<Group>(tmesh, uv_map, scale, m_singular_vertices);
+      const internal::Uv_surface surface(tmesh, uv_map, internal::No_indices());
+      auto found = internal::singular_vertices<Group>(surface, scale, m_data.edges);
+      internal::add_full_turns<Group>(surface, scale, found);
+      for(const auto& [h, index] : found)
+        m_singular_vertices.emplace_back(target(h, tmesh), index);
     }
   }
 
-  const internal::Transition_data<TriangleMesh>& data() const { return m_data; }
+  const internal::Transition_data<halfedge_descriptor>& data() const { return m_data; }
   /// \endcond
 
   /// returns `true` if the transitions could be read off.
@@ -161,7 +163,7 @@ private:
 
   const TriangleMesh* m_tmesh;
   Edge_map m_index; // of an open edge, plus 1
-  internal::Transition_data<TriangleMesh> m_data;
+  internal::Transition_data<halfedge_descriptor> m_data;
   std::vector<halfedge_descriptor> m_cut_halfedges, m_merged_halfedges;
   std::vector<Singular_vertex> m_singular_vertices;
 };
@@ -259,7 +261,8 @@ seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
-    internal::Transition_data<TriangleMesh> data;
+    using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+    internal::Transition_data<Halfedge> data;
     data.refusal = internal::inexact_arithmetic();
     if(!data.refusal)
       data = internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np));

@@ -23,7 +23,6 @@
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
 #include <CGAL/tags.h>
 
@@ -165,9 +164,10 @@ void read_charts(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
 }
 
 // The rest: `seams` are the transitions that were read off the uv map.
-template <typename SeamGroup, typename ConcurrencyTag, typename TriangleMesh, typename Group>
+template <typename SeamGroup, typename ConcurrencyTag, typename TriangleMesh, typename Halfedge,
+          typename Group>
 void add_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
-                     const Transition_data<TriangleMesh>& seams, Basic_chart_mesh<Group>& mesh)
+                     const Transition_data<Halfedge>& seams, Basic_chart_mesh<Group>& mesh)
 {
   constexpr int turns = Group::order / SeamGroup::order; // of the group, in each of the seams
   mesh.extent = seams.extent;
@@ -182,10 +182,10 @@ void add_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMes
   mark_singular_vertices<ConcurrencyTag>(mesh);
 }
 
-template <typename SeamGroup, typename TriangleMesh, typename HalfedgeUVMap>
+template <typename SeamGroup, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 Basic_chart_mesh<Ray_group<SeamGroup::order> >
 build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
-                 const HalfedgeUVMap& uv_map, const Transition_data<TriangleMesh>& seams)
+                 const HalfedgeUVMap& uv_map, const Transition_data<Halfedge>& seams)
 {
   Basic_chart_mesh<Ray_group<SeamGroup::order> > mesh;
   read_charts<CGAL::Sequential_tag>(tmesh, numbering, uv_map, mesh);

@@ -19,7 +19,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 
 #include <CGAL/tags.h>
@@ -47,7 +47,7 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
   static_assert(std::is_same_v<Group, Ray_group<Seam_group::order> >,
                 "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
                 "4 only; triangles those of 3 and 6");
-  Transition_data<TriangleMesh> seams;
+  Transition_data<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> seams;
   call_both<ConcurrencyTag>([&] { seams = read_transitions<Seam_group>(tmesh, uv_map, np); },
                             [&] {
                               if(!numbering.refusal())

@@ -31,7 +31,6 @@
 #include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
 #include <CGAL/Quad_remeshing/internal/cells/pair_darts.h>
 #include <CGAL/Quad_remeshing/types/Extraction_report.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
 #include <algorithm>
 #include <cmath>

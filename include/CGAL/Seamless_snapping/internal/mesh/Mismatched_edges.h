@@ -115,17 +115,15 @@ private:
 // The order of edges by the indices of their ends: two mesh data structures that number their
 // vertices alike get the same. Parallel edges are told apart by the vertices opposite to them.
 // \pre each edge is directed towards its end of larger index
-template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
-std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh,
-                                         const VertexIndexMap& vertex_indices,
-                                         const Vertex_numbers& numbers,
+template <typename Surface, typename Edge>
+std::vector<std::size_t> canonical_order(const Surface& surface, const Vertex_numbers& numbers,
                                          const std::vector<Edge>& edges)
 {
   const auto apexes = [&](const Edge& edge) {
-    const auto g = opposite(edge.halfedge, tmesh);
+    const auto g = surface.opposite(edge.halfedge);
     return std::make_pair(
-        std::size_t(get(vertex_indices, target(next(edge.halfedge, tmesh), tmesh))),
-        std::size_t(get(vertex_indices, target(next(g, tmesh), tmesh))));
+        std::size_t(surface.vertex(surface.next(edge.halfedge))),
+        std::size_t(surface.vertex(surface.next(g))));
   };
   std::vector<std::size_t> begin(numbers.size() + 1, 0); // a counting sort by source
   for(const Edge& edge : edges)
@@ -148,14 +146,14 @@ std::vector<std::size_t> canonical_order(const TriangleMesh& tmesh,
 }
 
 // Whether an edge runs against the direction that `canonical_order` wants.
-template <typename TriangleMesh, typename VertexIndexMap, typename Edge>
-bool must_turn(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Edge& edge)
+template <typename Surface, typename Edge>
+bool must_turn(const Surface& surface, const Edge& edge)
 {
   if(edge.source != edge.target)
     return edge.source > edge.target;
-  const auto h = edge.halfedge, g = opposite(h, tmesh);
-  return get(vertex_indices, target(next(h, tmesh), tmesh)) >
-         get(vertex_indices, target(next(g, tmesh), tmesh));
+  const auto h = edge.halfedge, g = surface.opposite(h);
+  return surface.vertex(surface.next(h)) >
+         surface.vertex(surface.next(g));
 }
 
 } // namespace internal

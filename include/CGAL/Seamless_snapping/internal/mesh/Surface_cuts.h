@@ -20,8 +20,6 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -32,11 +30,9 @@ namespace internal {
 
 // Invariant: the corners of a sector are consecutive, clockwise. Sectors are made for the ends of
 // all cut, merged, and aligned edges, and for the vertices of further constraints.
-template <typename Group, typename TriangleMesh>
+template <typename Group, typename Halfedge>
 struct Surface_cuts
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
   Cut_complex<Group> complex;
   std::vector<Halfedge> corners;
   Offsets first_corner;            // per sector, and the number of corners

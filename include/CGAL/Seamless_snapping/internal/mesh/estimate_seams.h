@@ -21,9 +21,8 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
-
-#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,18 +41,19 @@ namespace internal {
 // where corners have noise of their own, they take the rotation that leaves no cone at one of their
 // ends, or are no cut if their gap is noise too; cones that such choices have made cancel each
 // other along edges that are not decided by themselves.
-template <typename Group, typename TriangleMesh, typename Halfedge>
+template <typename Group, typename Surface>
 class Seam_estimator
 {
+  using Halfedge = typename Surface::Halfedge;
   using Edge = Mismatched_edge<Halfedge>;
   using Element = typename Group::Element;
 
 public:
   // \param tolerance the largest residual that a rotation may have, in scaled units
-  Seam_estimator(const TriangleMesh& tmesh, const double scale, const double tolerance,
-                 const double epsilon, const std::vector<Edge_ends>& ends,
-                 const Vertex_incidences& incidences, std::vector<Edge>& edges)
-    : m_tmesh(tmesh), m_scale(scale), m_tolerance(tolerance), m_epsilon(epsilon), m_ends(ends),
+  Seam_estimator(const Surface& surface, const double scale, const double tolerance,
+                 const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
+                 std::vector<Edge>& edges)
+    : m_surface(surface), m_scale(scale), m_tolerance(tolerance), m_ends(ends),
       m_incidences(incidences), m_edges(edges), m_is_decided(edges.size(), true),
       m_is_soft(edges.size(), false), m_is_by_surroundings(edges.size(), false),
       m_number_of_undecided(incidences.size(), 0), m_is_border(incidences.size(), UNKNOWN)
@@ -136,7 +136,8 @@ private:
       if(!edge.is_exact && edge.gap <= 4 * edge.length && !has_clear_gap(edge))
         m_gaps.push_back(edge.gap);
     }
-    const std::size_t size = CGAL::halfedges_around_target(halfedge_towards(v), m_tmesh).size();
+    std::size_t size = 0;
+    for_each_around_target(m_surface, halfedge_towards(v), [&](Halfedge) { ++size; });
     if(2 * m_gaps.size() <= size)
       return;
     m_has_corner_noise = true;
@@ -161,7 +162,7 @@ private:
     for(std::size_t i = 0; i < m_edges.size(); ++i) {
       const Edge& edge = m_edges[i];
       // what agrees exactly, and is longer than what does so by chance, is no noise
-      if(!edge.is_cut || (edge.is_exact && edge.length > 64 * m_epsilon))
+      if(!edge.is_cut || (edge.is_exact && edge.length > 64 * m_surface.epsilon()))
         continue;
       int number = 0;
       for(int turns = 0; turns < Group::order; ++turns)
@@ -281,7 +282,7 @@ private:
   {
     const Incidence& i = *m_incidences.begin(v);
     const Halfedge h = m_edges[std::size_t(i.edge)].halfedge;
-    return i.points_to_vertex ? h : opposite(h, m_tmesh);
+    return i.points_to_vertex ? h : m_surface.opposite(h);
   }
 
   bool is_border(const Vertex_index v)
@@ -289,7 +290,7 @@ private:
     char& known = m_is_border[std::size_t(v)];
     if(known == UNKNOWN)
       known = m_incidences.degree(v) > 0 &&
-              CGAL::is_border(target(halfedge_towards(v), m_tmesh), m_tmesh) ? YES : NO;
+              has_border_at_target(m_surface, halfedge_towards(v)) ? YES : NO;
     return known == YES;
   }
 
@@ -336,8 +337,8 @@ private:
     return Group::compose(i.points_to_vertex ? Group::inverse(index) : index, g);
   }
 
-  const TriangleMesh& m_tmesh;
-  double m_scale, m_tolerance, m_epsilon;
+  const Surface& m_surface;
+  double m_scale, m_tolerance;
   const std::vector<Edge_ends>& m_ends;
   const Vertex_incidences& m_incidences;
   std::vector<Edge>& m_edges;

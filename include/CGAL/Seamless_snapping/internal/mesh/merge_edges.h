@@ -20,8 +20,8 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
-#include <CGAL/boost/graph/helpers.h>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -84,23 +84,21 @@ std::vector<double> residuals_of_parts(const Vertex_incidences& incidences,
 
 // Whether a vertex is inside and has just two mismatched edges: the one's chain goes on in the
 // other.
-template <typename TriangleMesh, typename Halfedge>
-bool joins_two_edges(const TriangleMesh& tmesh,
-                     const std::vector<Mismatched_edge<Halfedge>>& edges,
-                     const Vertex_incidences& incidences,
-                     const Vertex_index v)
+template <typename Surface, typename Halfedge>
+bool joins_two_edges(const Surface& surface, const std::vector<Mismatched_edge<Halfedge> >& edges,
+                     const Vertex_incidences& incidences, const Vertex_index v)
 {
   if(incidences.degree(v) != 2)
     return false;
   const Incidence& incidence = *incidences.begin(v);
   const Halfedge h = edges[std::size_t(incidence.edge)].halfedge;
-  return !CGAL::is_border(incidence.points_to_vertex ? target(h, tmesh) : source(h, tmesh), tmesh);
+  return !has_border_at_target(surface, incidence.points_to_vertex ? h : surface.opposite(h));
 }
 
 // A chain of edges without rotation is judged as a whole, by the mean of its gaps against the
 // largest residual of its part, so that a small translation on an accurate map stays what it is.
-template <typename Group, typename TriangleMesh, typename Halfedge>
-void mark_merged_edges(const TriangleMesh& tmesh, const Vertex_incidences& incidences,
+template <typename Group, typename Surface, typename Halfedge>
+void mark_merged_edges(const Surface& surface, const Vertex_incidences& incidences,
                        std::vector<Mismatched_edge<Halfedge> >& edges)
 {
   const std::vector<double> residual = residuals_of_parts(incidences, edges);
@@ -112,7 +110,7 @@ void mark_merged_edges(const TriangleMesh& tmesh, const Vertex_incidences& incid
     const Incidence* pair = incidences.begin(Vertex_index(v));
     if(incidences.degree(Vertex_index(v)) == 2 && is_candidate(std::size_t(pair[0].edge)) &&
        is_candidate(std::size_t(pair[1].edge)) &&
-       joins_two_edges(tmesh, edges, incidences, Vertex_index(v)))
+       joins_two_edges(surface, edges, incidences, Vertex_index(v)))
       chains.unite(pair[0].edge, pair[1].edge);
   }
   std::vector<double> sum(edges.size(), 0), count(edges.size(), 0);

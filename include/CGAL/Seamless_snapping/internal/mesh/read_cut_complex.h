@@ -27,8 +27,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,12 +44,12 @@ namespace internal {
 template <typename Halfedge>
 struct Constrained_vertices
 {
-  template <typename TriangleMesh, typename Aligned>
-  Constrained_vertices(const TriangleMesh& tmesh, const Transition_data<TriangleMesh>& transitions,
-                       const Aligned& aligned_edges,
+  template <typename Aligned>
+  Constrained_vertices(const std::size_t number_of_vertices,
+                       const Transition_data<Halfedge>& transitions, const Aligned& aligned_edges,
                        const std::vector<Indexed_edge<Halfedge> >& node_corners)
   {
-    Vertex_numbers numbers(num_vertices(tmesh));
+    Vertex_numbers numbers(number_of_vertices);
     numbers.mark_ends(transitions.edges);
     numbers.mark_ends(aligned_edges.edges());
     numbers.mark_ends(node_corners);
@@ -72,29 +70,23 @@ struct Constrained_vertices
 };
 
 // One run. The sectors at the ends of directed edges are on the side of the halfedge's face.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+template <typename Group, typename Surface>
 class Cut_complex_reader
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Halfedge = typename Surface::Halfedge;
   using Complex = Cut_complex<Group>;
-  using Cuts = Surface_cuts<Group, TriangleMesh>;
-  using Aligned = Aligned_edges<Group, TriangleMesh>;
+  using Cuts = Surface_cuts<Group, Halfedge>;
+  using Aligned = Aligned_edges<Group, Halfedge>;
 
 public:
-  Cut_complex_reader(const TriangleMesh& tmesh,
-                     const HalfedgeUVMap& uv_map,
-                     const VertexIndexMap& vertex_indices,
-                     const Transition_data<TriangleMesh>& transitions,
-                     const Aligned& aligned_edges,
-                     const Constraint_list<TriangleMesh>& constraints)
-    : m_tmesh(tmesh)
-    , m_uv_map(uv_map)
-    , m_vertex_indices(vertex_indices)
+  Cut_complex_reader(const Surface& surface, const Transition_data<Halfedge>& transitions,
+                     const Aligned& aligned_edges, const Constraint_list<Halfedge>& constraints)
+    : m_surface(surface)
     , m_transitions(transitions)
     , m_aligned_edges(aligned_edges)
     , m_constraints(constraints)
     , m_node_corners(indexed_corners(constraints.corners()))
-    , m_vertices(tmesh, transitions, aligned_edges, m_node_corners)
+    , m_vertices(surface.number_of_vertices(), transitions, aligned_edges, m_node_corners)
     , m_target_sector(2 * transitions.number_of_cuts, -1)
     , m_source_sector(2 * transitions.number_of_cuts, -1)
     , m_aligned_target_sector(aligned_edges.size(), -1)
@@ -111,7 +103,7 @@ private:
   {
     std::vector<Indexed_edge<Halfedge> > result;
     for(const Halfedge h : corners) {
-      const std::size_t v = std::size_t(get(m_vertex_indices, target(h, m_tmesh)));
+      const std::size_t v = m_surface.vertex(h);
       result.push_back({h, v, v});
     }
     return result;
@@ -131,12 +123,12 @@ private:
     for(std::size_t i = 0; i < m_transitions.edges.size(); ++i) {
       const auto& edge = m_transitions.edges[i];
       set(m_vertices.mismatched_ends[i].target, edge.halfedge, edge.is_cut);
-      set(m_vertices.mismatched_ends[i].source, opposite(edge.halfedge, m_tmesh), edge.is_cut);
+      set(m_vertices.mismatched_ends[i].source, m_surface.opposite(edge.halfedge), edge.is_cut);
     }
     for(std::size_t a = 0; a < m_aligned_edges.size(); ++a) {
       const Halfedge h = m_aligned_edges.halfedge(Edge_index(a));
       set(m_vertices.aligned_ends[a].target, h, false);
-      set(m_vertices.aligned_ends[a].source, opposite(h, m_tmesh), false);
+      set(m_vertices.aligned_ends[a].source, m_surface.opposite(h), false);
     }
     for(std::size_t i = 0; i < m_node_corners.size(); ++i)
       set(m_vertices.node_corner_ends[i].target, m_node_corners[i].halfedge, false);
@@ -148,11 +140,11 @@ private:
     Halfedge best = any;
     Halfedge h = any;
     do {
-      if(is_border(h, m_tmesh))
+      if(m_surface.is_border(h))
         return h;
-      if(get(m_vertex_indices, source(h, m_tmesh)) < get(m_vertex_indices, source(best, m_tmesh)))
+      if(m_surface.source(h) < m_surface.source(best))
         best = h;
-      h = opposite(next(h, m_tmesh), m_tmesh);
+      h = m_surface.opposite(m_surface.next(h));
     } while(h != any);
     return best;
   }
@@ -171,7 +163,7 @@ private:
       std::size_t still = 0;
       for(std::size_t j = 0; j < left; ++j) {
         std::vector<Halfedge>& walk = walks[under_way[j]];
-        const Halfedge h = opposite(next(walk.back(), m_tmesh), m_tmesh);
+        const Halfedge h = m_surface.opposite(m_surface.next(walk.back()));
         if(h == walk.front())
           continue;
         walk.push_back(h);
@@ -232,7 +224,7 @@ private:
       const Halfedge h = walk[i];
       const Directed_edge following_cut =
           i + 1 < walk.size() ? cut_towards(walk[i + 1]) : first_cut;
-      if(is_border(h, m_tmesh)) {
+      if(m_surface.is_border(h)) {
         ++gaps;
         begins = true;
       } else {
@@ -257,7 +249,7 @@ private:
     for(const Incidence* i = m_vertices.cuts.begin(v); i != m_vertices.cuts.end(v); ++i) {
       const Halfedge h = m_transitions.edges[std::size_t(i->edge)].halfedge;
       m_cuts_here.push_back(i->points_to_vertex ? Cut_here{h, 2 * i->edge}
-                                                : Cut_here{opposite(h, m_tmesh), 2 * i->edge + 1});
+                                                : Cut_here{m_surface.opposite(h), 2 * i->edge + 1});
     }
   }
 
@@ -273,7 +265,7 @@ private:
   // Where no edge is merged all further corners have the coordinates of the first.
   void begin_sector(const Halfedge h, const Directed_edge cut)
   {
-    m_result.complex.coordinates.push_back(cut >= 0 ? uv_behind(cut) : get_uv(m_uv_map, h));
+    m_result.complex.coordinates.push_back(cut >= 0 ? uv_behind(cut) : m_surface.uv(h));
     m_result.first_corner.push_back(m_result.corners.size());
   }
 
@@ -282,7 +274,7 @@ private:
     auto& mixed = m_result.complex.mixed_sectors;
     const Sector_index s = last_sector();
     if((mixed.empty() || mixed.back().sector != s) &&
-       get_uv(m_uv_map, h) != m_result.complex.coordinates.back())
+       m_surface.uv(h) != m_result.complex.coordinates.back())
       mixed.push_back({s, {}, 0, 0});
   }
 
@@ -309,7 +301,7 @@ private:
 
   void add_to_aligned(const Vertex_index v, const Halfedge h)
   {
-    const Halfedge out = next(h, m_tmesh);
+    const Halfedge out = m_surface.next(h);
     for(const Incidence* i = m_vertices.aligned.begin(v); i != m_vertices.aligned.end(v); ++i) {
       const std::size_t a = std::size_t(i->edge);
       if(i->points_to_vertex && m_aligned_edges.edges()[a].halfedge == h)
@@ -361,7 +353,7 @@ private:
       double unit = 0;
       const auto end = m_result.corners_end(mixed.sector);
       for(auto h = m_result.corners_begin(mixed.sector); h != end; ++h) {
-        const Uv u = get_uv(m_uv_map, *h);
+        const Uv u = m_surface.uv(*h);
         differences.push_back({u[0] - first[0], u[1] - first[1]});
         unit = (std::max)({unit, std::abs(differences.back()[0]), std::abs(differences.back()[1])});
         mixed.largest = (std::max)({mixed.largest, std::abs(u[0]), std::abs(u[1])});
@@ -432,24 +424,24 @@ private:
   {
     Complex& complex = m_result.complex;
     std::unordered_map<Halfedge, typename Complex::Crossing> crossings;
-    if(!m_constraints.paths().empty())
+    if(!m_constraints.paths.empty())
       for(std::size_t b = 0; b < m_branches.size(); ++b)
         for(const Directed_edge* d = m_branches.begin(b); d != m_branches.end(b); ++d) {
           const Halfedge h = m_transitions.edges[std::size_t(*d / 2)].halfedge;
           crossings[h] = {Branch_index(b), *d % 2 == 0};
-          crossings[opposite(h, m_tmesh)] = {Branch_index(b), *d % 2 != 0};
+          crossings[m_surface.opposite(h)] = {Branch_index(b), *d % 2 != 0};
         }
     auto sector = m_node_corner_sectors.begin();
-    for(const auto& constraint : m_constraints.paths()) {
+    for(const auto& constraint : m_constraints.paths) {
       const Sector_index a = *sector++, b = *sector++;
-      complex.paths.push_back({a, b, constraint.connection.component, {}});
-      for(const Halfedge h : constraint.connection.path) {
+      complex.paths.push_back({a, b, constraint.component, {}});
+      for(const Halfedge h : constraint.path) {
         const auto found = crossings.find(h);
         if(found != crossings.end())
           complex.paths.back().crossings.push_back(found->second);
       }
     }
-    for(const auto& constraint : m_constraints.corner_constraints()) {
+    for(const auto& constraint : m_constraints.equations) {
       complex.equations.push_back({{}, constraint.right_hand_side});
       for(const auto& term : constraint.terms) {
         const auto f = Group::functional(term.component);
@@ -472,19 +464,17 @@ private:
         i < m_node_corners.size(); ++i, ++sector) {
       const Halfedge h = m_node_corners[i].halfedge;
       const auto v = std::size_t(m_vertices.node_corner_ends[i].target);
-      points.push_back(CGAL::is_border(target(h, m_tmesh), m_tmesh)
+      points.push_back(has_border_at_target(m_surface, h)
                          ? *sector : m_result.complex.first_sector[v]);
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
   }
 
-  const TriangleMesh& m_tmesh;
-  const HalfedgeUVMap& m_uv_map;
-  const VertexIndexMap& m_vertex_indices;
-  const Transition_data<TriangleMesh>& m_transitions;
+  const Surface& m_surface;
+  const Transition_data<Halfedge>& m_transitions;
   const Aligned& m_aligned_edges;
-  const Constraint_list<TriangleMesh>& m_constraints;
+  const Constraint_list<Halfedge>& m_constraints;
   std::vector<Indexed_edge<Halfedge> > m_node_corners;
   Constrained_vertices<Halfedge> m_vertices;
   struct Cut_here { Halfedge halfedge; Directed_edge directed; };
@@ -494,13 +484,12 @@ private:
   std::vector<Sector_index> m_node_corner_sectors;
   std::vector<char> m_has_merged_edge; // per vertex
   Branch_list m_branches;
-  Surface_cuts<Group, TriangleMesh> m_result;
+  Cuts m_result;
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-Surface_cuts<Group, TriangleMesh>
-Cut_complex_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
+template <typename Group, typename Surface>
+Surface_cuts<Group, typename Surface::Halfedge> Cut_complex_reader<Group, Surface>::run()
 {
   form_sectors(start_halfedges());
   m_result.first_corner.push_back(m_result.corners.size());
@@ -512,16 +501,14 @@ Cut_complex_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
 }
 
 // \pre nothing was refused
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-Surface_cuts<Group, TriangleMesh>
-read_cut_complex(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                 const VertexIndexMap& vertex_indices,
-                 const Transition_data<TriangleMesh>& transitions,
-                 const Aligned_edges<Group, TriangleMesh>& aligned_edges,
-                 const Constraint_list<TriangleMesh>& constraints)
+template <typename Group, typename Surface>
+Surface_cuts<Group, typename Surface::Halfedge>
+read_cut_complex(const Surface& surface,
+                 const Transition_data<typename Surface::Halfedge>& transitions,
+                 const Aligned_edges<Group, typename Surface::Halfedge>& aligned_edges,
+                 const Constraint_list<typename Surface::Halfedge>& constraints)
 {
-  return Cut_complex_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
-           tmesh, uv_map, vertex_indices, transitions, aligned_edges, constraints).run();
+  return Cut_complex_reader<Group, Surface>(surface, transitions, aligned_edges, constraints).run();
 }
 
 } // namespace internal

@@ -21,24 +21,19 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/counted.h>
-#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,11 +42,9 @@ namespace Seamless_snapping {
 namespace internal {
 
 // The transitions of a uv map.
-template <typename TriangleMesh>
+template <typename Halfedge>
 struct Transition_data
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
   std::vector<Mismatched_edge<Halfedge> > edges; // the cut edges, then the merged ones
   std::size_t number_of_cuts = 0;
   std::size_t number_of_edges_decided_by_surroundings = 0;
@@ -62,26 +55,15 @@ struct Transition_data
 };
 
 // What the caller knows about cuts and rotations, if anything. The types of the maps that tell it
-// end here, so that all calls share the code behind.
-template <typename Group, typename TriangleMesh>
+// are unknown here, so that all calls share the code.
+template <typename Group, typename Halfedge>
 class Given_transitions
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
 public:
-  template <typename NamedParameters>
-  Given_transitions(const TriangleMesh& tmesh, const NamedParameters& np) : m_tmesh(tmesh)
-  {
-    using CGAL::parameters::get_parameter;
-    const auto edge_is_cut = get_parameter(np, CGAL::internal_np::edge_is_cut);
-    if constexpr(is_given<std::decay_t<decltype(edge_is_cut)> >)
-      m_is_cut = [edge_is_cut, &tmesh](const Halfedge h) -> bool
-        { return get(edge_is_cut, edge(h, tmesh)); };
-    const auto rotation = get_parameter(np, CGAL::internal_np::halfedge_rotation);
-    if constexpr(is_given<std::decay_t<decltype(rotation)> >)
-      m_rotation = [rotation](const Halfedge h)
-        { return static_cast<int>(get(rotation, h) % Group::order); };
-  }
+  // \param is_cut,rotation of a halfedge; empty if they are not known
+  Given_transitions(std::function<bool(Halfedge)> is_cut, std::function<int(Halfedge)> rotation)
+    : m_is_cut(std::move(is_cut)), m_rotation(std::move(rotation))
+  { }
 
   bool has_cuts() const { return bool(m_is_cut); }
   bool has_rotations() const { return bool(m_rotation); }
@@ -91,41 +73,46 @@ public:
   typename Group::Element rotation(const Halfedge h) const
   { return has_rotations() ? Group::element(m_rotation(h)) : Group::identity(); }
 
-  // Whether what is given of an edge fits together.
-  bool is_consistent(const Halfedge h) const
+  // Whether what is given of an edge with the halfedges `g` and `h` fits together.
+  bool is_consistent(const Halfedge g, const Halfedge h) const
   {
-    if(!has_rotations())
-      return true;
-    const auto g = rotation(h);
-    return g == Group::inverse(rotation(opposite(h, m_tmesh))) &&
-           (g == Group::identity() || !has_cuts() || is_cut(h));
+    return !has_rotations() ||
+           (rotation(g) == Group::inverse(rotation(h)) &&
+            (rotation(g) == Group::identity() || !has_cuts() || is_cut(g)));
   }
 
   // Edges that count as open even if their sides are the same to the bit.
-  bool is_cut_anyway(const Halfedge h) const
+  bool is_cut_anyway(const Halfedge g, const Halfedge h) const
   {
-    return is_cut(h) || rotation(h) != Group::identity() ||
-           rotation(opposite(h, m_tmesh)) != Group::identity(); // perhaps not inverse
+    return is_cut(g) || rotation(g) != Group::identity() ||
+           rotation(h) != Group::identity(); // perhaps not inverse
   }
 
-  // The same, or empty if there is none.
-  std::function<bool(Halfedge)> predicate_of_cuts() const
+  // The same of other halfedges, of which `h` stands for `halfedges[h]`.
+  template <typename OtherHalfedge>
+  Given_transitions<Group, OtherHalfedge>
+  renumbered(const std::vector<Halfedge>& halfedges) const
   {
-    if(!has_cuts() && !has_rotations())
-      return {};
-    return [this](const Halfedge h) { return is_cut_anyway(h); };
+    std::function<bool(OtherHalfedge)> is_cut;
+    std::function<int(OtherHalfedge)> rotation;
+    if(has_cuts())
+      is_cut = [this, &halfedges](const OtherHalfedge h)
+        { return m_is_cut(halfedges[std::size_t(h)]); };
+    if(has_rotations())
+      rotation = [this, &halfedges](const OtherHalfedge h)
+        { return m_rotation(halfedges[std::size_t(h)]); };
+    return {is_cut, rotation};
   }
 
 private:
-  const TriangleMesh& m_tmesh;
   std::function<bool(Halfedge)> m_is_cut;
   std::function<int(Halfedge)> m_rotation;
 };
 
 // By how much an edge violates [MC19] Eq. (4), times `scale`: for the given rotation, or the best.
-template <typename Group, typename TriangleMesh, typename Halfedge>
+template <typename Group, typename Halfedge>
 double transition_violation(const Edge_sides& sides,
-                            const Given_transitions<Group, TriangleMesh>& given, const Halfedge h,
+                            const Given_transitions<Group, Halfedge>& given, const Halfedge h,
                             const double scale)
 {
   const Edge_vectors vectors(sides);
@@ -136,33 +123,28 @@ double transition_violation(const Edge_sides& sides,
   return edge.residual;
 }
 
-template <typename TriangleMesh, typename VertexIndexMap, typename Halfedge>
-std::string
-edge_name(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices, const Halfedge h)
+template <typename Surface>
+std::optional<Refusal> check_indices(const Surface& surface)
 {
-  return "the edge between vertices " + std::to_string(get(vertex_indices, source(h, tmesh))) +
-         " and " + std::to_string(get(vertex_indices, target(h, tmesh)));
+  if(surface.has_valid_indices())
+    return std::nullopt;
+  return Refusal(Outcome::INVALID_ARGUMENT,
+                 "the indices of vertex_index_map must be different, from 0 to " +
+                   std::to_string(surface.number_of_vertices()) + " - 1, as many as there are "
+                   "vertices; leave the parameter out to have them made");
 }
 
 // One run; the member functions are its steps, in order.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+template <typename Group, typename Surface>
 class Transition_reader
 {
-  using Data = Transition_data<TriangleMesh>;
-  using Given = Given_transitions<Group, TriangleMesh>;
-  using Halfedge = typename Data::Halfedge;
+  using Halfedge = typename Surface::Halfedge;
+  using Data = Transition_data<Halfedge>;
+  using Given = Given_transitions<Group, Halfedge>;
 
 public:
-  Transition_reader(const TriangleMesh& tmesh,
-                    const HalfedgeUVMap& uv_map,
-                    const VertexIndexMap& vertex_indices,
-                    const Given& given,
-                    const double tolerance)
-    : m_tmesh(tmesh)
-    , m_uv_map(uv_map)
-    , m_vertex_indices(vertex_indices)
-    , m_given(given)
-    , m_tolerance(tolerance)
+  Transition_reader(const Surface& surface, const Given& given, const double tolerance)
+    : m_surface(surface), m_given(given), m_tolerance(tolerance)
   { }
 
   Data run();
@@ -173,10 +155,10 @@ private:
                       Data& data) const
   {
     for(Surveyed_edge<Halfedge>& s : surveyed)
-      if(must_turn(m_tmesh, m_vertex_indices, s))
-        s = {{opposite(s.halfedge, m_tmesh), s.target, s.source}, s.sides.turned()};
+      if(must_turn(m_surface, s))
+        s = {{m_surface.opposite(s.halfedge), s.target, s.source}, s.sides.turned()};
     data.edges.reserve(surveyed.size());
-    for(const std::size_t i : canonical_order(m_tmesh, m_vertex_indices, numbers, surveyed)) {
+    for(const std::size_t i : canonical_order(m_surface, numbers, surveyed)) {
       data.edges.emplace_back();
       static_cast<Surveyed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
       if(!read_rotation_of(data.edges.back(), data))
@@ -193,7 +175,7 @@ private:
     if(m_given.has_rotations()) {
       const auto g = m_given.rotation(edge.halfedge);
       set_rotation<Group>(edge, vectors, g, m_scale);
-      if(g != Group::inverse(m_given.rotation(opposite(edge.halfedge, m_tmesh)))) {
+      if(g != Group::inverse(m_given.rotation(m_surface.opposite(edge.halfedge)))) {
         fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
              " has rotations that are not inverse to each other; those of opposite halfedges must "
              "add up to a multiple of " + std::to_string(Group::order));
@@ -270,56 +252,53 @@ private:
     const Vertex_incidences incidences(numbers.size(), ends);
     if(!m_given.has_rotations()) {
       data.number_of_edges_decided_by_surroundings =
-        Seam_estimator<Group, TriangleMesh, Halfedge>(
-          m_tmesh, m_scale, m_tolerance * (data.extent * m_scale), epsilon(), ends, incidences,
-          data.edges).run();
+        Seam_estimator<Group, Surface>(m_surface, m_scale, m_tolerance * (data.extent * m_scale),
+                                       ends, incidences, data.edges).run();
       if(data.number_of_edges_decided_by_surroundings > 0 && !check_residuals(data))
         return false;
     }
     if(!m_given.has_cuts())
-      mark_merged_edges<Group>(m_tmesh, incidences, data.edges);
+      mark_merged_edges<Group>(m_surface, incidences, data.edges);
     return true;
-  }
-
-  static constexpr double epsilon()
-  {
-    return std::numeric_limits<typename Uv_number<HalfedgeUVMap>::type>::epsilon();
   }
 
   void fail(Data& data, const Outcome status, const Halfedge h,
             const std::string& what) const
   {
-    data.refusal = Refusal(status, edge_name(m_tmesh, m_vertex_indices, h) + what);
+    data.refusal = Refusal(status, edge_name(m_surface, h) + what);
     data.edges.clear(); // incomplete
   }
 
-  const TriangleMesh& m_tmesh;
-  const HalfedgeUVMap& m_uv_map;
-  const VertexIndexMap& m_vertex_indices;
+  const Surface& m_surface;
   const Given& m_given;
   double m_tolerance;
   double m_scale = 1; // lengths are measured after multiplication with it
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-Transition_data<TriangleMesh>
-Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
+template <typename Group, typename Surface>
+Transition_data<typename Surface::Halfedge> Transition_reader<Group, Surface>::run()
 {
   Data data;
+  data.refusal = check_indices(m_surface);
+  if(data.refusal)
+    return data;
   if(!(m_tolerance >= 0)) {
     data.refusal = Refusal(Outcome::INVALID_ARGUMENT, "the tolerance is " +
                            short_number(m_tolerance) + "; it must not be negative");
     return data;
   }
-  Uv_survey<TriangleMesh> survey =
-    survey_uv(m_tmesh, m_uv_map, m_vertex_indices, m_given.predicate_of_cuts());
+  std::function<bool(Halfedge)> is_cut_anyway;
+  if(m_given.has_cuts() || m_given.has_rotations())
+    is_cut_anyway = [this](const Halfedge h)
+      { return m_given.is_cut_anyway(h, m_surface.opposite(h)); };
+  Uv_survey<Halfedge> survey = survey_uv(m_surface, is_cut_anyway);
   data.extent = survey.extent;
   data.refusal = std::move(survey.refusal);
   if(data.refusal)
     return data;
   m_scale = unit_scale(data.extent);
-  Vertex_numbers numbers(num_vertices(m_tmesh));
+  Vertex_numbers numbers(m_surface.number_of_vertices());
   numbers.mark_ends(survey.mismatched_edges);
   numbers.assign_numbers();
   if(!read_rotations(survey.mismatched_edges, numbers, data) || !check_residuals(data) ||
@@ -331,61 +310,6 @@ Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>::run()
                                                   [](const auto& edge) { return edge.is_cut; }));
   data.is_exact = data.is_exact && data.number_of_cuts == data.edges.size();
   return data;
-}
-
-// Whether indices are as for CGAL's functions: different, and less than the number of vertices.
-// Callers can give others, which would be places outside of arrays.
-template <typename TriangleMesh, typename VertexIndexMap>
-bool are_valid_indices(const TriangleMesh& tmesh, const VertexIndexMap& vertex_indices)
-{
-  std::vector<bool> is_taken(std::size_t(num_vertices(tmesh)), false);
-  for(const auto v : vertices(tmesh)) {
-    const std::size_t i = std::size_t(get(vertex_indices, v));
-    if(i >= is_taken.size() || is_taken[i])
-      return false;
-    is_taken[i] = true;
-  }
-  return true;
-}
-
-// The residual, relative to the extent, up to which a map counts as seamless by default.
-constexpr double default_tolerance = 1e-4;
-
-// \param has_given_indices whether the indices are the caller's, and may be wrong
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-Transition_data<TriangleMesh>
-read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                 const VertexIndexMap& vertex_indices, const bool has_given_indices,
-                 const Given_transitions<Group, TriangleMesh>& given, const double tolerance)
-{
-  if(has_given_indices && !are_valid_indices(tmesh, vertex_indices)) {
-    Transition_data<TriangleMesh> data;
-    data.refusal = Refusal(Outcome::INVALID_ARGUMENT,
-                           "the indices of vertex_index_map must be different, from 0 to " +
-                           std::to_string(num_vertices(tmesh)) + " - 1, as many as there are "
-                           "vertices; leave the parameter out to have them made");
-    return data;
-  }
-  return Transition_reader<Group, TriangleMesh, HalfedgeUVMap, VertexIndexMap>(
-           tmesh, uv_map, vertex_indices, given, tolerance).run();
-}
-
-template <typename NamedParameters>
-double chosen_tolerance(const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance), default_tolerance);
-}
-
-// As the named parameters ask for.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Transition_data<TriangleMesh>
-read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
-{
-  return read_transitions<Group>(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
-                                 is_given<NamedParameters, CGAL::internal_np::vertex_index_t>,
-                                 Given_transitions<Group, TriangleMesh>(tmesh, np),
-                                 chosen_tolerance(np));
 }
 
 } // namespace internal

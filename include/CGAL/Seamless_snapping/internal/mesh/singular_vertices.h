@@ -23,9 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
-
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -36,18 +33,37 @@ namespace Seamless_snapping {
 namespace internal {
 
 // The angle of the corner `h`, in turns of the group.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-double corner_angle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h,
-                    const double scale)
+template <typename Group, typename Surface>
+double corner_angle(const Surface& surface, const typename Surface::Halfedge h, const double scale)
 {
-  const auto scaled = [&](const Halfedge corner) -> Uv {
-    const Uv u = get_uv(uv_map, corner);
+  const auto scaled = [&](const auto corner) -> Uv {
+    const Uv u = surface.uv(corner);
     return Group::to_cartesian({u[0] * scale, u[1] * scale});
   };
-  const Uv p = scaled(h), q = scaled(next(h, tmesh)), r = scaled(prev(h, tmesh));
+  const Uv p = scaled(h), q = scaled(surface.next(h)), r = scaled(surface.prev(h));
   const Uv a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
   const double angle = std::atan2(std::abs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]);
   return angle / (2 * std::acos(-1.)) * Group::order;
+}
+
+// The angle of the corners from `first` on, clockwise, to the border or all around, in turns of the
+// group; 0 at folds, where angles don't add up.
+template <typename Group, typename Surface>
+double unfolded_angle(const Surface& surface, const typename Surface::Halfedge first,
+                      const double scale)
+{
+  double angle = 0;
+  if(first == surface.null_halfedge() || surface.is_border(first))
+    return 0;
+  auto h = first;
+  do {
+    const Uv_triangle t{surface.uv(h), surface.uv(surface.next(h)), surface.uv(surface.prev(h))};
+    if(orientation(t) != CGAL::POSITIVE)
+      return 0;
+    angle += corner_angle<Group>(surface, h, scale);
+    h = surface.opposite(surface.next(h));
+  } while(h != first && !surface.is_border(h));
+  return angle;
 }
 
 // The product of the rotations of the cuts around a vertex, counterclockwise. It is the rotation of
@@ -66,57 +82,50 @@ typename Group::Element holonomy(const Vertex_incidences& incidences,
   return product;
 }
 
-// The singular vertices and their indices, in the order of the cut edges.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int> >
-singular_vertices(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
+// The singular vertices, each by a halfedge towards it, and their indices, in the order of the cut
+// edges.
+template <typename Group, typename Surface, typename Halfedge>
+std::vector<std::pair<Halfedge, int> >
+singular_vertices(const Surface& surface, const double scale,
                   const std::vector<Mismatched_edge<Halfedge> >& edges)
 {
-  Vertex_numbers numbers(num_vertices(tmesh));
+  Vertex_numbers numbers(surface.number_of_vertices());
   numbers.mark_ends(edges);
   numbers.assign_numbers();
   const Vertex_incidences incidences(numbers.size(), numbers.ends(edges));
-  std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, int>> result;
+  std::vector<std::pair<Halfedge, int> > result;
   for(std::size_t i = 0; i < numbers.size(); ++i) {
     const int turns = Group::turns(holonomy<Group>(incidences, edges, Vertex_index(i)));
     if(turns == 0)
       continue;
     const Incidence& incidence = *incidences.begin(Vertex_index(i));
     const Halfedge any = edges[std::size_t(incidence.edge)].halfedge;
-    const auto v = incidence.points_to_vertex ? target(any, tmesh) : source(any, tmesh);
-    if(CGAL::is_border(v, tmesh))
+    const Halfedge first = incidence.points_to_vertex ? any : surface.opposite(any);
+    if(has_border_at_target(surface, first))
       continue;
     double angles = 0;
-    for(const Halfedge h : CGAL::halfedges_around_target(v, tmesh))
-      angles += corner_angle<Group>(tmesh, uv_map, h, scale);
+    for_each_around_target(surface, first, [&](const Halfedge h) {
+      angles += corner_angle<Group>(surface, h, scale);
+    });
     const double estimate = Group::order - angles;
     const int full_turns = static_cast<int>(std::lround((estimate - turns) / Group::order));
-    result.emplace_back(v, turns + Group::order * full_turns);
+    result.emplace_back(first, turns + Group::order * full_turns);
   }
   return result;
 }
 
 // Those without holonomy: of 720 degrees, and other multiples of 360, in positive faces. In the
 // order of the mesh; all faces are looked at.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Result>
-void add_full_turns(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const double scale,
-                    Result& result)
+template <typename Group, typename Surface, typename Halfedge>
+void add_full_turns(const Surface& surface, const double scale,
+                    std::vector<std::pair<Halfedge, int> >& result)
 {
-  for(const auto v : vertices(tmesh)) {
-    double angles = 0;
-    bool is_unfolded = halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge();
-    if(is_unfolded)
-      for(const auto h : CGAL::halfedges_around_target(v, tmesh)) {
-        is_unfolded = !is_border(h, tmesh) &&
-                      orientation({get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
-                                   get_uv(uv_map, next(h, tmesh))}) == CGAL::POSITIVE;
-        if(!is_unfolded)
-          break;
-        angles += corner_angle<Group>(tmesh, uv_map, h, scale);
-      }
+  for(const Halfedge first : surface.one_per_vertex()) {
+    const double angles = unfolded_angle<Group>(surface, first, scale);
     const double full_turns = std::round(angles / Group::order);
-    if(is_unfolded && full_turns > 1 && std::abs(angles - full_turns * Group::order) < 0.5)
-      result.emplace_back(v, Group::order * (1 - static_cast<int>(full_turns)));
+    if(full_turns > 1 && std::abs(angles - full_turns * Group::order) < 0.5 &&
+       !has_border_at_target(surface, first))
+      result.emplace_back(first, Group::order * (1 - static_cast<int>(full_turns)));
   }
 }
 

@@ -21,14 +21,10 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
-#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
-#include <CGAL/boost/graph/helpers.h>
 #include <boost/container/static_vector.hpp>
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -38,60 +34,24 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The number type of a uv map's points.
-template <typename HalfedgeUVMap>
-struct Uv_number
-{
-  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
-                "the coordinates of the uv map must be of type float or double");
-};
-
-template <typename HalfedgeUVMap, typename Halfedge>
-Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
-{
-  if constexpr(check_map_of_corners<HalfedgeUVMap, Halfedge>()) {
-    const auto& p = get(uv_map, h);
-    return {static_cast<double>(p.x()), static_cast<double>(p.y())};
-  }
-}
-
-template <typename Point>
-bool are_equal(const Point& p, const Point& q)
-{
-  return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
-}
-
-// Meshes may have edges without.
-template <typename TriangleMesh, typename Halfedge>
-bool has_face(const Halfedge h, const TriangleMesh& tmesh)
-{
-  return !is_border(h, tmesh) || !is_border(opposite(h, tmesh), tmesh);
-}
-
 // \pre both sides of `h` have a face
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-Edge_sides edge_sides(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const Halfedge h)
+template <typename Surface>
+Edge_sides edge_sides(const Surface& surface, const typename Surface::Halfedge h)
 {
-  const Halfedge g = opposite(h, tmesh);
-  return {get_uv(uv_map, prev(h, tmesh)), get_uv(uv_map, h),
-          get_uv(uv_map, g), get_uv(uv_map, prev(g, tmesh))};
+  const auto g = surface.opposite(h);
+  return {surface.uv(surface.prev(h)), surface.uv(h),
+          surface.uv(g), surface.uv(surface.prev(g))};
 }
 
-template <typename TriangleMesh>
+template <typename Halfedge>
 struct Uv_survey
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
   std::vector<Surveyed_edge<Halfedge> > mismatched_edges;
   double extent = 0;                    // the larger side of the bounding box of the coordinates
   std::optional<Refusal> refusal;
@@ -133,23 +93,24 @@ private:
 };
 
 // On failure only: names the place, if there is one.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-std::optional<Refusal> find_bad_face(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                     const VertexIndexMap& vertex_indices)
+template <typename Surface>
+std::optional<Refusal> find_bad_face(const Surface& surface)
 {
   std::optional<Refusal> refusal;
   std::size_t index = 0;
-  for(const auto f : faces(tmesh)) {
+  for(const auto first : surface.one_per_face()) {
     std::size_t degree = 0;
-    for(const auto h : halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+    auto h = first;
+    do {
       ++degree;
-      if(!is_in_range(get_uv(uv_map, h)))
+      if(!is_in_range(surface.uv(h)))
         refusal = Refusal(Outcome::NOT_FINITE,
                           "face " + std::to_string(index) + " has a coordinate that is NaN, "
                           "infinite, or beyond 1e300 at vertex " +
-                          std::to_string(get(vertex_indices, target(h, tmesh))) +
+                          std::to_string(surface.vertex(h)) +
                           "; all corners need finite coordinates");
-    }
+      h = surface.next(h);
+    } while(h != first);
     if(degree != 3)
       refusal = Refusal(Outcome::NOT_TRIANGULAR,
                         "face " + std::to_string(index) + " has " + std::to_string(degree) +
@@ -162,10 +123,10 @@ std::optional<Refusal> find_bad_face(const TriangleMesh& tmesh, const HalfedgeUV
 }
 
 // Whether the face of a halfedge, or the hole that it borders, has less than three corners.
-template <typename TriangleMesh, typename Halfedge>
-bool is_in_digon(const Halfedge h, const TriangleMesh& tmesh)
+template <typename Surface>
+bool is_in_digon(const Surface& surface, const typename Surface::Halfedge h)
 {
-  return next(h, tmesh) == prev(h, tmesh);
+  return surface.next(h) == surface.prev(h);
 }
 
 // Edges whose corners are on their way from the memory, while those before them are compared.
@@ -173,17 +134,15 @@ constexpr std::size_t surveyed_together = 64;
 
 // `is_open_anyway`, if it is not empty, lets callers add edges that are the same on both sides, but
 // known to be cuts.
-template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
-Uv_survey<TriangleMesh>
-survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-          const VertexIndexMap& vertex_indices,
-          const std::function<bool(typename Uv_survey<TriangleMesh>::Halfedge)>& is_open_anyway)
+template <typename Surface>
+Uv_survey<typename Surface::Halfedge>
+survey_uv(const Surface& surface,
+          const std::function<bool(typename Surface::Halfedge)>& is_open_anyway)
 {
-  using Survey = Uv_survey<TriangleMesh>;
-  using Halfedge = typename Survey::Halfedge;
-  Survey survey;
+  using Halfedge = typename Surface::Halfedge;
+  Uv_survey<Halfedge> survey;
   // growing would copy and touch more memory
-  survey.mismatched_edges.reserve(std::size_t(num_edges(tmesh)) / 16);
+  survey.mismatched_edges.reserve(surface.number_of_edges() / 16);
   Uv_box box;
   std::size_t number_of_corners = 0;
   std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
@@ -192,43 +151,40 @@ survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
 
   const auto add_border_corner = [&](const Halfedge h) {
     ++number_of_corners;
-    box.add(get_uv(uv_map, h));
-    in_range = in_range && is_in_range(get_uv(uv_map, h));
+    box.add(surface.uv(h));
+    in_range = in_range && is_in_range(surface.uv(h));
   };
   const auto compare_sides = [&](const Halfedge h) {
-    const Halfedge g = opposite(h, tmesh);
+    const Halfedge g = surface.opposite(h);
     number_of_corners += 2;
-    box.add(get_uv(uv_map, h));
-    box.add(get_uv(uv_map, g));
-    // Points are compared where they are: copying them first would take as long again.
-    if(are_equal(get(uv_map, h), get(uv_map, prev(g, tmesh))) &&
-       are_equal(get(uv_map, g), get(uv_map, prev(h, tmesh))) &&
+    box.add(surface.uv(h));
+    box.add(surface.uv(g));
+    if(surface.have_same_uv(h, surface.prev(g)) && surface.have_same_uv(g, surface.prev(h)) &&
        !(is_open_anyway && is_open_anyway(h)))
       return;
-    const Edge_sides sides = edge_sides(tmesh, uv_map, h);
-    survey.mismatched_edges.push_back({{h, std::size_t(get(vertex_indices, source(h, tmesh))),
-                                        std::size_t(get(vertex_indices, target(h, tmesh)))},
-                                       sides});
+    const Edge_sides sides = edge_sides(surface, h);
+    survey.mismatched_edges.push_back({{h, surface.source(h), surface.vertex(h)}, sides});
     in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
   };
 
-  const auto range = edges(tmesh);
+  const auto& range = surface.one_per_edge();
   auto edge = std::begin(range);
   const auto last = std::end(range);
   std::array<boost::container::static_vector<Halfedge, surveyed_together>, 2> inner_edges;
   const auto read_edges = [&](auto& inner) {
     inner.clear();
     for(; edge != last && inner.size() < surveyed_together; ++edge) {
-      const Halfedge h = halfedge(*edge, tmesh), g = opposite(h, tmesh);
-      number_of_digons += std::size_t(is_in_digon(h, tmesh)) + std::size_t(is_in_digon(g, tmesh));
-      if(!is_border(h, tmesh) && !is_border(g, tmesh)) {
-        prefetch(uv_map, prev(h, tmesh));
-        prefetch(uv_map, prev(g, tmesh));
+      const Halfedge h = *edge, g = surface.opposite(h);
+      number_of_digons += std::size_t(is_in_digon(surface, h)) +
+                          std::size_t(is_in_digon(surface, g));
+      if(!surface.is_border(h) && !surface.is_border(g)) {
+        surface.prefetch(surface.prev(h));
+        surface.prefetch(surface.prev(g));
         inner.push_back(h);
         continue;
       }
       for(const Halfedge side : {h, g})
-        if(!is_border(side, tmesh)) // else the map need not have a value
+        if(!surface.is_border(side)) // else the map need not have a value
           add_border_corner(side);
     }
   };
@@ -240,10 +196,9 @@ survey_uv(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
   }
   survey.extent = box.extent();
   // If faces have at least three corners, all are triangles if there are no more corners than that.
-  // num_faces() counts removed ones too.
   if(!in_range || number_of_digons > 0 || !box.is_in_range() ||
-     number_of_corners != 3 * std::size_t(faces(tmesh).size()))
-    survey.refusal = find_bad_face(tmesh, uv_map, vertex_indices);
+     number_of_corners != 3 * surface.number_of_faces())
+    survey.refusal = find_bad_face(surface);
   return survey;
 }
 

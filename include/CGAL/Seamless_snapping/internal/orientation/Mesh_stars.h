@@ -18,9 +18,7 @@
 // Reads from a mesh what repairs of orientations ask for.
 
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
-#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,37 +30,34 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-Uv_triangle uv_triangle(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                        const Halfedge corner)
+template <typename Surface>
+Uv_triangle uv_triangle(const Surface& surface, const typename Surface::Halfedge corner)
 {
-  return {{get_uv(uv_map, corner), get_uv(uv_map, next(corner, tmesh)),
-           get_uv(uv_map, prev(corner, tmesh))}};
+  return {{surface.uv(corner), surface.uv(surface.next(corner)),
+           surface.uv(surface.prev(corner))}};
 }
 
 // Whether there are faces that are not positive.
-template <typename TriangleMesh, typename HalfedgeUVMap>
-bool has_flips(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map)
+template <typename Surface>
+bool has_flips(const Surface& surface)
 {
-  for(const auto f : faces(tmesh))
-    if(orientation(uv_triangle(tmesh, uv_map, halfedge(f, tmesh))) != CGAL::POSITIVE)
+  for(const auto h : surface.one_per_face())
+    if(orientation(uv_triangle(surface, h)) != CGAL::POSITIVE)
       return true;
   return false;
 }
 
 // Invariant: the faces that were met are found by their own halfedge, the points that are not
 // sectors by their corners.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+template <typename Group, typename Surface>
 class Mesh_stars : public Point_stars
 {
-  using Cuts = Surface_cuts<Group, TriangleMesh>;
-  using Halfedge = typename Cuts::Halfedge;
+  using Halfedge = typename Surface::Halfedge;
+  using Cuts = Surface_cuts<Group, Halfedge>;
 
 public:
-  Mesh_stars(const TriangleMesh& tmesh, const Cuts& cuts, const HalfedgeUVMap& uv_map,
-             const VertexIndexMap& vertex_indices)
-    : Point_stars(cuts.complex.number_of_sectors()), m_tmesh(tmesh), m_cuts(cuts),
-      m_uv_map(uv_map), m_vertex_indices(vertex_indices)
+  Mesh_stars(const Surface& surface, const Cuts& cuts)
+    : Point_stars(cuts.complex.number_of_sectors()), m_surface(surface), m_cuts(cuts)
   { }
 
   std::vector<Face_corner> star(const Point_index p) override
@@ -71,8 +66,8 @@ public:
     for_each_corner(p, [&](const Halfedge h) { corners.push_back(h); });
     std::vector<Face_corner> result;
     for(const Halfedge h : corners) {
-      const Halfedge first = halfedge(face(h, m_tmesh), m_tmesh);
-      result.push_back({face_index(first), h == first ? 0u : h == next(first, m_tmesh) ? 1u : 2u});
+      const Halfedge first = m_surface.first_in_face(h);
+      result.push_back({face_index(first), h == first ? 0u : h == m_surface.next(first) ? 1u : 2u});
     }
     return result;
   }
@@ -84,11 +79,11 @@ public:
     std::vector<Face_index> result;
     for(std::size_t i = 0; i < corners.size(); ++i) {
       if(i + lookahead < corners.size())
-        for(const auto soon : {next(corners[i + lookahead], m_tmesh),
-                               prev(corners[i + lookahead], m_tmesh)})
-          prefetch(m_uv_map, soon);
-      if(!is_surely_positive(uv_triangle(m_tmesh, m_uv_map, corners[i]), reach))
-        result.push_back(face_index(halfedge(face(corners[i], m_tmesh), m_tmesh)));
+        for(const auto soon : {m_surface.next(corners[i + lookahead]),
+                               m_surface.prev(corners[i + lookahead])})
+          m_surface.prefetch(soon);
+      if(!is_surely_positive(uv_triangle(m_surface, corners[i]), reach))
+        result.push_back(face_index(m_surface.first_in_face(corners[i])));
     }
     return result;
   }
@@ -96,18 +91,16 @@ public:
   std::vector<Face_index> possible_flips() override
   {
     std::vector<Face_index> result;
-    for(const auto f : faces(m_tmesh)) {
-      const Halfedge h = halfedge(f, m_tmesh);
-      if(!is_surely_positive(uv_triangle(m_tmesh, m_uv_map, h), 0))
+    for(const Halfedge h : m_surface.one_per_face())
+      if(!is_surely_positive(uv_triangle(m_surface, h), 0))
         result.push_back(face_index(h));
-    }
     return result;
   }
 
   void meet_all_faces() override
   {
-    for(const auto f : faces(m_tmesh))
-      face_index(halfedge(f, m_tmesh));
+    for(const Halfedge h : m_surface.one_per_face())
+      face_index(h);
   }
 
   double largest_move(const Uv_state& state) const override
@@ -120,7 +113,7 @@ public:
       add(m_cuts.complex.coordinates[s], state[s]);
     for(const auto& mixed : m_cuts.complex.mixed_sectors)
       for(auto h = m_cuts.corners_begin(mixed.sector); h != m_cuts.corners_end(mixed.sector); ++h)
-        add(get_uv(m_uv_map, *h), state[std::size_t(mixed.sector)]);
+        add(m_surface.uv(*h), state[std::size_t(mixed.sector)]);
     return result;
   }
 
@@ -133,8 +126,8 @@ public:
     for(const Face_index f : some)
       is_wanted[std::size_t(f)] = true;
     std::size_t number = 0;
-    for(const auto f : faces(m_tmesh)) {
-      const auto found = m_face_of_halfedge.find(halfedge(f, m_tmesh));
+    for(const Halfedge h : m_surface.one_per_face()) {
+      const auto found = m_face_of_halfedge.find(h);
       if(found != m_face_of_halfedge.end() && is_wanted[std::size_t(found->second)])
         result.push_back(number);
       ++number;
@@ -156,12 +149,12 @@ public:
     Halfedge h = first;
     do {
       f(h);
-      h = opposite(next(h, m_tmesh), m_tmesh);
-    } while(h != first && !is_border(h, m_tmesh));
+      h = m_surface.opposite(m_surface.next(h));
+    } while(h != first && !m_surface.is_border(h));
     if(h == first)
       return;
-    for(h = opposite(first, m_tmesh); !is_border(h, m_tmesh); h = opposite(h, m_tmesh)) {
-      h = prev(h, m_tmesh);
+    for(h = m_surface.opposite(first); !m_surface.is_border(h); h = m_surface.opposite(h)) {
+      h = m_surface.prev(h);
       f(h);
     }
   }
@@ -176,9 +169,9 @@ private:
     m_face_of_halfedge.emplace(first, f);
     Domain_face result{};
     Halfedge h = first;
-    for(std::size_t i = 0; i < 3; ++i, h = next(h, m_tmesh)) {
+    for(std::size_t i = 0; i < 3; ++i, h = m_surface.next(h)) {
       result.points[i] = point(h);
-      result.input[i] = get_uv(m_uv_map, h);
+      result.input[i] = m_surface.uv(h);
     }
     result.was_positive = orientation(result.input) == CGAL::POSITIVE;
     m_faces.push_back(result);
@@ -195,7 +188,7 @@ private:
       return found->second;
     const Point_index p = Point_index(size());
     m_free_corners.push_back(corner);
-    m_free_inputs.push_back(get_uv(m_uv_map, corner));
+    m_free_inputs.push_back(m_surface.uv(corner));
     for_each_corner(p, [&](const Halfedge h) { m_free_points.emplace(h, p); });
     return p;
   }
@@ -206,11 +199,11 @@ private:
     const auto& first_sector = m_cuts.complex.first_sector;
     if(number_of_sectors() == 0)
       return -1;
-    const std::size_t index = vertex_index(corner);
+    const std::size_t index = m_surface.vertex(corner);
     std::size_t low = 0, high = m_cuts.complex.number_of_vertices();
     while(high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
-      (vertex_index(*m_cuts.corners_begin(first_sector[middle])) <= index ? low : high) = middle;
+      (m_surface.vertex(*m_cuts.corners_begin(first_sector[middle])) <= index ? low : high) = middle;
     }
     for(Sector_index s = first_sector[low]; s != first_sector[low + 1]; ++s)
       if(std::find(m_cuts.corners_begin(s), m_cuts.corners_end(s), corner) != m_cuts.corners_end(s))
@@ -218,15 +211,8 @@ private:
     return -1;
   }
 
-  std::size_t vertex_index(const Halfedge corner) const
-  {
-    return std::size_t(get(m_vertex_indices, target(corner, m_tmesh)));
-  }
-
-  const TriangleMesh& m_tmesh;
+  const Surface& m_surface;
   const Cuts& m_cuts;
-  const HalfedgeUVMap& m_uv_map;
-  const VertexIndexMap& m_vertex_indices;
   std::unordered_map<Halfedge, Face_index> m_face_of_halfedge;
   std::unordered_map<Halfedge, Point_index> m_free_points;
   std::vector<Halfedge> m_free_corners; // one per point that is not a sector

@@ -20,9 +20,8 @@
 // and a uv map.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 
@@ -31,42 +30,51 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename TriangleMesh>
+template <typename Halfedge>
 struct Snapping_options
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
   std::vector<Halfedge> edges_to_align; // one halfedge of each
-  Constraint_list<TriangleMesh> constraints;
+  Constraint_list<Halfedge> constraints;
   double tolerance;
   double connection_tolerance;
   double rounding_tolerance;
-  bool has_given_indices; // of vertices; they may be wrong
-  bool rounds;            // to an integer-grid map
+  bool rounds; // to an integer-grid map
   Flip_repair flip_repair;
   std::size_t number_of_untangling_iterations;
   bool is_verbose;
+
+  // The same with `number(h)` for each halfedge h.
+  template <typename Number>
+  auto renumbered(const Number& number) const
+  {
+    std::vector<decltype(number(Halfedge()))> edges;
+    for(const Halfedge h : edges_to_align)
+      edges.push_back(number(h));
+    return Snapping_options<decltype(number(Halfedge()))>{
+      std::move(edges), constraints.renumbered(number), tolerance, connection_tolerance,
+      rounding_tolerance, rounds, flip_repair, number_of_untangling_iterations, is_verbose};
+  }
 };
 
 template <typename Group, typename TriangleMesh, typename NamedParameters>
-Snapping_options<TriangleMesh> snapping_options(const TriangleMesh& tmesh,
-                                                const NamedParameters& np)
+Snapping_options<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
+snapping_options(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   const auto chosen = [&](const auto tag, const auto by_default) {
     return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), by_default);
   };
   return {edges_to_align(tmesh, np),
-          Constraint_list<TriangleMesh>(tmesh, np, Group::number_of_functionals),
+          read_constraints<Group>(tmesh, np),
           chosen_tolerance(np),
           double(chosen(CGAL::internal_np::connection_tolerance, default_connection_tolerance)),
           double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
-          is_given<NamedParameters, CGAL::internal_np::vertex_index_t>,
           bool(chosen(CGAL::internal_np::integer_grid, false)),
           chosen_flip_repair(np),
           chosen_number_of_untangling_iterations(np),

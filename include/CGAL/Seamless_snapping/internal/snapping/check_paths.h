@@ -23,7 +23,6 @@
 #include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/number_utils.h>
@@ -42,9 +41,9 @@ constexpr double default_connection_tolerance = 0.01;
 
 // Returns a refusal if a path misses by more than the tolerance, relative to the extent.
 // \param report its extent is set; receives the largest distance by which a path misses
-template <typename Group, typename TriangleMesh>
+template <typename Group, typename Halfedge>
 std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
-                                   const Constraint_list<TriangleMesh>& constraints,
+                                   const Constraint_list<Halfedge>& constraints,
                                    const double tolerance, Snapping_report& report)
 {
   if(!(tolerance >= 0))
@@ -63,7 +62,7 @@ std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
   }
   if(count == 0)
     return std::nullopt;
-  return Refusal(Outcome::NOT_CONNECTED, constraints.paths()[worst].name + " misses by " +
+  return Refusal(Outcome::NOT_CONNECTED, constraints.paths[worst].name + " misses by " +
                  short_number(report.connection_violation_before / report.extent) +
                  " of the extent, more than the connection_tolerance of " +
                  short_number(tolerance) +

@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
 
 #include <cstddef>
@@ -35,39 +34,38 @@ namespace Seamless_snapping {
 namespace internal {
 
 // What a row stands for.
-template <typename Group, typename TriangleMesh, typename VertexIndexMap>
-std::string name_of_row(const Row_origin& origin, const Surface_cuts<Group, TriangleMesh>& cuts,
-                        const Constraint_list<TriangleMesh>& constraints,
-                        const std::vector<Rounding<Group> >& roundings, const TriangleMesh& tmesh,
-                        const VertexIndexMap& vertex_indices)
+template <typename Group, typename Surface>
+std::string name_of_row(const Row_origin& origin, const Surface& surface,
+                        const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
+                        const Constraint_list<typename Surface::Halfedge>& constraints,
+                        const std::vector<Rounding<Group> >& roundings)
 {
   const std::size_t i = origin.index, end = origin.is_at_end ? 1 : 0;
   switch(origin.kind) {
   case Row_origin::BRANCH:
-    return "the transition across " + edge_name(tmesh, vertex_indices, cuts.branch_ends[i][end]);
+    return "the transition across " + edge_name(surface, cuts.branch_ends[i][end]);
   case Row_origin::CHAIN:
-    return "the alignment of " + edge_name(tmesh, vertex_indices, cuts.chain_ends[i][end]);
-  case Row_origin::PATH: return constraints.paths()[i].name;
+    return "the alignment of " + edge_name(surface, cuts.chain_ends[i][end]);
+  case Row_origin::PATH: return constraints.paths[i].name;
   case Row_origin::SUM: // in no contradiction
   case Row_origin::EQUATION: break;
   }
-  const std::size_t n = constraints.corner_constraints().size();
-  return i < n ? constraints.corner_constraint_name(i)
-               : "the rounding of " +
-                   name_of_rounding(roundings[i - n], cuts, tmesh, vertex_indices);
+  const std::size_t n = constraints.equations.size();
+  return i < n ? constraints.name_of_equation(i)
+               : "the rounding of " + name_of_rounding(roundings[i - n], surface, cuts);
 }
 
 // The same refusal with a message that names the place and the remedy.
-template <typename Group, typename TriangleMesh, typename VertexIndexMap>
-Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts,
-                  const Constraint_list<TriangleMesh>& constraints,
+template <typename Group, typename Surface>
+Refusal explained(Refusal refusal, const Surface& surface,
+                  const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
+                  const Constraint_list<typename Surface::Halfedge>& constraints,
                   const std::vector<Rounding<Group> >& roundings, // of equations after the caller's
-                  const Reduced_system<Group>& system, const TriangleMesh& tmesh,
-                  const VertexIndexMap& vertex_indices)
+                  const Reduced_system<Group>& system)
 {
   if(refusal.status == Outcome::NOT_REPRESENTABLE) {
     refusal.message =
-        constraints.corner_constraints().empty()
+        constraints.equations.empty()
             ? "the exact coordinates would exceed the largest number of their type; scale them down"
             : "the corner constraints have solutions, but none whose coordinates are multiples of "
               "one power of two that the number type can hold at the size of the coordinates; "
@@ -77,8 +75,7 @@ Refusal explained(Refusal refusal, const Surface_cuts<Group, TriangleMesh>& cuts
   constexpr std::size_t at_most = 8;
   std::set<std::string> names;
   for(const auto& multiple : refusal.certificate)
-    names.insert(name_of_row(system.origin(multiple.first), cuts, constraints, roundings, tmesh,
-                             vertex_indices));
+    names.insert(name_of_row(system.origin(multiple.first), surface, cuts, constraints, roundings));
   refusal.message = "constraints contradict each other:";
   std::size_t count = 0;
   for(const std::string& name : names)

@@ -21,19 +21,14 @@
 // turned with them. It brings one of the cones and levels to an integer: the one that is best for
 // the others. So a map that is an integer-grid map up to such moves needs no rounding at all.
 
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-
-#include <CGAL/Dynamic_property_map.h>
-#include <CGAL/boost/graph/iterator.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -41,22 +36,18 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap>
+template <typename Group>
 class Chart_mover
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using Halfedge = typename Graph_traits::halfedge_descriptor;
-  using Face = typename Graph_traits::face_descriptor;
   using Element = typename Group::Element;
   using Vector = typename Cut_complex<Group>::Vector;
-  using Cuts = Surface_cuts<Group, TriangleMesh>;
+  using Cuts = Surface_cuts<Group, Corner_index>;
   static constexpr std::size_t dimension = Group::dimension;
 
 public:
-  Chart_mover(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-              const Transition_data<TriangleMesh>& transitions, const Cuts& cuts)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_cuts(cuts),
-      m_chart_of_face(get(CGAL::dynamic_face_property_t<std::size_t>(), tmesh))
+  Chart_mover(Flat_surface& surface, const Transition_data<Corner_index>& transitions,
+              const Cuts& cuts)
+    : m_surface(surface), m_cuts(cuts)
   {
     number_charts(transitions);
     link_charts(transitions);
@@ -105,56 +96,55 @@ private:
     Vector shift{};
   };
 
-  void number_charts(const Transition_data<TriangleMesh>& transitions)
+  void number_charts(const Transition_data<Corner_index>& transitions)
   {
-    std::unordered_set<Halfedge> cuts;
+    std::vector<char> is_cut(std::size_t(m_surface.number_of_corners()), false);
     for(std::size_t i = 0; i < transitions.number_of_cuts; ++i)
-      for(const Halfedge h : {transitions.edges[i].halfedge,
-                              opposite(transitions.edges[i].halfedge, m_tmesh)})
-        cuts.insert(h);
+      for(const Corner_index h : {transitions.edges[i].halfedge,
+                                  m_surface.opposite(transitions.edges[i].halfedge)})
+        is_cut[std::size_t(h)] = true;
     constexpr std::size_t none = std::size_t(-1);
-    for(const Face f : faces(m_tmesh))
-      put(m_chart_of_face, f, none);
-    std::vector<Face> to_visit;
-    const auto visit = [&](const Face f, const std::size_t chart) {
-      if(get(m_chart_of_face, f) != none)
+    m_chart_of_face.assign(m_surface.number_of_faces(), none);
+    std::vector<Corner_index> to_visit; // the first corners of faces
+    const auto visit = [&](const Corner_index h, const std::size_t chart) {
+      if(this->chart(h) != none)
         return;
-      put(m_chart_of_face, f, chart);
-      to_visit.push_back(f);
+      this->chart(h) = chart;
+      to_visit.push_back(m_surface.first_in_face(h));
     };
-    for(const Face root : faces(m_tmesh)) {
-      if(get(m_chart_of_face, root) != none)
+    for(const Corner_index root : m_surface.one_per_face()) {
+      if(chart(root) != none)
         continue;
       m_charts.emplace_back();
       visit(root, m_charts.size() - 1);
       while(!to_visit.empty()) {
-        const Face f = to_visit.back();
+        const Corner_index first = to_visit.back();
         to_visit.pop_back();
-        for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh))
-          if(!is_border(opposite(h, m_tmesh), m_tmesh) && cuts.count(h) == 0)
-            visit(face(opposite(h, m_tmesh), m_tmesh), m_charts.size() - 1);
+        for(Corner_index h = first; h < first + 3; ++h)
+          if(!m_surface.is_border(m_surface.opposite(h)) && !is_cut[std::size_t(h)])
+            visit(m_surface.opposite(h), m_charts.size() - 1);
       }
     }
   }
 
-  void link_charts(const Transition_data<TriangleMesh>& transitions)
+  void link_charts(const Transition_data<Corner_index>& transitions)
   {
     m_links.resize(m_charts.size());
     for(std::size_t i = 0; i < transitions.number_of_cuts; ++i) {
-      const Halfedge h = transitions.edges[i].halfedge, o = opposite(h, m_tmesh);
+      const Corner_index h = transitions.edges[i].halfedge, o = m_surface.opposite(h);
       const Element g = transitions.edges[i].rotation, back = Group::inverse(g);
       const std::size_t here = chart(h), there = chart(o);
       if(here == there || (!m_links[here].empty() && m_links[here].back().chart == there))
         continue;
-      const Vector turned = Group::apply(g, Vector(get_uv(m_uv_map, h)));
-      const Uv u = get_uv(m_uv_map, prev(o, m_tmesh));
+      const Vector turned = Group::apply(g, Vector(m_surface.uv(h)));
+      const Uv u = m_surface.uv(m_surface.prev(o));
       const Vector t{u[0] - turned[0], u[1] - turned[1]}, s = Group::apply(back, t);
       m_links[here].push_back({there, g, t});
       m_links[there].push_back({here, back, {-s[0], -s[1]}});
     }
   }
 
-  std::size_t chart(const Halfedge h) const { return get(m_chart_of_face, face(h, m_tmesh)); }
+  std::size_t& chart(const Corner_index h) { return m_chart_of_face[std::size_t(h / 3)]; }
 
   // All charts around, so that the translations on the way to them become integers.
   void place_part(const std::size_t root)
@@ -232,22 +222,16 @@ private:
 
   void move()
   {
-    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-    using Number = typename Uv_number<HalfedgeUVMap>::type;
-    for(const Face f : faces(m_tmesh)) {
-      const Vector& move = m_charts[get(m_chart_of_face, f)].move;
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
-        const Uv u = get_uv(m_uv_map, h);
-        put(m_uv_map, h, Point(Number(u[0] + move[0]), Number(u[1] + move[1])));
-      }
+    for(Corner_index h = 0; h < m_surface.number_of_corners(); ++h) {
+      const Vector& move = m_charts[chart(h)].move;
+      const Uv u = m_surface.uv(h);
+      m_surface.set_uv(h, {u[0] + move[0], u[1] + move[1]});
     }
   }
 
-  const TriangleMesh& m_tmesh;
-  HalfedgeUVMap m_uv_map;
+  Flat_surface& m_surface;
   const Cuts& m_cuts;
-  using Chart_map = boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t> >;
-  typename Chart_map::const_type m_chart_of_face;
+  std::vector<std::size_t> m_chart_of_face;
   std::vector<Chart> m_charts;
   std::vector<std::vector<Link> > m_links; // per chart
   std::vector<Part> m_parts;

@@ -25,13 +25,10 @@
 #include <CGAL/Linear_snapping/internal/linear/Range_space_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/graph/graph_traits.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -51,11 +48,10 @@ namespace internal {
 
 // Invariant: the displacement of a corner is g x + c, where x is that of a vertex of the mesh. If
 // only some roundings are given, changes of the other translations and levels are unknowns, too.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+template <typename Group>
 class Rounding_spreader
 {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Cuts = Surface_cuts<Group, TriangleMesh>;
+  using Cuts = Surface_cuts<Group, Corner_index>;
   using Vector = typename Cut_complex<Group>::Vector;
   using Element = typename Group::Element;
   using Matrix = Eigen::SparseMatrix<double>;
@@ -93,24 +89,18 @@ class Rounding_spreader
     Form_vector translation;
   };
 
-  struct Corner
-  {
-    std::size_t vertex;
-    Sector_index sector; // -1 where it is in none
-  };
-
   using Roundings = std::vector<Rounding<Group> >;
 
 public:
-  Rounding_spreader(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                    const VertexIndexMap& vertex_indices, const Cuts& cuts)
-    : m_tmesh(tmesh), m_uv_map(uv_map), m_cuts(cuts), m_complex(cuts.complex),
-      m_first_translation(dimension * num_vertices(tmesh)),
+  Rounding_spreader(Flat_surface& surface, const Cuts& cuts)
+    : m_surface(surface), m_cuts(cuts), m_complex(cuts.complex),
+      m_first_translation(dimension * surface.number_of_vertices()),
       m_first_level(m_first_translation + dimension * m_complex.number_of_branches()),
       m_number_of_unknowns(m_first_level + m_complex.number_of_chains()),
-      m_is_fixed(number_of_functionals * num_vertices(tmesh))
+      m_is_fixed(number_of_functionals * surface.number_of_vertices())
   {
-    read_faces(vertex_indices);
+    weigh_edges();
+    find_sectors();
     for(std::size_t f = 0; f < m_weights.size() / 3; ++f)
       if(is_free(f))
         add_face(f);
@@ -165,14 +155,13 @@ public:
   // The faces that it turns over, up to rounding.
   std::size_t number_of_flips() const
   {
-    std::size_t result = 0, i = 0;
-    for(const auto f : faces(m_tmesh)) {
+    std::size_t result = 0;
+    for(Corner_index first = 0; first < m_surface.number_of_corners(); first += 3) {
       Uv_triangle before, after;
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
-        const Vector d = displacement(place(i));
-        before[i % 3] = get_uv(m_uv_map, h);
-        after[i % 3] = {{before[i % 3][0] + d[0], before[i % 3][1] + d[1]}};
-        ++i;
+      for(std::size_t i = 0; i < 3; ++i) {
+        const Vector d = displacement(place(std::size_t(first) + i));
+        before[i] = m_surface.uv(first + Corner_index(i));
+        after[i] = {{before[i][0] + d[0], before[i][1] + d[1]}};
       }
       result += orientation(before) == CGAL::POSITIVE && orientation(after) != CGAL::POSITIVE ? 1
                                                                                              : 0;
@@ -186,15 +175,11 @@ public:
   // Moves all corners by the displacement, once it is computed.
   void move()
   {
-    using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-    using Number = typename Uv_number<HalfedgeUVMap>::type;
-    std::size_t i = 0;
-    for(const auto f : faces(m_tmesh))
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
-        const Uv u = get_uv(m_uv_map, h);
-        const Vector d = displacement(place(i++));
-        put(m_uv_map, h, Point(Number(u[0] + d[0]), Number(u[1] + d[1])));
-      }
+    for(Corner_index h = 0; h < m_surface.number_of_corners(); ++h) {
+      const Uv u = m_surface.uv(h);
+      const Vector d = displacement(place(std::size_t(h)));
+      m_surface.set_uv(h, {u[0] + d[0], u[1] + d[1]});
+    }
   }
 
 private:
@@ -234,25 +219,14 @@ private:
   // The cotangent of each corner in the domain is the weight of the opposite edge. It is the same
   // for faces of either orientation; those of nearly degenerate ones are bounded, by the same area
   // for all three, so that the energy is not negative.
-  void read_faces(const VertexIndexMap& vertex_indices)
+  void weigh_edges()
   {
-    std::unordered_map<Halfedge, Sector_index> sectors;
-    for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
-      for(auto h = m_cuts.corners_begin(Sector_index(s)); h != m_cuts.corners_end(Sector_index(s));
-          ++h)
-        sectors[*h] = Sector_index(s);
-    m_vertex_of_sector.resize(m_complex.number_of_sectors());
-    for(const auto f : faces(m_tmesh)) {
+    for(Corner_index first = 0; first < m_surface.number_of_corners(); first += 3) {
       std::array<Uv, 3> sides; // opposite to the corners
-      std::size_t i = 0;
-      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_tmesh), m_tmesh)) {
-        const Uv a = get_uv(m_uv_map, next(h, m_tmesh)), b = get_uv(m_uv_map, prev(h, m_tmesh));
-        sides[i++] = Group::to_cartesian({b[0] - a[0], b[1] - a[1]});
-        const auto found = sectors.find(h);
-        const auto vertex = std::size_t(get(vertex_indices, target(h, m_tmesh)));
-        m_corners.push_back({vertex, found == sectors.end() ? -1 : found->second});
-        if(found != sectors.end())
-          m_vertex_of_sector[std::size_t(found->second)] = vertex;
+      for(Corner_index i = 0; i < 3; ++i) {
+        const Uv a = m_surface.uv(m_surface.next(first + i)),
+                 b = m_surface.uv(m_surface.prev(first + i));
+        sides[std::size_t(i)] = Group::to_cartesian({b[0] - a[0], b[1] - a[1]});
       }
       double squares = 0;
       for(const Uv& e : sides)
@@ -266,10 +240,18 @@ private:
     }
   }
 
+  void find_sectors()
+  {
+    m_sectors.assign(std::size_t(m_surface.number_of_corners()), -1);
+    for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
+      for(auto h = m_cuts.corners_begin(Sector_index(s)); h != m_cuts.corners_end(Sector_index(s));
+          ++h)
+        m_sectors[std::size_t(*h)] = Sector_index(s);
+  }
+
   bool is_free(const std::size_t face) const
   {
-    return m_corners[3 * face].sector < 0 && m_corners[3 * face + 1].sector < 0 &&
-           m_corners[3 * face + 2].sector < 0;
+    return m_sectors[3 * face] < 0 && m_sectors[3 * face + 1] < 0 && m_sectors[3 * face + 2] < 0;
   }
 
   void link_sectors(const Roundings& roundings)
@@ -311,7 +293,8 @@ private:
     for(Sector_index root = first; root != end; ++root) {
       if(is_placed[std::size_t(root - first)])
         continue;
-      m_places[std::size_t(root)] = {m_vertex_of_sector[std::size_t(root)], Group::identity(), {}};
+      m_places[std::size_t(root)] = {m_surface.vertex(*m_cuts.corners_begin(root)),
+                                     Group::identity(), {}};
       is_placed[std::size_t(root - first)] = true;
       std::vector<Sector_index> sectors(1, root);
       for(std::size_t i = 0; i < sectors.size(); ++i)
@@ -399,8 +382,9 @@ private:
 
   Place place(const std::size_t corner) const
   {
-    const auto [vertex, sector] = m_corners[corner];
-    return sector < 0 ? Place{vertex, Group::identity(), {}} : m_places[std::size_t(sector)];
+    const Sector_index s = m_sectors[corner];
+    return s < 0 ? Place{m_surface.vertex(Corner_index(corner)), Group::identity(), {}}
+                 : m_places[std::size_t(s)];
   }
 
   // 1/2 weight |d - d'|^2 for each edge.
@@ -522,14 +506,12 @@ private:
   // Of displacements as such: where charts lie means nothing.
   static constexpr double weight_of_nothing = 1e-8;
 
-  const TriangleMesh& m_tmesh;
-  HalfedgeUVMap m_uv_map;
+  Flat_surface& m_surface;
   const Cuts& m_cuts;
   const Cut_complex<Group>& m_complex;
   std::size_t m_first_translation, m_first_level, m_number_of_unknowns; // those of vertices first
-  std::vector<Corner> m_corners;           // of all faces
+  std::vector<Sector_index> m_sectors;     // per corner: -1 where it is in none
   std::vector<double> m_weights;           // per corner
-  std::vector<std::size_t> m_vertex_of_sector;
   std::vector<std::vector<Link> > m_links; // per sector
   std::vector<Place> m_places;             // per sector
   std::vector<char> m_is_fixed;            // per functional of each vertex

@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
+#include <CGAL/Seamless_snapping/internal/snapping/Integer_grid_snapper.h>
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
 #include <vector>
@@ -41,6 +42,9 @@
     const Movable_points<Rotation_group<4> >&, const Complex_solver<Rotation_group<4> >&,          \
     Uv_state&, std::size_t&, std::size_t&);
 
+#define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_GRID_SNAPPER(PREFIX, GROUP, MAY_UNTANGLE)              \
+  PREFIX template Snapping_report Integer_grid_snapper<GROUP, MAY_UNTANGLE>::run();
+
 #define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(PREFIX)                                 \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<2>)                            \
@@ -53,7 +57,10 @@
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<6>)                            \
   PREFIX template class Untangler<double>;                                                         \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::NEAR_BY_FIRST)                 \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::ANGLES_FIRST)
+  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_UNTANGLING(PREFIX, Untangling::ANGLES_FIRST)                  \
+  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_GRID_SNAPPER(PREFIX, Rotation_group<4>, false)                \
+  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_GRID_SNAPPER(PREFIX, Rotation_group<4>, true)                 \
+  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_GRID_SNAPPER(PREFIX, Rotation_group<6>, false)
 
 namespace CGAL {
 namespace Seamless_snapping {

@@ -20,10 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
-
-#include <boost/property_map/property_map.hpp>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,17 +57,15 @@ private:
 
 // Writes, reads back, and takes back. `Stars` know the points that repairs of orientations have
 // met: the sectors, and then vertices without a sector.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Stars>
+template <typename Group, typename Surface, typename Stars>
 class Coordinate_writer
 {
-  using Cuts = Surface_cuts<Group, TriangleMesh>;
-  using Halfedge = typename Cuts::Halfedge;
-  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using Number = typename Uv_number<HalfedgeUVMap>::type;
+  using Halfedge = typename Surface::Halfedge;
+  using Cuts = Surface_cuts<Group, Halfedge>;
 
 public:
-  Coordinate_writer(const Cuts& cuts, const Stars& stars, HalfedgeUVMap& uv_map)
-    : m_cuts(cuts), m_stars(stars), m_uv_map(uv_map)
+  Coordinate_writer(const Cuts& cuts, const Stars& stars, Surface& surface)
+    : m_cuts(cuts), m_stars(stars), m_surface(surface)
   { }
 
   // Returns false if the map does not keep what is written to it. Then, and if the map throws, what
@@ -92,11 +87,6 @@ public:
   }
 
 private:
-  static Point point(const Uv& uv)
-  {
-    return Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]));
-  }
-
   static Uv change(const Uv& before, const Uv& after)
   {
     return Group::to_cartesian({after[0] - before[0], after[1] - before[1]});
@@ -117,12 +107,12 @@ private:
       double count = 0;
       m_stars.for_each_corner(Sector_index(i), [&](const auto) { count += 1; });
       m_stars.for_each_corner(Sector_index(i), [&](const auto corner) {
-        const Uv before = get_uv(m_uv_map, corner);
+        const Uv before = m_surface.uv(corner);
         if(before == uv[i])
           return;
-        m_written_freely.push_back({corner, get(m_uv_map, corner)});
+        m_written_freely.push_back({corner, before});
         figures.add(change(before, uv[i]), 1 / count); // each vertex counts once
-        put(m_uv_map, corner, point(uv[i]));
+        m_surface.set_uv(corner, uv[i]);
       });
     }
   }
@@ -134,14 +124,14 @@ private:
       const Uv uv = with_signs_of_zeros(new_uv[std::size_t(s)], before);
       if(is_mixed(s))
         for(auto h = first; h != last; ++h)
-          figures.add(change(get_uv(m_uv_map, *h), uv), 1. / static_cast<double>(last - first));
+          figures.add(change(m_surface.uv(*h), uv), 1. / static_cast<double>(last - first));
       else
         figures.add(change(before, uv));
       if(must_remember(s))
         remember(first, last);
       m_end = s + 1;
       for(auto h = first; h != last; ++h)
-        put(m_uv_map, *h, point(uv));
+        m_surface.set_uv(*h, uv);
     });
   }
 
@@ -151,11 +141,11 @@ private:
     bool result = true;
     for(std::size_t i = number_of_sectors(); i < uv.size(); ++i)
       m_stars.for_each_corner(Sector_index(i), [&](const auto corner) {
-        result = result && get_uv(m_uv_map, corner) == uv[i];
+        result = result && m_surface.uv(corner) == uv[i];
       });
     for_each_sector([&](const Sector_index s, const Halfedge* first, const Halfedge* last) {
       for(auto h = first; h != last; ++h)
-        result = result && get_uv(m_uv_map, *h) == uv[std::size_t(s)];
+        result = result && m_surface.uv(*h) == uv[std::size_t(s)];
     });
     return result;
   }
@@ -166,14 +156,14 @@ private:
     while(m_end > 0) {
       const Sector_index s = --m_end;
       for(auto h = m_cuts.corners_end(s); h != m_cuts.corners_begin(s);) {
-        put(m_uv_map, *--h, must_remember(s) ? m_before.back()
-                                             : point(m_cuts.complex.coordinates[std::size_t(s)]));
+        m_surface.set_uv(*--h, must_remember(s) ? m_before.back()
+                                                : m_cuts.complex.coordinates[std::size_t(s)]);
         if(must_remember(s))
           m_before.pop_back();
       }
     }
     for(; !m_written_freely.empty(); m_written_freely.pop_back())
-      put(m_uv_map, m_written_freely.back().corner, m_written_freely.back().before);
+      m_surface.set_uv(m_written_freely.back().corner, m_written_freely.back().before);
   }
 
   // All corners of a sector, or none if the map throws.
@@ -182,7 +172,7 @@ private:
     const std::ptrdiff_t size = std::ptrdiff_t(m_before.size());
     try {
       for(auto h = first; h != last; ++h)
-        m_before.push_back(get(m_uv_map, *h));
+        m_before.push_back(m_surface.uv(*h));
     } catch(...) {
       m_before.erase(m_before.begin() + size, m_before.end());
       throw;
@@ -213,17 +203,17 @@ private:
       const auto last = m_cuts.corners_end(Sector_index(i));
       for(auto h = first; h != last; ++h)
         if(end - h > lookahead)
-          prefetch(m_uv_map, h[lookahead]);
+          m_surface.prefetch(h[lookahead]);
       f(Sector_index(i), first, last);
     }
   }
 
-  struct Written { Halfedge corner; Point before; };
+  struct Written { Halfedge corner; Uv before; };
 
   const Cuts& m_cuts;
   const Stars& m_stars;
-  HalfedgeUVMap& m_uv_map;
-  std::vector<Point> m_before; // of corners of the sectors to remember
+  Surface& m_surface;
+  std::vector<Uv> m_before; // of corners of the sectors to remember
   Sector_index m_end = 0;      // of the sectors that were written, perhaps in part
   std::vector<Written> m_written_freely; // of other corners
 };

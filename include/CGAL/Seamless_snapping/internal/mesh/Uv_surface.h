@@ -1,0 +1,204 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURFACE_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURFACE_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// A mesh, a uv map, and indices of vertices as one: all that the steps of snapping ask of them. These
+// are templates of a `Surface` with the functions below: of this one, or of a copy in plain arrays,
+// a `Flat_surface`.
+
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <boost/range/adaptor/transformed.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// The number type of a uv map's points.
+template <typename HalfedgeUVMap>
+struct Uv_number
+{
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
+                "the coordinates of the uv map must be of type float or double");
+};
+
+template <typename HalfedgeUVMap, typename Halfedge>
+Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
+{
+  if constexpr(check_map_of_corners<HalfedgeUVMap, Halfedge>()) {
+    const auto& p = get(uv_map, h);
+    return {static_cast<double>(p.x()), static_cast<double>(p.y())};
+  }
+}
+
+// For members of the same names as the graph's functions.
+template <typename Halfedge, typename Graph>
+Halfedge opposite_in(const Graph& graph, const Halfedge h) { return opposite(h, graph); }
+template <typename Halfedge, typename Graph>
+Halfedge next_in(const Graph& graph, const Halfedge h) { return next(h, graph); }
+template <typename Halfedge, typename Graph>
+Halfedge prev_in(const Graph& graph, const Halfedge h) { return prev(h, graph); }
+template <typename Halfedge, typename Graph>
+bool is_border_in(const Graph& graph, const Halfedge h) { return is_border(h, graph); }
+
+// For what needs none.
+struct No_indices { };
+
+// As a graph, halfedges have faces or are on the border; a halfedge stands for the corner of its
+// face at its target, too. It refers to the mesh.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
+class Uv_surface
+{
+  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
+
+public:
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Number = typename Uv_number<HalfedgeUVMap>::type;
+
+  // \param has_given_indices whether the indices are the caller's, and may be wrong
+  Uv_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+             const VertexIndexMap& vertex_indices, const bool has_given_indices = false)
+    : m_tmesh(tmesh), m_uv_map(uv_map), m_vertex_indices(vertex_indices),
+      m_has_given_indices(has_given_indices)
+  { }
+
+  std::size_t number_of_vertices() const { return std::size_t(num_vertices(m_tmesh)); }
+  std::size_t number_of_edges() const { return std::size_t(num_edges(m_tmesh)); }
+  // num_faces() counts removed ones too
+  std::size_t number_of_faces() const { return std::size_t(faces(m_tmesh).size()); }
+
+  // Ranges of halfedges; of a vertex, one towards it, or the null one.
+  auto one_per_face() const { return faces(m_tmesh) | halfedges_of(); }
+  auto one_per_edge() const { return edges(m_tmesh) | halfedges_of(); }
+  auto one_per_vertex() const { return vertices(m_tmesh) | halfedges_of(); }
+  static Halfedge null_halfedge() { return boost::graph_traits<TriangleMesh>::null_halfedge(); }
+
+  Halfedge opposite(const Halfedge h) const { return opposite_in(m_tmesh, h); }
+  Halfedge next(const Halfedge h) const { return next_in(m_tmesh, h); }
+  Halfedge prev(const Halfedge h) const { return prev_in(m_tmesh, h); }
+  bool is_border(const Halfedge h) const { return is_border_in(m_tmesh, h); }
+  // \pre `h` has a face
+  Halfedge first_in_face(const Halfedge h) const { return halfedge(face(h, m_tmesh), m_tmesh); }
+
+  // The indices of the target and the source.
+  std::size_t vertex(const Halfedge h) const
+  { return std::size_t(get(m_vertex_indices, target(h, m_tmesh))); }
+  std::size_t source(const Halfedge h) const { return vertex(opposite(h)); }
+
+  // Of the corner of a halfedge.
+  Uv uv(const Halfedge h) const { return get_uv(m_uv_map, h); }
+  void set_uv(const Halfedge h, const Uv& uv) const
+  { put(m_uv_map, h, Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]))); }
+
+  // Points are compared where they are: copying them first would take as long again.
+  bool have_same_uv(const Halfedge g, const Halfedge h) const
+  {
+    const auto& p = get(m_uv_map, g);
+    const auto& q = get(m_uv_map, h);
+    return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
+  }
+
+  void prefetch(const Halfedge h) const { internal::prefetch(m_uv_map, h); }
+
+  Number_format format() const { return Number_format::of<Number>(); }
+  double epsilon() const { return std::numeric_limits<Number>::epsilon(); }
+
+  // Whether indices are as for CGAL's functions: different, and less than the number of vertices.
+  // Callers can give others, which would be places outside of arrays.
+  bool has_valid_indices() const
+  {
+    if(!m_has_given_indices)
+      return true;
+    std::vector<bool> is_taken(number_of_vertices(), false);
+    for(const auto v : vertices(m_tmesh)) {
+      const std::size_t i = std::size_t(get(m_vertex_indices, v));
+      if(i >= is_taken.size() || is_taken[i])
+        return false;
+      is_taken[i] = true;
+    }
+    return true;
+  }
+
+private:
+  struct Halfedge_of
+  {
+    const TriangleMesh* tmesh;
+
+    template <typename Cell> // a face, an edge, or a vertex
+    Halfedge operator()(const Cell& cell) const { return halfedge(cell, *tmesh); }
+  };
+
+  auto halfedges_of() const { return boost::adaptors::transformed(Halfedge_of{&m_tmesh}); }
+
+  const TriangleMesh& m_tmesh;
+  HalfedgeUVMap m_uv_map;
+  VertexIndexMap m_vertex_indices;
+  bool m_has_given_indices;
+};
+
+// All halfedges towards the target of one, clockwise from it: calls `f(h)`.
+template <typename Surface, typename F>
+void for_each_around_target(const Surface& surface, const typename Surface::Halfedge first,
+                            const F& f)
+{
+  typename Surface::Halfedge h = first;
+  do {
+    f(h);
+    h = surface.opposite(surface.next(h));
+  } while(h != first);
+}
+
+template <typename Surface>
+bool lies_on_border(const Surface& surface, const typename Surface::Halfedge h)
+{ return surface.is_border(h) || surface.is_border(surface.opposite(h)); }
+
+template <typename Surface>
+bool has_border_at_target(const Surface& surface, const typename Surface::Halfedge first)
+{
+  bool result = false;
+  for_each_around_target(surface, first,
+                         [&](const auto h) { result = result || surface.is_border(h); });
+  return result;
+}
+
+// For messages.
+template <typename Surface>
+std::string edge_name(const Surface& surface, const typename Surface::Halfedge h)
+{
+  return "the edge between vertices " + std::to_string(surface.source(h)) + " and " +
+         std::to_string(surface.vertex(h));
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURFACE_H

@@ -1,0 +1,308 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_INTEGER_GRID_SNAPPER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_INTEGER_GRID_SNAPPER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// Snapping to integer-grid maps: chooses integers before it solves, and changes the map on the way
+// to them, which is a copy.
+
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
+#include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
+#include <CGAL/Seamless_snapping/internal/snapping/move_charts.h>
+#include <CGAL/Seamless_snapping/internal/snapping/round_one_after_another.h>
+#include <CGAL/Seamless_snapping/internal/snapping/spread_rounding.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Below, it is enough to move the vertices of the cuts.
+constexpr double negligible_rounding = 1e-4;
+
+// Of cones that untangling makes, one after the other.
+constexpr int largest_number_of_roundings = 8;
+
+// Cones become vertices of quads, so that untangling keeps their angles first.
+template <typename Group, bool may_untangle>
+class Integer_grid_snapper
+  : public Surface_snapper<Group, Flat_surface, may_untangle, Untangling::ANGLES_FIRST>
+{
+  using Base = Surface_snapper<Group, Flat_surface, may_untangle, Untangling::ANGLES_FIRST>;
+  using typename Base::Aligned;
+  using typename Base::Cuts;
+  using Base::m_flip_repair;
+  using Base::m_options;
+  using Base::m_report;
+  using Base::m_surface;
+  using Base::m_timer;
+  // The faces that the displacement turns over, and by how much it changes edges.
+  using Cost = std::pair<std::size_t, double>;
+  static constexpr Cost infinite_cost{std::size_t(-1), 0};
+
+  struct Choice
+  {
+    std::vector<Rounding<Group> > roundings;
+    Cost cost = infinite_cost;
+  };
+
+public:
+  using Base::Base;
+
+  Snapping_report run()
+  {
+    const std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
+    if constexpr(may_untangle)
+      if(!refusal && m_options.rounds && m_flip_repair == Flip_repair::UNTANGLE)
+        round_new_cones();
+    return this->report(refusal);
+  }
+
+private:
+  std::optional<Refusal> snap()
+  {
+    Transition_data<Corner_index> transitions;
+    Aligned aligned_edges;
+    if(auto refusal = this->read(transitions, aligned_edges))
+      return refusal;
+    if(auto refusal = check_range())
+      return refusal;
+    if(!m_has_spread) // else the displacement may hide them by folds
+      m_grid_points =
+        corners_at_grid_points<Group>(m_surface, aligned_edges, unit_scale(transitions.extent));
+    Constraint_list<Corner_index> constraints = m_options.constraints;
+    constraints.grid_points = m_grid_points;
+    Cuts cuts;
+    if(auto refusal = this->read(transitions, aligned_edges, constraints, !m_is_rounded, cuts))
+      return refusal;
+    std::vector<Rounding<Group> > roundings;
+    const auto refusal = round_to_integers(cuts, constraints, roundings);
+    m_timer.finish("rounding");
+    const bool is_far = refusal || largest_distance(roundings) > negligible_rounding;
+    if(is_far && !m_has_spread &&
+       has_other_charts(transitions, cuts, constraints, refusal.has_value(), roundings))
+      return snap();
+    if(refusal)
+      return refusal;
+    if(is_far && !m_has_spread)
+      return spread_and_snap(cuts);
+    for(const Rounding<Group>& rounding : roundings)
+      cuts.complex.equations.push_back(rounding.equation);
+    return this->solve(transitions.is_exact, cuts, roundings);
+  }
+
+  // Before the search for integers and repairs that no extraction takes.
+  std::optional<Refusal> check_range() const
+  {
+    for(Corner_index h = 0; h < m_surface.number_of_corners(); ++h) {
+      const Uv& u = m_surface.uv(h);
+      if((std::max)(std::abs(u[0]), std::abs(u[1])) > largest_grid_coordinate)
+        return Refusal(Outcome::NOT_REPRESENTABLE,
+                       "a coordinate of vertex " + std::to_string(m_surface.vertex(h)) +
+                         " is too large: beyond 2^46, where units can't be counted safely; move or "
+                         "shrink the map");
+    }
+    return std::nullopt;
+  }
+
+  // Where integers are far, charts are moved to where they may be nearer; and back, if what can be
+  // chosen there is not better. Returns whether they were moved.
+  bool has_other_charts(const Transition_data<Corner_index>& transitions, const Cuts& cuts,
+                        const Constraint_list<Corner_index>& constraints, const bool is_refused,
+                        const std::vector<Rounding<Group> >& roundings)
+  {
+    if(m_charts == Charts::CHOSEN)
+      return false;
+    Choice choice;
+    if(!is_refused)
+      choice = choose_integers(cuts, roundings);
+    m_timer.finish("choice of integers");
+    if(m_charts == Charts::MOVED) {
+      m_charts = Charts::CHOSEN;
+      if(choice.cost < m_choice.cost) {
+        m_choice = std::move(choice);
+        return false;
+      }
+      m_surface.set_all_uv(m_before);
+      return true;
+    }
+    m_choice = std::move(choice);
+    m_charts = Charts::CHOSEN;
+    if(m_options.rounding_tolerance == 0 || !constraints.equations.empty())
+      return false;
+    m_before = m_surface.all_uv();
+    if(!Chart_mover<Group>(m_surface, transitions, cuts).run(negligible_rounding))
+      return false;
+    m_charts = Charts::MOVED;
+    return true;
+  }
+
+  std::optional<Refusal> spread_and_snap(const Cuts& cuts)
+  {
+    m_is_rounded = m_has_spread = true;
+    // those that the displacement may have made
+    m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
+    Rounding_spreader<Group> spreader(m_surface, cuts);
+    if(!spreader.compute(m_choice.roundings))
+      return Refusal(Outcome::INTERNAL_ERROR, "the roundings could not be spread over the "
+                     "surface; please report this");
+    if(const Rounding<Group>* const worst = farthest(m_choice.roundings, cuts))
+      m_report.largest_rounding = worst->distance();
+    spreader.move();
+    m_timer.finish("displacement");
+    return snap();
+  }
+
+  // The nearest integers, or those that are chosen one after another: whichever turn over fewer
+  // faces and change edges less.
+  Choice choose_integers(const Cuts& cuts, const std::vector<Rounding<Group> >& nearest) const
+  {
+    Rounding_spreader<Group> spreader(m_surface, cuts);
+    std::vector<Rounding<Group> > others = nearest;
+    const bool has_others =
+      round_one_after_another(cuts.complex, cuts.grid_points, m_surface.format(), spreader,
+                              others);
+    Choice result{nearest, cost(spreader, nearest)};
+    const Rounding<Group>* const worst = farthest(others, cuts);
+    if(!has_others || (worst != nullptr && worst->distance() > m_options.rounding_tolerance))
+      return result;
+    const Cost with_others = cost(spreader, others);
+    if(with_others < result.cost)
+      result = {std::move(others), with_others};
+    return result;
+  }
+
+  static Cost cost(Rounding_spreader<Group>& spreader,
+                   const std::vector<Rounding<Group> >& roundings)
+  {
+    return spreader.compute(roundings) ? Cost(spreader.number_of_flips(), spreader.energy())
+                                       : infinite_cost;
+  }
+
+  // Untangling can turn folds into cones, which are not rounded then. Rounds these, too, and
+  // untangles what that folds, until no cone is new; undoes what fails.
+  void round_new_cones()
+  {
+    for(int i = 0; i < largest_number_of_roundings && has_point_off_grid(); ++i) {
+      const std::vector<Uv> before = m_surface.all_uv();
+      const Snapping_report report = m_report;
+      m_is_rounded = true;
+      m_has_spread = false;
+      if(!snap() && number_of_flips(m_report) <= number_of_flips(report)) {
+        // flips of the input: those since then came with the displacement
+        m_report.run.number_of_repaired_flips = report.run.number_of_repaired_flips;
+        continue;
+      }
+      m_surface.set_all_uv(before);
+      m_report = report;
+      return;
+    }
+  }
+
+  bool has_point_off_grid() const
+  {
+    const Aligned aligned_edges(m_surface, m_options.edges_to_align,
+                                m_options.tolerance * m_report.extent);
+    const auto corners = corners_at_grid_points<Group>(m_surface, aligned_edges,
+                                                       unit_scale(m_report.extent));
+    return std::any_of(corners.begin(), corners.end(), [&](const Corner_index h) {
+      const Uv u = m_surface.uv(h);
+      return u[0] != std::round(u[0]) || u[1] != std::round(u[1]);
+    });
+  }
+
+  static std::size_t number_of_flips(const Snapping_report& report)
+  { return report.lost_faces.size() + report.remaining_flips.size(); }
+
+  static double largest_distance(const std::vector<Rounding<Group> >& roundings)
+  {
+    double result = 0;
+    for(const Rounding<Group>& rounding : roundings)
+      result = (std::max)(result, rounding.distance());
+    return result;
+  }
+
+  // The integers near by.
+  std::optional<Refusal> round_to_integers(const Cuts& cuts,
+                                           const Constraint_list<Corner_index>& constraints,
+                                           std::vector<Rounding<Group> >& roundings)
+  {
+    if(auto refusal = Integer_rounding<Group>(cuts.complex, cuts.grid_points)
+                        .run(m_surface.format(), roundings)) {
+      refusal->message = constraints.empty()
+        ? "the integers near by would be too large for the number type; scale the map down"
+        : "the further constraints don't hold for any integers near by; correct or remove them";
+      return refusal;
+    }
+    const Rounding<Group>* worst = farthest(roundings, cuts);
+    if(worst == nullptr || m_is_rounded)
+      return std::nullopt;
+    m_report.largest_rounding = worst->distance();
+    const double tolerance = m_options.rounding_tolerance;
+    if(worst->distance() <= tolerance)
+      return std::nullopt;
+    return Refusal(Outcome::NOT_INTEGER,
+                   name_of_rounding(*worst, m_surface, cuts) + " is " +
+                     short_number(worst->distance()) + " off the integer that it is rounded to, "
+                     "more than the rounding_tolerance of " + short_number(tolerance) +
+                     "; raise it, or scale the map up by grid_scale");
+  }
+
+  // Null if there is none but of points that are free to move.
+  const Rounding<Group>* farthest(const std::vector<Rounding<Group> >& roundings,
+                                  const Cuts& cuts) const
+  {
+    const Rounding<Group>* result = nullptr;
+    for(const Rounding<Group>& rounding : roundings)
+      if(!is_free(rounding, cuts) &&
+         (result == nullptr || rounding.distance() > result->distance()))
+        result = &rounding;
+    return result;
+  }
+
+  // Whether it moves a point of the border along it, as that at the end of a slit.
+  bool is_free(const Rounding<Group>& rounding, const Cuts& cuts) const
+  {
+    return rounding.kind == Rounding<Group>::POINT &&
+           has_border_at_target(m_surface, *cuts.corners_begin(Sector_index(rounding.index)));
+  }
+
+  enum class Charts { AS_GIVEN, MOVED, CHOSEN } m_charts = Charts::AS_GIVEN;
+  std::vector<Uv> m_before; // the charts were moved
+  Choice m_choice;
+  bool m_is_rounded = false; // once, and checked: what comes is no matter of tolerances
+  bool m_has_spread = false; // the last roundings
+  std::vector<Corner_index> m_grid_points;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_INTEGER_GRID_SNAPPER_H

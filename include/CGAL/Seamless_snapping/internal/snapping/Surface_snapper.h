@@ -1,0 +1,226 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SURFACE_SNAPPER_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SURFACE_SNAPPER_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The function `snap_to_seamless()`, a step a line: what each step returns is all that the next
+// ones know of it.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
+#include <CGAL/Seamless_snapping/internal/snapping/Snapping_options.h>
+#include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
+#include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
+#include <CGAL/Seamless_snapping/internal/snapping/write_coordinates.h>
+#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+template <typename Group, typename Surface, bool may_untangle,
+          Untangling how = Untangling::NEAR_BY_FIRST>
+class Surface_snapper
+{
+protected:
+  using Halfedge = typename Surface::Halfedge;
+  using Given = Given_transitions<Group, Halfedge>;
+  using Options = Snapping_options<Halfedge>;
+  using Aligned = Aligned_edges<Group, Halfedge>;
+  using Cuts = Surface_cuts<Group, Halfedge>;
+
+public:
+  Surface_snapper(Surface& surface, const Given& given, const Options& options)
+    : m_surface(surface)
+    , m_given(given)
+    , m_options(options)
+    , m_timer(m_report, options.is_verbose)
+    , m_flip_repair(options.flip_repair)
+    , m_iterations(options.number_of_untangling_iterations)
+  { }
+
+  Snapping_report run();
+
+protected:
+  std::optional<Refusal> snap()
+  {
+    Transition_data<Halfedge> transitions;
+    Aligned aligned_edges;
+    Cuts cuts;
+    if(auto refusal = read(transitions, aligned_edges))
+      return refusal;
+    if(auto refusal = read(transitions, aligned_edges, m_options.constraints, true, cuts))
+      return refusal;
+    return solve(transitions.is_exact, cuts, {});
+  }
+
+  // Fills in what is read, unless it is refused.
+  std::optional<Refusal> read(Transition_data<Halfedge>& transitions, Aligned& aligned_edges)
+  {
+    if(m_surface.number_of_faces() == 0)
+      return Refusal(Outcome::INVALID_ARGUMENT, "the mesh has no face; was it read?");
+    transitions = Transition_reader<Group, Surface>(m_surface, m_given, m_options.tolerance).run();
+    fill_in(transitions);
+    m_timer.finish("transitions");
+    if(transitions.refusal)
+      return transitions.refusal;
+    aligned_edges = Aligned(m_surface, m_options.edges_to_align,
+                            m_options.tolerance * transitions.extent);
+    m_report.violation_before = (std::max)(transitions.violation, aligned_edges.violation());
+    return aligned_edges.refusal() ? aligned_edges.refusal() : m_options.constraints.refusal;
+  }
+
+  // \param must_check_paths whether a path that misses is an error
+  std::optional<Refusal> read(const Transition_data<Halfedge>& transitions,
+                              const Aligned& aligned_edges,
+                              const Constraint_list<Halfedge>& constraints,
+                              const bool must_check_paths, Cuts& cuts)
+  {
+    cuts = read_cut_complex(m_surface, transitions, aligned_edges, constraints);
+    fill_in(cuts);
+    if(must_check_paths)
+      if(const auto refusal = check_paths(cuts.complex, constraints,
+                                           m_options.connection_tolerance, m_report))
+        return refusal;
+    m_timer.finish("cut complex");
+    return std::nullopt;
+  }
+
+  // Of a complex with these roundings as its last equations.
+  std::optional<Refusal> solve(const bool has_exact_transitions, const Cuts& cuts,
+                               const std::vector<Rounding<Group> >& roundings)
+  {
+    const bool was_exact =
+      has_exact_transitions && is_exact(cuts.complex, cuts.complex.coordinates);
+    if(was_exact && !(m_flip_repair != Flip_repair::NONE && has_flips(m_surface)))
+      return std::nullopt;
+    m_timer.finish("verification of the input");
+
+    Complex_solver<Group> solver(cuts.complex, m_surface.format());
+    m_report.linear_solver = solver.linear_solver().figures();
+    m_timer.finish("elimination");
+    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, {}, solver.coarsest_step(), -1};
+    if(!was_exact)
+      if(const auto refusal = solver.solve(snapped))
+        return explained(*refusal, m_surface, cuts, m_options.constraints, roundings,
+                         solver.system());
+    m_timer.finish("solution");
+
+    Mesh_stars<Group, Surface> stars(m_surface, cuts);
+    typename Orientation_repair<Group>::Untangle untangle = nullptr;
+    if constexpr(may_untangle)
+      if(m_flip_repair == Flip_repair::UNTANGLE)
+        untangle = &untangle_flips<Group, how>;
+    Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
+                              m_iterations, untangle)
+      .run(snapped.coordinates, m_report);
+    m_timer.finish("orientation");
+    if(was_exact && m_report.run.number_of_repaired_flips == 0)
+      return std::nullopt; // nothing moves
+
+    if(!is_exact(cuts.complex, snapped.coordinates))
+      return Refusal(Outcome::INTERNAL_ERROR,
+                     "the result failed its exact verification and "
+                     "was discarded; please report this");
+    m_timer.finish("verification");
+    return write(cuts, stars, snapped);
+  }
+
+  Snapping_report report(const std::optional<Refusal>& refusal)
+  {
+    if(refusal) {
+      refuse(m_report, *refusal);
+      m_report.certificate = refusal->certificate;
+    }
+    m_report.run.number_of_untangling_iterations =
+      m_options.number_of_untangling_iterations - m_iterations;
+    m_timer.finish("release of memory");
+    return std::move(m_report);
+  }
+
+  Surface& m_surface;
+  const Given& m_given;
+  const Options& m_options;
+  Snapping_report m_report;
+  Step_timer m_timer;
+  Flip_repair m_flip_repair;
+  std::size_t m_iterations; // that the search for repairs may still take
+
+private:
+  void fill_in(const Transition_data<Halfedge>& transitions)
+  {
+    m_report.run.number_of_faces = m_surface.number_of_faces();
+    m_report.run.number_of_cut_edges = transitions.number_of_cuts;
+    m_report.run.number_of_merged_edges = transitions.edges.size() - transitions.number_of_cuts;
+    m_report.run.number_of_edges_decided_by_surroundings =
+      transitions.number_of_edges_decided_by_surroundings;
+    m_report.extent = transitions.extent;
+    m_report.violation_before = transitions.violation;
+  }
+
+  void fill_in(const Cuts& cuts)
+  {
+    const Cut_complex<Group>& complex = cuts.complex;
+    m_report.run.number_of_singular_vertices = cuts.number_of_singular_vertices;
+    m_report.run.number_of_sectors = complex.number_of_sectors();
+    m_report.run.number_of_nodes =
+      std::size_t(std::count(complex.is_node.begin(), complex.is_node.end(), true));
+    m_report.run.number_of_cut_branches = complex.number_of_branches();
+    m_report.run.number_of_align_branches = complex.number_of_chains();
+  }
+
+  std::optional<Refusal> write(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
+                               const Snapped_coordinates<Group>& snapped)
+  {
+    Corner_changes figures;
+    Coordinate_writer<Group, Surface, Mesh_stars<Group, Surface> > writer(cuts, stars, m_surface);
+    if(!writer.write(snapped.coordinates, figures))
+      return Refusal(Outcome::INTERNAL_ERROR, "the uv map does not keep what is written to "
+                     "it, so that what it had was written back; each corner needs a place of its "
+                     "own, and the full precision of the points' number type");
+    figures.fill_in(m_report, snapped.optimal_changes);
+    m_report.grid_step = snapped.unit;
+    m_report.status = Outcome::SNAPPED;
+    m_timer.finish("writing");
+    return std::nullopt;
+  }
+};
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group, typename Surface, bool may_untangle, Untangling how>
+Snapping_report Surface_snapper<Group, Surface, may_untangle, how>::run()
+{
+  return report(snap());
+}
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_SNAPPING_SURFACE_SNAPPER_H
