@@ -185,6 +185,10 @@ Vertex_changes build_mesh(Soup& soup, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if(wants_features)
     features = sides_of_segments(edges, soup.segments);
 
+  const std::size_t n = soup.triangles.size();
+  using size_type = typename boost::graph_traits<TriangleMesh>::vertices_size_type;
+  reserve(tmesh, size_type(num_vertices(tmesh) + soup.points.size()),
+          size_type(num_edges(tmesh) + n + n / 2 + n / 8), size_type(num_faces(tmesh) + n));
   const auto vertices = add_vertices(soup.points, changes, tmesh, vpm);
   const auto halfedges = add_triangles(soup, vertices, tmesh, uv_map);
   if constexpr(wants_features) {

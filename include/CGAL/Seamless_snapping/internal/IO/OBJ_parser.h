@@ -168,6 +168,11 @@ private:
   {
     long long index = 0;
     const char* const end = token.data() + token.size();
+    const char* digit = token.data();
+    while(digit != end && *digit >= '0' && *digit <= '9' && digit - token.data() < 18)
+      index = 10 * index + (*digit++ - '0');
+    if(digit == end && index > 0) // nearly always
+      return index;
     const std::from_chars_result result = std::from_chars(token.data(), end, index);
     if(result.ptr != end || result.ec == std::errc::invalid_argument)
       m_scanner.refuse(quoted(token) + " is not the index of a " + of);
@@ -233,16 +238,16 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
 
   for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
       keyword = m_scanner.next_statement()) {
-    if(keyword == "v")
+    if(is_keyword(keyword, "v"))
       m_soup.points.push_back(parse_point());
-    else if(keyword == "l")
+    else if(is_keyword(keyword, "l"))
       parse_polyline();
     else if constexpr(has_uvs) {
-      if(keyword == "vt")
+      if(is_keyword(keyword, "vt"))
         parse_uv();
-      else if(keyword == "f")
+      else if(is_keyword(keyword, "f"))
         parse_triangle();
-    } else if(keyword == "f")
+    } else if(is_keyword(keyword, "f"))
       parse_polygon(m_soup.polygons);
   }
   if(faces().empty())

@@ -111,13 +111,13 @@ public:
     for(std::string_view keyword = m_scanner.next_statement();
         !keyword.empty() && !(keeps_indices && m_number_of_uvs == m_soup.uvs.size());
         keyword = m_scanner.next_statement()) {
-      if(keyword == "v")
+      if(is_keyword(keyword, "v"))
         ++m_number_of_points;
-      else if(keyword == "vt")
+      else if(is_keyword(keyword, "vt"))
         rewrite_uv();
-      else if(keyword == "f")
+      else if(is_keyword(keyword, "f"))
         rewrite_face();
-      else if(keyword == "l")
+      else if(is_keyword(keyword, "l"))
         rewrite_polyline();
     }
     m_result.append(m_text.substr(m_copied));

@@ -28,6 +28,16 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// Whether a token is a keyword. Faster than comparing views, of any length.
+template <std::size_t n>
+bool is_keyword(const std::string_view token, const char (&keyword)[n])
+{
+  bool result = token.size() == n - 1;
+  for(std::size_t i = 0; result && i + 1 < n; ++i)
+    result = token[i] == keyword[i];
+  return result;
+}
+
 // Walks through a text; stands within or at the end of the statement that starts at `line()`.
 // Lines end with LF, CRLF, or CR; a backslash before the end of a line joins it to the next one,
 // except in comments, where it is text (as in the path of a folder).
@@ -68,9 +78,15 @@ public:
     const std::size_t begin = m_position;
     if(begin < m_text.size() && m_text[begin] == '#')
       return std::string_view();
-    while(m_position < m_text.size() && !at_end_of_token())
-      ++m_position;
-    return m_text.substr(begin, m_position - begin);
+    const char* const end = m_text.data() + m_text.size();
+    for(;; ++m_position) {
+      const char* c = m_text.data() + m_position;
+      while(c != end && is_surely_in_token(*c))
+        ++c;
+      m_position = std::size_t(c - m_text.data());
+      if(c == end || is_blank(*c) || is_line_end(*c) || at_continuation())
+        return m_text.substr(begin, m_position - begin);
+    }
   }
 
   // Goes behind the end of the statement's last line, and returns that end, which is empty at the
@@ -93,14 +109,7 @@ public:
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-  bool at_end_of_token() const
-  {
-    const char c = m_text[m_position];
-    if(c > ' ' && c != '\\') // nearly all
-      return false;
-    return is_blank(c) || is_line_end(c) || at_continuation();
-  }
+  static bool is_surely_in_token(char c) { return c > ' ' && c != '\\'; } // nearly all are
 
   bool at_continuation() const
   {
