@@ -8,6 +8,7 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
+// Author(s)     : The Seamless_snapping authors
 
 #ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_CONSTRAINT_LIST_H
 #define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_CONSTRAINT_LIST_H

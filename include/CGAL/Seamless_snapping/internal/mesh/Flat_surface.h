@@ -8,6 +8,7 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
+// Author(s)     : The Seamless_snapping authors
 
 #ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_FLAT_SURFACE_H
 #define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_FLAT_SURFACE_H
@@ -31,7 +32,8 @@ namespace Seamless_snapping {
 namespace internal {
 
 // A `Surface` as Uv_surface is. Invariant: the halfedges 3 f, 3 f + 1, 3 f + 2 are those of face f;
-// those of the border follow. Borders run through vertices as in the input, also where several meet.
+// those of the border follow. Borders run through vertices as in the input, also where several
+// meet.
 class Flat_surface
 {
 public:

@@ -15,13 +15,15 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The mismatched edges of a uv map, whose two sides have different coordinates, in an order that
-// does not depend on the mesh data structure, and which of them meet at which vertex.
+// The mismatched edges of a uv map, whose two sides have different coordinates: by how much their
+// transitions miss, in an order that does not depend on the mesh data structure, and which of them
+// meet at which vertex.
 
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -60,6 +62,40 @@ struct Mismatched_edge
   double length = 0;     // of the edge
   double gap = 0;        // between the sides: for k = 0 the length of the translation
 };
+
+// --- measures: up to rounding, in units that keep the smallest and the largest maps in range
+
+// The power of two by which lengths are multiplied.
+inline double unit_scale(const double extent)
+{
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  return std::ldexp(1., (std::min)(-exponent, 1000));
+}
+
+// Measures [MC19] Eq. (4) for one rotation. \pre the coordinates are in range
+template <typename Group, typename Halfedge>
+void set_rotation(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
+                  const typename Group::Element g, const double scale)
+{
+  edge.rotation = g;
+  edge.is_exact = vectors.match<Group>(g);
+  edge.residual = edge.is_exact ? 0 : vectors.residual<Group>(g, scale);
+}
+
+template <typename Group, typename Halfedge>
+void measure_length_and_gap(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
+                            const double scale)
+{
+  const Edge_sides& sides = edge.sides;
+  edge.length = vectors.length<Group>(scale);
+  const auto gap = [&](const Uv& u, const Uv& v) {
+    return scale * Group::norm({u[0] - v[0], u[1] - v[1]});
+  };
+  edge.gap = (std::max)(gap(sides.a, sides.a_opposite), gap(sides.b, sides.b_opposite));
+}
+
+// --- order
 
 // Numbers without gaps for the ends of some edges, in the order of the mesh's indices.
 class Vertex_numbers

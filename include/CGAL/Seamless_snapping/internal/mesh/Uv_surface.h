@@ -8,20 +8,20 @@
 // $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
+// Author(s)     : The Seamless_snapping authors
 
 #ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURFACE_H
 #define CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_UV_SURFACE_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A mesh, a uv map, and indices of vertices as one: all that the steps of snapping ask of them. These
-// are templates of a `Surface` with the functions below: of this one, or of a copy in plain arrays,
-// a `Flat_surface`.
+// A mesh, a uv map, and indices of vertices as one: all that the steps of snapping ask of them.
+// These are templates of a `Surface` with the functions below: of this one, or of a copy in plain
+// arrays, a `Flat_surface`.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
-#include <CGAL/Seamless_snapping/internal/support/prefetch.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -126,7 +126,16 @@ public:
     return (int(p.x() == q.x()) & int(p.y() == q.y())) != 0; // without branches
   }
 
-  void prefetch(const Halfedge h) const { internal::prefetch(m_uv_map, h); }
+  // Asks for the memory of coordinates ahead of their use, if the map refers to memory. On large
+  // meshes, loops over the corners wait for little else.
+  void prefetch(const Halfedge h) const
+  {
+#if defined(__GNUC__) || defined(__clang__)
+    if constexpr(std::is_lvalue_reference<decltype(get(m_uv_map, h))>::value)
+      __builtin_prefetch(&get(m_uv_map, h));
+#endif
+    (void)h;
+  }
 
   Number_format format() const { return Number_format::of<Number>(); }
   double epsilon() const { return std::numeric_limits<Number>::epsilon(); }

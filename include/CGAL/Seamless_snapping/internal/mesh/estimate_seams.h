@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
-#include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 
 #include <algorithm>
 #include <cmath>

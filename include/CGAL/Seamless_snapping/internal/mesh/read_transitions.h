@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
-#include <CGAL/Seamless_snapping/internal/mesh/measure_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 

@@ -203,7 +203,8 @@ private:
     std::size_t low = 0, high = m_cuts.complex.number_of_vertices();
     while(high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
-      (m_surface.vertex(*m_cuts.corners_begin(first_sector[middle])) <= index ? low : high) = middle;
+      const Halfedge corner_there = *m_cuts.corners_begin(first_sector[middle]);
+      (m_surface.vertex(corner_there) <= index ? low : high) = middle;
     }
     for(Sector_index s = first_sector[low]; s != first_sector[low + 1]; ++s)
       if(std::find(m_cuts.corners_begin(s), m_cuts.corners_end(s), corner) != m_cuts.corners_end(s))

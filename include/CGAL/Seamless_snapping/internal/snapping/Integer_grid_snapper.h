@@ -23,8 +23,9 @@
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
-#include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
+#include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/snapping/move_charts.h>
 #include <CGAL/Seamless_snapping/internal/snapping/round_one_after_another.h>
 #include <CGAL/Seamless_snapping/internal/snapping/spread_rounding.h>
@@ -48,6 +49,27 @@ constexpr double negligible_rounding = 1e-4;
 
 // Of cones that untangling makes, one after the other.
 constexpr int largest_number_of_roundings = 8;
+
+// Corners at vertices that have to be points of the grid though neither cuts nor levels tell of
+// them: inner vertices of 720 degrees or more, around some of which the rotations cancel; and, on
+// borders along isocurves, vertices of 360 degrees or more, where the border turns back, or goes
+// straight on after more than a half turn.
+template <typename Group>
+std::vector<Corner_index>
+corners_at_grid_points(const Flat_surface& surface,
+                       const Aligned_edges<Group, Corner_index>& aligned_edges, const double scale)
+{
+  std::vector<Corner_index> result;
+  for(const Corner_index first : surface.one_per_vertex())
+    if(unfolded_angle<Group>(surface, first, scale) > 2 * Group::order - 0.5 &&
+       !has_border_at_target(surface, first))
+      result.push_back(first);
+  for(const auto& edge : aligned_edges.edges())
+    if(surface.is_border(surface.opposite(edge.halfedge)) &&
+       unfolded_angle<Group>(surface, edge.halfedge, scale) > Group::order - 0.5)
+      result.push_back(edge.halfedge);
+  return result;
+}
 
 // Cones become vertices of quads, so that untangling keeps their angles first.
 template <typename Group, bool may_untangle>

@@ -16,13 +16,14 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Translates a refusal of the solver into the words of the caller: which edges and constraints of
-// the mesh the rows of the system stand for.
+// the mesh the rows of the system, and roundings, stand for.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
+#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/snapping/integer_grid_rows.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
 #include <cstddef>
 #include <set>
@@ -32,6 +33,24 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// The place of a rounding.
+template <typename Group, typename Surface>
+std::string name_of_rounding(const Rounding<Group>& rounding, const Surface& surface,
+                             const Surface_cuts<Group, typename Surface::Halfedge>& cuts)
+{
+  switch(rounding.kind) {
+  case Rounding<Group>::BRANCH:
+    return "the translation across " + edge_name(surface, cuts.branch_ends[rounding.index][0]);
+  case Rounding<Group>::CHAIN:
+    return "the level of " + edge_name(surface, cuts.chain_ends[rounding.index][0]);
+  case Rounding<Group>::POINT:
+    break;
+  }
+  const auto corner = *cuts.corners_begin(Sector_index(rounding.index));
+  return std::string(has_border_at_target(surface, corner) ? "the border" : "the cone") +
+         " at vertex " + std::to_string(surface.vertex(corner));
+}
 
 // What a row stands for.
 template <typename Group, typename Surface>

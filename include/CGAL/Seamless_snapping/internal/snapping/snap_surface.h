@@ -150,8 +150,8 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   return report;
 }
 
-// The same for the map times a number, to an integer-grid map if that is asked for: in a copy, which
-// is written back if all succeeds.
+// The same for the map times a number, to an integer-grid map if that is asked for: in a copy,
+// which is written back if all succeeds.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                             const NamedParameters& np, const double scale)
