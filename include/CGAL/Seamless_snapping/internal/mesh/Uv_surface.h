@@ -115,7 +115,7 @@ public:
 
   // Of the corner of a halfedge.
   Uv uv(const Halfedge h) const { return get_uv(m_uv_map, h); }
-  void set_uv(const Halfedge h, const Uv& uv) const
+  void set_uv(const Halfedge h, const Uv& uv)
   { put(m_uv_map, h, Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]))); }
 
   // Points are compared where they are: copying them first would take as long again.

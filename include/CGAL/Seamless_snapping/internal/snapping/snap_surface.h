@@ -159,7 +159,7 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_m
   if(!(scale > 0 && std::isfinite(scale)))
     return refused<Snapping_report>(
       Report(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite"));
-  const auto input = uv_surface(tmesh, uv_map, np);
+  auto input = uv_surface(tmesh, uv_map, np);
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
     if(refusal)
       return refused<Snapping_report>(*refusal);
