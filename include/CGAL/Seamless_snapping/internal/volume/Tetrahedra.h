@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The combinatorics of the caller's tetrahedra, checked: vertices and neighbors of all cells.
+// The combinatorics of the caller's tetrahedra: vertices and neighbors of all cells.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/match_facets.h>
@@ -34,12 +34,35 @@ namespace internal {
 // 32 bytes a cell. Invariant: there are at most four times as many vertices as cells.
 struct Tetrahedra
 {
-  std::vector<std::int32_t> vertices; // per corner
-  std::vector<Corner_index> opposite; // per facet
-  std::size_t number_of_vertices = 0; // 1 + the largest index
-  std::vector<std::int32_t> names;    // per vertex, ascending; none where they are the indices
+  std::vector<std::int32_t> vertices;  // per corner
+  std::vector<std::int32_t> neighbors; // per facet: the cell on the other side, or -1
+  std::size_t number_of_vertices = 0;  // 1 + the largest index
+  std::vector<std::int32_t> names;     // per vertex, ascending; none where they are the indices
 
   std::size_t number_of_cells() const { return vertices.size() / 4; }
+
+  // The other side of a facet that has a neighbor; `no_facet` if the neighbor has no such facet.
+  Corner_index opposite(const Corner_index facet) const
+  {
+    const auto vertex = [&](const Corner_index i) { return vertices[std::size_t(i)]; };
+    const auto corners = corners_of_facet(facet);
+    const Corner_index first = 4 * neighbors[std::size_t(facet)];
+    Corner_index result = no_facet;
+    for(Corner_index i = first; i < first + 4; ++i)
+      if(vertex(i) != vertex(corners[0]) && vertex(i) != vertex(corners[1]) &&
+         vertex(i) != vertex(corners[2])) {
+        if(result != no_facet)
+          return no_facet; // two other vertices
+        result = i;
+      }
+    return result;
+  }
+
+  // Whether the cells on both sides name each other.
+  bool is_mutual(const Corner_index facet, const Corner_index other) const
+  {
+    return other >= 0 && neighbors[std::size_t(other)] == facet / 4;
+  }
 
   std::int32_t name(const std::int32_t v) const
   {
@@ -126,81 +149,57 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
   return std::nullopt;
 }
 
-// The facet of cell `d` with the vertices of `facet`, or `no_facet`.
-inline Corner_index facet_of_cell(const Tetrahedra& tetrahedra, const Corner_index d,
-                                  const Corner_index facet)
-{
-  Corner_index result = no_facet;
-  for(Corner_index i = 4 * d; i < 4 * d + 4; ++i) {
-    bool is_on_facet = false;
-    for(const Corner_index corner : corners_of_facet(facet))
-      is_on_facet = is_on_facet || tetrahedra.vertices[std::size_t(corner)] ==
-                                     tetrahedra.vertices[std::size_t(i)];
-    if(!is_on_facet && result != no_facet)
-      return no_facet; // two other vertices
-    if(!is_on_facet)
-      result = i;
-  }
-  return result;
-}
-
-// The neighbors as the caller gives them: for each cell, those opposite to its vertices.
+// The neighbors as the caller gives them: for each cell, those opposite to its vertices. Whether
+// they fit is seen where they are used.
 template <typename NeighborRange>
 std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra& tetrahedra)
 {
   const std::size_t size = tetrahedra.number_of_cells();
   if(static_cast<std::size_t>(neighbors.size()) != size)
     return invalid_cells("cell_neighbors is not of the size of the range of cells");
-  const auto one_sided = [](const Corner_index c, const Corner_index d) {
-    return invalid_cells("cell_neighbors: cell " + std::to_string(c) + " has the neighbor " +
-                         std::to_string(d) + ", but not the other way round");
-  };
-  tetrahedra.opposite.assign(4 * size, no_facet);
-  Corner_index facet = 0;
+  tetrahedra.neighbors.resize(4 * size);
+  std::size_t facet = 0;
   for(const auto& cell : neighbors) {
     const auto name = [&] { return "cell_neighbors, cell " + std::to_string(facet / 4) + ": "; };
     if(cell.size() != 4)
       return invalid_cells(name() + "there must be 4");
     for(const auto d : cell) {
-      Corner_index& here = tetrahedra.opposite[std::size_t(facet)]; // known from an earlier cell
-      const bool is_cell = is_index_below(d, size);
-      if(is_cell ? here < 0 || here / 4 != static_cast<Corner_index>(d) : here >= 0 || !(d < 0)) {
-        const Corner_index c = facet / 4;
-        const Corner_index other =
-          is_cell ? facet_of_cell(tetrahedra, static_cast<Corner_index>(d), facet) : no_facet;
-        if(!(d < 0) && (other < 0 || other / 4 == c))
-          return invalid_cells(name() + std::to_string(d) + " is no cell with the facet opposite "
-                               "to vertex " + std::to_string(facet % 4));
-        if(here >= 0)
-          return one_sided(here / 4, c);
-        if(other / 4 < c || tetrahedra.opposite[std::size_t(other)] >= 0)
-          return one_sided(c, other / 4);
-        here = other;
-        tetrahedra.opposite[std::size_t(other)] = facet;
-      }
-      ++facet;
+      if(!(d < 0) && !is_index_below(d, size))
+        return invalid_cells(name() + std::to_string(d) + " is no cell");
+      tetrahedra.neighbors[facet++] = d < 0 ? -1 : static_cast<std::int32_t>(d);
     }
   }
   return std::nullopt;
+}
+
+// What is wrong with the neighbor at a facet, where the facet on its other side, `other`, is not
+// there or names another cell.
+inline Refusal wrong_neighbor(const Tetrahedra& tetrahedra, const Corner_index facet,
+                              const Corner_index other)
+{
+  const std::string c = std::to_string(facet / 4),
+                    d = std::to_string(tetrahedra.neighbors[std::size_t(facet)]);
+  if(other < 0)
+    return invalid_cells("cell_neighbors, cell " + c + ": " + d + " is no cell with the facet "
+                         "opposite to vertex " + std::to_string(facet % 4));
+  return invalid_cells("cell_neighbors: cell " + c + " has the neighbor " + d +
+                       ", but not the other way round");
 }
 
 // The neighbors by common vertices. Two cells with the same vertices are one that is there twice.
 inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
 {
   const auto third = Facet_matcher(tetrahedra.vertices, tetrahedra.number_of_vertices)
-                       .run(tetrahedra.opposite);
+                       .run(tetrahedra.neighbors);
   if(third != no_facet)
     return Refusal(Outcome::NOT_MANIFOLD,
                    name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
                      "those that are there twice, or divide the mesh into manifold parts");
-  for(std::size_t f = 0; f < tetrahedra.opposite.size(); f += 4) {
-    const Corner_index first = tetrahedra.opposite[f];
-    if(first >= 0 && first / 4 == tetrahedra.opposite[f + 1] / 4 &&
-       tetrahedra.opposite[f + 1] >= 0)
+  for(std::size_t f = 0; f < tetrahedra.neighbors.size(); f += 4)
+    if(const std::int32_t d = tetrahedra.neighbors[f]; d >= 0 && d == tetrahedra.neighbors[f + 1])
       return Refusal(Outcome::NOT_MANIFOLD,
-                     "cells " + std::to_string(f / 4) + " and " + std::to_string(first / 4) +
+                     "cells " + std::to_string(f / 4) + " and " + std::to_string(d) +
                        " have the same vertices; remove one of them");
-  }
   return std::nullopt;
 }
 

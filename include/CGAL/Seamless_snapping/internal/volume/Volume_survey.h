@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The one pass over all cells: finds the facets whose two sides are not the same to the bit, and
+// What looks at all cells: finds the facets whose two sides are not the same to the bit, and
 // copies the cells at the vertices that constraints concern. What follows knows neither the
 // caller's mesh nor its map.
 
@@ -93,7 +93,8 @@ public:
   { }
 
   // Fills in the cells at facets whose sides differ and at aligned facets and edges, and those at
-  // some further vertices, but for their coordinates. Returns what is wrong with the input, if so.
+  // some further vertices, but for their coordinates. Returns what is wrong with the input, if so;
+  // of neighbors, only those are looked at on which the result depends.
   std::optional<Refusal> run(const bool align_boundary, const Volume_features& features,
                              const std::vector<std::int64_t>& further_vertices,
                              Flat_volume& volume)
@@ -104,7 +105,8 @@ public:
       return refusal;
     if(auto refusal = find_features(features))
       return refusal;
-    copy_cells(volume);
+    if(auto refusal = copy_cells(volume))
+      return refusal;
     volume.extent = 0;
     for(std::size_t c = 0; c < 3; ++c)
       volume.extent = (std::max)(volume.extent, m_largest[c] - m_least[c]);
@@ -114,18 +116,62 @@ public:
 private:
   std::optional<Refusal> find_facets(const bool align_boundary)
   {
+    if(auto refusal = find_split_vertices())
+      return refusal;
+    for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
+      const bool may_differ = is_at_vertex(c, m_is_split);
+      for(Corner_index facet = Corner_index(4 * c); facet < Corner_index(4 * c + 4); ++facet)
+        if(m_tetrahedra.neighbors[std::size_t(facet)] < 0) {
+          if(align_boundary)
+            add(facet, m_aligned_facets);
+        } else if(may_differ) {
+          const Corner_index other = m_tetrahedra.opposite(facet);
+          if(!m_tetrahedra.is_mutual(facet, other))
+            return wrong_neighbor(m_tetrahedra, facet, other);
+          if(facet < other && !are_identical(facet, other))
+            add(facet, m_open_facets);
+        }
+    }
+    return std::nullopt;
+  }
+
+  // Whether a vertex of a cell has a mark.
+  bool is_at_vertex(const std::size_t c, const std::vector<char>& marks) const
+  {
+    const std::int32_t* const v = m_tetrahedra.vertices.data() + 4 * c;
+    return (marks[std::size_t(v[0])] | marks[std::size_t(v[1])] | marks[std::size_t(v[2])] |
+            marks[std::size_t(v[3])]) != 0;
+  }
+
+  void add(const Corner_index facet, std::vector<Corner_index>& facets)
+  {
+    facets.push_back(facet);
+    mark(facet);
+  }
+
+  // Most vertices have one image, with which each corner is compared: that reads the map once, in
+  // order, where a comparison of facets would jump between their cells.
+  std::optional<Refusal> find_split_vertices()
+  {
     m_least.fill(std::numeric_limits<double>::infinity());
     m_largest.fill(-std::numeric_limits<double>::infinity());
-    for(std::size_t f = 0; f < m_tetrahedra.opposite.size(); ++f) {
-      const Corner_index facet = Corner_index(f), other = m_tetrahedra.opposite[f];
-      if(!add_to_extent(get_uvw(m_uvw_map, f))) // of the corner of that number
+    const std::size_t size = m_tetrahedra.number_of_vertices;
+    std::vector<Uvw> image(size);
+    std::vector<char> has_image(size, 0);
+    m_is_split.assign(size, 0);
+    for(std::size_t i = 0; i < m_tetrahedra.vertices.size(); ++i) {
+      const Uvw u = get_uvw(m_uvw_map, i);
+      if(!add_to_extent(u))
         return Refusal(Outcome::NOT_FINITE,
-                       "cell " + std::to_string(f / 4) + ": a coordinate at vertex " +
-                         std::to_string(name(facet)) + " is NaN, infinite, or beyond 1e300; "
-                         "correct it, or scale the map down");
-      if(other == no_facet ? align_boundary : facet < other && !are_identical(facet, other)) {
-        (other == no_facet ? m_aligned_facets : m_open_facets).push_back(facet);
-        mark(facet);
+                       "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
+                         std::to_string(name(Corner_index(i))) + " is NaN, infinite, or beyond "
+                         "1e300; correct it, or scale the map down");
+      const std::size_t v = std::size_t(vertex(Corner_index(i)));
+      if(has_image[v] == 0) {
+        image[v] = u;
+        has_image[v] = 1;
+      } else if(image[v] != u) {
+        m_is_split[v] = 1;
       }
     }
     return std::nullopt;
@@ -251,15 +297,14 @@ private:
               " is in no cell; correct the features, or leave them out", {}};
   }
 
-  void copy_cells(Flat_volume& volume)
+  std::optional<Refusal> copy_cells(Flat_volume& volume)
   {
     std::vector<Corner_index> place(m_tetrahedra.number_of_cells(), -1);
     for(std::size_t c = 0; c < place.size(); ++c)
-      for(std::size_t i = 4 * c; i < 4 * c + 4 && place[c] < 0; ++i)
-        if(m_is_marked[std::size_t(m_tetrahedra.vertices[i])] != 0) {
-          place[c] = Corner_index(volume.cell_names.size());
-          volume.cell_names.push_back(std::int32_t(c));
-        }
+      if(is_at_vertex(c, m_is_marked)) {
+        place[c] = Corner_index(volume.cell_names.size());
+        volume.cell_names.push_back(std::int32_t(c));
+      }
     const std::size_t size = 4 * volume.number_of_cells();
     volume.vertices.reserve(size);
     volume.opposite.reserve(size);
@@ -274,7 +319,14 @@ private:
           volume.is_fixed.push_back(m_is_marked[old] == 0);
         }
         volume.vertices.push_back(v);
-        volume.opposite.push_back(moved(m_tetrahedra.opposite[i], place));
+        Corner_index other = no_facet;
+        if(m_tetrahedra.neighbors[i] >= 0) {
+          other = m_tetrahedra.opposite(Corner_index(i));
+          if(!m_tetrahedra.is_mutual(Corner_index(i), other))
+            return wrong_neighbor(m_tetrahedra, Corner_index(i), other);
+          other = moved(other, place);
+        }
+        volume.opposite.push_back(other);
       }
     m_aligned_facets.insert(m_aligned_facets.end(), m_added_facets.begin(), m_added_facets.end());
     for(const Corner_index f : m_open_facets)
@@ -283,13 +335,12 @@ private:
       volume.aligned_facets.push_back(moved(f, place));
     for(const Flat_volume::Aligned_edge& e : m_aligned_edges)
       volume.aligned_edges.push_back({moved(e.a, place), moved(e.b, place)});
+    return std::nullopt;
   }
 
   // The number of a corner or facet in the copy.
   static Corner_index moved(const Corner_index i, const std::vector<Corner_index>& place)
   {
-    if(i < 0)
-      return i;
     const Corner_index cell = place[std::size_t(i / 4)];
     return cell < 0 ? facet_elsewhere : 4 * cell + i % 4;
   }
@@ -305,6 +356,7 @@ private:
   const CornerUVWMap& m_uvw_map;
   Uvw m_least, m_largest;
   std::vector<char> m_is_marked; // per vertex: some constraint concerns it
+  std::vector<char> m_is_split;  // per vertex: its corners have several images
   std::vector<Corner_index> m_open_facets, m_aligned_facets, m_added_facets;
   std::vector<Flat_volume::Aligned_edge> m_aligned_edges;
 };

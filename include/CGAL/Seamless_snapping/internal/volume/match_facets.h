@@ -50,11 +50,11 @@ public:
     m_begin.swap(begin);
   }
 
-  // Fills in, per facet, the other side, or `no_facet`. Returns a facet that more than two cells
-  // have, or `no_facet`.
-  Corner_index run(std::vector<Corner_index>& opposite)
+  // Fills in, per facet, the cell on the other side, or -1. Returns a facet that more than two
+  // cells have, or `no_facet`.
+  Corner_index run(std::vector<std::int32_t>& neighbors)
   {
-    opposite.assign(m_vertices.size(), no_facet);
+    neighbors.assign(m_vertices.size(), -1);
     std::vector<std::pair<Key, Corner_index> > bucket;
     for(std::size_t v = 0; v + 1 < m_begin.size(); ++v) {
       bucket.clear();
@@ -66,8 +66,8 @@ public:
           continue;
         if(i + 2 < bucket.size() && bucket[i + 2].first == bucket[i].first)
           return bucket[i].second;
-        opposite[std::size_t(bucket[i].second)] = bucket[i + 1].second;
-        opposite[std::size_t(bucket[i + 1].second)] = bucket[i].second;
+        neighbors[std::size_t(bucket[i].second)] = bucket[i + 1].second / 4;
+        neighbors[std::size_t(bucket[i + 1].second)] = bucket[i].second / 4;
         ++i;
       }
     }

@@ -93,8 +93,8 @@ Volume_seamlessness measure_volume_seamlessness(const TetrahedronRange& range,
   Volume_seamlessness result;
   measure_constraints(volume, result);
   result.number_of_cells = tetrahedra.number_of_cells();
-  for(std::size_t f = 0; f < tetrahedra.opposite.size(); ++f)
-    result.number_of_interior_facets += std::size_t(tetrahedra.opposite[f] > Corner_index(f));
+  for(std::size_t f = 0; f < tetrahedra.neighbors.size(); ++f)
+    result.number_of_interior_facets += std::size_t(tetrahedra.neighbors[f] > Corner_index(f / 4));
   for(std::size_t c = 0; c < tetrahedra.number_of_cells(); ++c) {
     Uvw_tetrahedron u;
     for(std::size_t i = 0; i < 4; ++i)
