@@ -50,6 +50,7 @@ struct Layout_options
     if(!options.parse(arguments))
       return false;
     seams.check(options);
+    seams.check_repair(options);
     seams.align_border = true;
     if(suffix_of(output) != "obj" && !is_special_file(output))
       throw Failure(USAGE, "'" + output + "': layouts are written to .obj files");

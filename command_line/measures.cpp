@@ -1,5 +1,7 @@
 #include "measures.h"
 
+#include "Failure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -70,6 +72,12 @@ SS::Flip_repair Seam_options::flip_repair() const
 void Seam_options::check(const Options& options)
 {
   has_tolerance = options.is_given("tolerance");
+}
+
+void Seam_options::check_repair(const Options& options) const
+{
+  if(options.is_given("untangling-iterations") && !repair_flips)
+    throw Failure(USAGE, "--untangling-iterations is for --repair-flips; give that, too");
 }
 
 Alignment::Alignment(Model& model, const Seam_options& options)

@@ -26,6 +26,7 @@ struct Seam_options
   void add_repair_to(Options& options);
   CGAL::Seamless_snapping::Flip_repair flip_repair() const;
   void check(const Options& options); // after parsing
+  void check_repair(const Options& options) const;
 };
 
 // What the options ask to align: edges that lie on an isocurve up to the tolerance.

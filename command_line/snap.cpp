@@ -52,6 +52,7 @@ struct Snap_options
     if(!options.parse(arguments))
       return false;
     seams.check(options);
+    seams.check_repair(options);
     check_format(input);
     check_format(output);
     check_picture(picture);

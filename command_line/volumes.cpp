@@ -52,8 +52,9 @@ struct Volume
     for(const std::array<double, 3>& u : mesh.uvw)
       uvw.emplace_back(u[0], u[1], u[2]);
     if(mesh.number_of_rounded_coordinates > 0)
-      std::cerr << "note: " << mesh.number_of_rounded_coordinates << " coordinates of " << filename
-                << " are fractions that no double holds; they were rounded\n";
+      std::cerr << "note: " << filename << ": "
+                << counted(mesh.number_of_rounded_coordinates, "fraction")
+                << " that no double holds, rounded to the nearest\n";
     if(mesh.unknown_line > 0)
       std::cerr << "note: what begins in line " << mesh.unknown_line << " of " << filename
                 << " is neither walls nor features, and was not looked at\n";
@@ -206,6 +207,9 @@ void snap_volume(const Arguments& arguments)
     throw Failure(USAGE, output + ": a tetrahedral mesh is written as .hexex only");
   if(options.is_given("rounding") && !volume_options.integer_grid)
     throw Failure(USAGE, "--rounding is for --integer-grid; give that, too");
+  if(options.is_given("untangling-iterations") && !repair_flips && !volume_options.integer_grid)
+    throw Failure(USAGE, "--untangling-iterations is for --repair-flips or --integer-grid; give one "
+                         "of these, too");
   check_outputs({input}, {output},
                 overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
   Volume volume(input);
@@ -230,11 +234,11 @@ void snap_volume(const Arguments& arguments)
     throw Failure(UNWRITABLE, output + ": " + status.message);
   write_file(output, os.str());
   std::ostream& summary = summary_stream({output});
-  summary << report.status << ": " << report.run.number_of_cut_edges << " cut facets in "
-    << report.run.number_of_cut_branches << " sheets, " << report.linear_solver.number_of_unknowns
-    << " unknowns\nlargest violation before " << report.violation_before << ", largest change "
-    << report.largest_change << ", " << report.lost_faces.size()
-    << " cells lost their orientation\n";
+  summary << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet") << " in "
+    << counted(report.run.number_of_cut_branches, "sheet") << ", "
+    << counted(report.linear_solver.number_of_unknowns, "unknown") << "\nlargest violation before "
+    << report.violation_before << ", largest change " << report.largest_change << ", orientation of "
+    << counted(report.lost_faces.size(), "cell") << " lost\n";
   if(volume_options.integer_grid) {
     summary << "largest rounding " << report.largest_rounding << "\n";
     write(summary, measure_grid(volume, volume_options), volume_options);

@@ -1,6 +1,6 @@
 // Does not compile: passes meshes and maps of types that won't do to all public functions that take
-// a uv map. The compiler is to say why, once for each type, and nothing else, which
-// cmake/test_refused_types.cmake checks.
+// a uv map, and named parameters without those that they are for. The compiler is to say why, once
+// for each type and parameter, and nothing else, which cmake/test_refused_types.cmake checks.
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
@@ -40,6 +40,8 @@ void call_all(M& mesh, Uv_map uv)
 {
   SS::snap_to_seamless(mesh, uv);
   SS::snap_to_seamless(mesh, uv, SS::parameters::integer_grid(true));
+  SS::snap_to_seamless(mesh, uv, SS::parameters::rounding_tolerance(1.));
+  SS::snap_to_seamless(mesh, uv, SS::parameters::number_of_untangling_iterations(9));
   SS::is_seamless(mesh, uv);
   SS::measure_seamlessness(mesh, uv);
   SS::seam_transitions(mesh, uv);

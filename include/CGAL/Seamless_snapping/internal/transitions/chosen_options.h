@@ -61,6 +61,18 @@ using Symmetry_group = Rotation_group<order_of_symmetry<NamedParameters> >;
 
 constexpr double default_rounding_tolerance = 0.01;
 
+// Parameters that do nothing by themselves are mistakes where they are alone.
+template <typename NamedParameters>
+constexpr void check_that_parameters_are_used()
+{
+  constexpr bool may_round = is_given<NamedParameters, CGAL::internal_np::integer_grid_t>;
+  static_assert(may_round || !is_given<NamedParameters, CGAL::internal_np::rounding_tolerance_t>,
+                "rounding_tolerance is for integer_grid: give that, too");
+  static_assert(may_round || is_given<NamedParameters, CGAL::internal_np::repair_flips_t> ||
+                  !is_given<NamedParameters, CGAL::internal_np::untangling_iterations_t>,
+                "number_of_untangling_iterations is for repair_flips: give that, too");
+}
+
 // The parameter is a Boolean, or a Flip_repair.
 template <typename NamedParameters>
 Flip_repair chosen_flip_repair(const NamedParameters& np)

@@ -254,6 +254,7 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  check_that_parameters_are_used<NamedParameters>();
   Snapping_report report;
   const Volume_options options = volume_options(np);
   Step_timer timer(report,
