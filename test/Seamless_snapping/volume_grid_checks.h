@@ -245,7 +245,8 @@ inline void test_refusals_of_grids()
   check_refusal(Outcome::INVALID_ARGUMENT, map, "grid_scale", grid.grid_scale(-1.));
   check_refusal(Outcome::INVALID_ARGUMENT, map, "tolerance", grid.rounding_tolerance(-1.));
   check_refusal(Outcome::NOT_REPRESENTABLE, map, "2^46", grid.grid_scale(1e15));
-  check_refusal(Outcome::NOT_REPRESENTABLE, map, "grid_scale", grid.grid_scale(1e305));
+  check_refusal(Outcome::NOT_REPRESENTABLE, map, "too large", grid.grid_scale(1e305));
+  check_refusal(Outcome::NOT_REPRESENTABLE, map, "too small", parameters::grid_scale(1e-300));
   Tet_map bad = map;
   bad.corners[0][0] += 0.01;
   check_refusal(Outcome::NOT_SEAMLESS, bad, "facet", grid);

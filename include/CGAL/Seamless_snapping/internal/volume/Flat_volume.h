@@ -19,6 +19,7 @@
 // corners in plain arrays, and the lists of facets and edges that constraints are about.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
 
 #include <array>
@@ -43,6 +44,12 @@ inline std::array<Corner_index, 3> corners_of_facet(const Corner_index facet)
 {
   const Corner_index i = facet % 4, first = facet - i;
   return {first + (i + 1) % 4, first + (i + 2) % 4, first + (i + 3) % 4};
+}
+
+// The images of the corners of a cell.
+inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t c)
+{
+  return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
 }
 
 // Where a problem is, for messages: "facet 3, 4, 7".

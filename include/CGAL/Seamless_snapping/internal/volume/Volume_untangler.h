@@ -99,14 +99,9 @@ public:
   }
 
 private:
-  static Uvw_tetrahedron cell(const std::vector<Uvw>& u, const std::size_t c)
-  {
-    return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
-  }
-
   bool is_good(const std::size_t c) const
   {
-    return orientation(cell(m_coordinates, c)) == m_orientation;
+    return orientation(uvw_of_cell(m_coordinates, c)) == m_orientation;
   }
 
   // The more cells are inverted, the more they may weigh without bound.
@@ -114,7 +109,7 @@ private:
   {
     double least = 0;
     for(const std::size_t c : cells)
-      least = (std::min)(least, (edges(cell(m_coordinates, c)) * rest_of(c).inverse())
+      least = (std::min)(least, (edges(uvw_of_cell(m_coordinates, c)) * rest_of(c).inverse())
                                   .determinant());
     m_epsilon = std::sqrt(1e-4 + 0.04 * least * least);
   }
@@ -140,7 +135,8 @@ private:
     });
     for_each_moved([&](const std::size_t c, const Member_index m, std::size_t& first) {
       if(first == m_members.size()) {
-        const bool was_good = orientation(cell(before, c)) == m_orientation, is_now = is_good(c);
+        const bool was_good = orientation(uvw_of_cell(before, c)) == m_orientation;
+        const bool is_now = is_good(c);
         counts[moves.root(m)][0] += std::size_t(is_now && !was_good);
         counts[moves.root(m)][1] += std::size_t(was_good && !is_now);
       }
@@ -231,7 +227,7 @@ private:
       const Matrix rest = rest_of(c);
       const Matrix inverse = rest.inverse();
       Star_cell result;
-      result.jacobian = edges(cell(m_coordinates, c)) * inverse;
+      result.jacobian = edges(uvw_of_cell(m_coordinates, c)) * inverse;
       if(i % 4 == 0)
         result.slope = -inverse.colwise().sum().transpose();
       else
@@ -266,7 +262,7 @@ private:
   Matrix rest_of(const std::size_t c) const
   {
     constexpr double least_volume = 1e-3; // against the third power of the size
-    const Matrix rest = edges(cell(m_rest, c));
+    const Matrix rest = edges(uvw_of_cell(m_rest, c));
     const double size = rest.norm(), sign = m_orientation == CGAL::POSITIVE ? 1 : -1;
     if(!m_may_lose && sign * rest.determinant() > least_volume * size * size * size)
       return rest;

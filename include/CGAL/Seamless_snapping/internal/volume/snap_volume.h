@@ -185,6 +185,29 @@ inline std::vector<std::int64_t> free_vertices_of_lost_cells(const Flat_volume& 
   return result;
 }
 
+// What `read_volume()` reads, and coordinates. The rest of the mesh is forgotten before.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+std::optional<Refusal> read_flat_volume(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                        const NamedParameters& np,
+                                        const std::vector<std::int64_t>& further_vertices,
+                                        const Cells_to_read cells, Step_timer& timer,
+                                        Snapping_report& report, Flat_volume& volume)
+{
+  volume = Flat_volume();
+  {
+    Tetrahedra tetrahedra;
+    const auto refusal =
+      read_volume(range, uvw_map, np, tetrahedra, volume, further_vertices, cells);
+    report.run.number_of_faces = tetrahedra.number_of_cells();
+    report.extent = volume.extent;
+    timer.finish("reading");
+    if(refusal)
+      return refusal;
+  }
+  read_coordinates(uvw_map, volume);
+  return std::nullopt;
+}
+
 // Reads, and finds the result.
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
 std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
@@ -194,17 +217,9 @@ std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const Corne
 {
   std::vector<std::int64_t> further_vertices;
   for(bool is_again = false; ; is_again = true) {
-    volume = Flat_volume();
-    {
-      Tetrahedra tetrahedra;
-      const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, further_vertices);
-      report.run.number_of_faces = tetrahedra.number_of_cells();
-      report.extent = volume.extent;
-      timer.finish("reading");
-      if(refusal)
-        return refusal;
-    }
-    read_coordinates(uvw_map, volume);
+    if(auto refusal = read_flat_volume(range, uvw_map, np, further_vertices,
+                                       Cells_to_read::AT_CONSTRAINTS, timer, report, volume))
+      return refusal;
     const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
     if(auto refusal = snap_flat_volume(volume, tolerance, format, report, timer, snapped))
       return refusal;
@@ -222,14 +237,9 @@ std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const Corne
                                       Step_timer& timer, Snapping_report& report,
                                       Flat_volume& volume, std::vector<Uvw>& snapped)
 {
-  Tetrahedra tetrahedra;
-  const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, Cells_to_read::ALL);
-  report.run.number_of_faces = tetrahedra.number_of_cells();
-  report.extent = volume.extent;
-  timer.finish("reading");
-  if(refusal)
+  if(auto refusal = read_flat_volume(range, uvw_map, np, {}, Cells_to_read::ALL, timer, report,
+                                     volume))
     return refusal;
-  read_coordinates(uvw_map, volume);
   const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
   return snap_whole_volume(volume, options, format, report, timer, snapped);
 }

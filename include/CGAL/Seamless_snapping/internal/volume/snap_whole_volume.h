@@ -79,6 +79,11 @@ private:
     if(m_options.grid_scale == 1)
       return std::nullopt;
     const double largest = (std::min)(1e300, std::ldexp(1., m_format.maximum_exponent - 2));
+    const double least = std::ldexp(1., 2 * m_format.digits - m_format.maximum_exponent);
+    if(m_volume.extent > 0 && !(m_volume.extent * m_options.grid_scale > least))
+      return Refusal(Outcome::NOT_REPRESENTABLE,
+                     "grid_scale makes the coordinates too small for the number type; choose a "
+                     "larger one");
     for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
       for(double& x : m_volume.coordinates[i]) {
         x *= m_options.grid_scale;
@@ -93,17 +98,12 @@ private:
     return std::nullopt;
   }
 
-  static Uvw_tetrahedron cell(const std::vector<Uvw>& u, const std::size_t c)
-  {
-    return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
-  }
-
   // Files may list corners in the other order.
   static CGAL::Orientation orientation_of_most_cells(const std::vector<Uvw>& u)
   {
     std::ptrdiff_t surplus = 0;
     for(std::size_t i = 0; i < u.size(); i += 4)
-      surplus += int(orientation(cell(u, i / 4)));
+      surplus += int(orientation(uvw_of_cell(u, i / 4)));
     return surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
   }
 
@@ -198,8 +198,8 @@ private:
     m_report.run.number_of_repaired_flips = 0;
     const std::vector<Uvw>& u = m_volume.coordinates;
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
-      const bool was_good = orientation(cell(input, c)) == sign,
-                 is_good = orientation(cell(u, c)) == sign;
+      const bool was_good = orientation(uvw_of_cell(input, c)) == sign,
+                 is_good = orientation(uvw_of_cell(u, c)) == sign;
       if(!is_good)
         (was_good ? m_report.lost_faces : m_report.remaining_flips).push_back(c);
       m_report.run.number_of_repaired_flips += std::size_t(is_good && !was_good);
