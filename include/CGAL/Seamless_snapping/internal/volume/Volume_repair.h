@@ -46,13 +46,11 @@ class Volume_repair
   using Move = std::array<std::int64_t, 3>; // in steps, per coordinate of the first slot
 
 public:
-  // \param largest_change of a coordinate, against the input
   Volume_repair(const Flat_volume& input, const Volume_charts& charts,
                 const Volume_sectors& sectors, const Volume_places& places,
-                const Place_solver& solver, const double largest_change,
-                std::vector<Uvw>& coordinates)
+                const Place_solver& solver, std::vector<Uvw>& coordinates)
     : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
-      m_largest_change(largest_change), m_coordinates(coordinates)
+      m_coordinates(coordinates)
   {
     int exponent = 0;
     std::frexp(input.extent, &exponent);
@@ -74,8 +72,10 @@ public:
   }
 
   // Tries each vertex of each cell once, as long as the work for programs lasts.
-  void run(const std::vector<std::size_t>& lost)
+  // \param largest_change of a coordinate, against the input
+  void run(const std::vector<std::size_t>& lost, const double largest_change)
   {
+    m_largest_change = largest_change;
     m_place.resize(m_sectors.number_of_sectors());
     for(std::size_t p = 0; p < m_places.places.size(); ++p) {
       const Place& place = m_places.places[p];
@@ -94,14 +94,10 @@ private:
     std::size_t place, index;
   };
 
-  static Uvw_tetrahedron cell(const std::vector<Uvw>& u, const std::size_t c)
-  {
-    return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
-  }
-
   bool is_lost(const std::size_t c) const
   {
-    const Uvw_tetrahedron before = cell(m_volume.coordinates, c), now = cell(m_coordinates, c);
+    const Uvw_tetrahedron before = uvw_of_cell(m_volume.coordinates, c);
+    const Uvw_tetrahedron now = uvw_of_cell(m_coordinates, c);
     if(before == now)
       return false;
     return orientation(now) != m_orientation && orientation(before) == m_orientation;
@@ -206,7 +202,7 @@ private:
   // How the volume of a cell grows as a corner moves.
   Uvw gradient(const std::size_t corner) const
   {
-    const Uvw_tetrahedron u = cell(m_coordinates, corner / 4);
+    const Uvw_tetrahedron u = uvw_of_cell(m_coordinates, corner / 4);
     std::array<Uvw, 3> e; // from the corner to the others, in an order that keeps the orientation
     constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
     for(std::size_t i = 0; i < 3; ++i)
@@ -288,7 +284,7 @@ private:
   const Volume_sectors& m_sectors;
   const Volume_places& m_places;
   const Place_solver& m_solver;
-  double m_largest_change;
+  double m_largest_change = 0;
   CGAL::Orientation m_orientation = CGAL::POSITIVE; // that of most cells
   std::vector<Uvw>& m_coordinates; // per corner
   std::vector<Member> m_place;     // per sector

@@ -68,7 +68,7 @@ public:
     m_timer.finish("alignment");
     if(alignment.violation > m_tolerance)
       return not_aligned(alignment);
-    const std::vector<char> is_inexact = inexact_coordinates(transitions, alignment);
+    std::vector<char> is_inexact = inexact_coordinates(transitions, alignment);
     if(is_inexact.empty())
       return std::nullopt;
     m_timer.finish("verification of the input");
@@ -88,6 +88,7 @@ public:
     m_timer.finish("places");
     Place_solver solver(m_volume, joined.charts, sectors, places,
                         inexact_columns(is_inexact, joined.charts, sectors, places), m_format);
+    std::vector<char>().swap(is_inexact); // needed no more, and large
     m_report.linear_solver = solver.linear_solver().figures();
     m_report.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
@@ -181,17 +182,17 @@ private:
                         const Volume_places& places, const Place_solver& solver,
                         std::vector<Uvw>& snapped)
   {
-    Volume_repair repair(m_volume, charts, sectors, places, solver, largest_plausible_change(),
-                         snapped);
+    Volume_repair repair(m_volume, charts, sectors, places, solver, snapped);
     std::vector<std::size_t> lost = repair.lost_cells();
     m_report.run.number_of_lost_faces = lost.size();
     Largest_change change = largest_change(snapped);
     m_report.run.largest_change_before_repair = change.size;
-    if(!lost.empty()) {
-      repair.run(lost);
-      lost = repair.lost_cells();
-      change = largest_change(snapped);
-    }
+    for(const double largest : {usual_change(), largest_plausible_change()})
+      if(!lost.empty()) {
+        repair.run(lost, largest);
+        lost = repair.lost_cells();
+        change = largest_change(snapped);
+      }
     m_report.run.number_of_faces_repaired_by_moves =
       m_report.run.number_of_lost_faces - lost.size();
     for(const std::size_t c : lost)
@@ -209,6 +210,13 @@ private:
           result = {change, i};
       }
     return result;
+  }
+
+  // What snapping without moves was never seen to exceed.
+  double usual_change() const
+  {
+    return (std::min)(2 * m_report.violation_before + 8 * m_report.grid_step,
+                      largest_plausible_change());
   }
 
   double largest_plausible_change() const
