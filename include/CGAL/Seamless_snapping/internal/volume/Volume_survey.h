@@ -155,10 +155,9 @@ private:
   {
     m_least.fill(std::numeric_limits<double>::infinity());
     m_largest.fill(-std::numeric_limits<double>::infinity());
-    const std::size_t size = m_tetrahedra.number_of_vertices;
-    std::vector<Uvw> image(size);
-    std::vector<char> has_image(size, 0);
-    m_is_split.assign(size, 0);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Uvw> image(m_tetrahedra.number_of_vertices, {none, none, none});
+    m_is_split.assign(image.size(), 0);
     for(std::size_t i = 0; i < m_tetrahedra.vertices.size(); ++i) {
       const Uvw u = get_uvw(m_uvw_map, i);
       if(!add_to_extent(u))
@@ -167,12 +166,10 @@ private:
                          std::to_string(name(Corner_index(i))) + " is NaN, infinite, or beyond "
                          "1e300; correct it, or scale the map down");
       const std::size_t v = std::size_t(vertex(Corner_index(i)));
-      if(has_image[v] == 0) {
+      if(std::isnan(image[v][0]))
         image[v] = u;
-        has_image[v] = 1;
-      } else if(image[v] != u) {
+      else if(image[v] != u)
         m_is_split[v] = 1;
-      }
     }
     return std::nullopt;
   }
