@@ -1,6 +1,6 @@
-# What the compiler says of meshes and maps that public functions can't take: the remedy, once for
-# each of the types of test/Seamless_snapping/refused_types, and no other error. Run by ctest, with
-# the variables SOURCE, COMPILER and OPTIONS.
+# What the compiler says of meshes and maps that public functions can't take, and of named parameters
+# that do nothing: the remedy, once for each of test/Seamless_snapping/refused_types, and no other
+# error. Run by ctest, with the variables SOURCE, COMPILER and OPTIONS.
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
@@ -16,7 +16,9 @@ set(expected
   "the keys of the uv map must be halfedges of the mesh"
   "the values of the uv map must be two-dimensional points of a kernel"
   "the values of the uv map must be two-dimensional points of a kernel"
-  "the values of the uv map must be two-dimensional points of a kernel")
+  "the values of the uv map must be two-dimensional points of a kernel"
+  "rounding_tolerance is for integer_grid: give that, too"
+  "number_of_untangling_iterations is for repair_flips: give that, too")
 list(LENGTH errors number)
 list(LENGTH expected expected_number)
 if(NOT number EQUAL expected_number)
