@@ -1,6 +1,6 @@
-# What the compiler says of meshes and maps that public functions can't take, and of named parameters
-# that do nothing: the remedy, once for each of test/Seamless_snapping/refused_types, and no other
-# error. Run by ctest, with the variables SOURCE, COMPILER and OPTIONS.
+# What the compiler says of meshes and maps that public functions can't take, and of named
+# parameters that do nothing: the remedy, once for each of test/Seamless_snapping/refused_types, and
+# no other error. Run by ctest, with the variables SOURCE, COMPILER and OPTIONS.
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
