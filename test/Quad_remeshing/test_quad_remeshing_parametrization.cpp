@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
@@ -266,6 +267,108 @@ void test_given_directions()
   const auto refused = SS::approximate_seamless_parametrization(mesh, uv, np);
   CHECK(refused.status == Outcome::NOT_FINITE &&
         refused.message.find("face 3") != std::string::npos);
+  CHECK(is_untouched(mesh, uv));
+}
+
+// Sizes that vary by 4: how long a unit of the plane is on the surface, in the median of the faces.
+template <typename SizeAt>
+void check_sizes(const std::string& name, Mesh mesh, const SizeAt& size_at)
+{
+  const auto size = mesh.add_property_map<Vertex, double>("v:size").first;
+  for(const Vertex v : mesh.vertices())
+    size[v] = size_at(mesh.point(v));
+  const auto [least, most] = std::minmax_element(size.begin(), size.end());
+  CHECK_IN(name, *most / *least > 3.9 && *most / *least < 4.1);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report =
+    SS::approximate_seamless_parametrization(mesh, uv, parameters::vertex_sizing_map(size));
+  check_snappable(name, report, mesh, uv);
+  CHECK_IN(name, report.number_of_flipped_faces == 0);
+  std::vector<double> ratios; // of the length to the one asked for
+  for(const auto f : mesh.faces()) {
+    const Halfedge g = mesh.halfedge(f), h = mesh.next(g), i = mesh.next(h);
+    const Point_3 &p = mesh.point(mesh.target(g)), &q = mesh.point(mesh.target(h)),
+                  &r = mesh.point(mesh.target(i));
+    ratios.push_back(std::sqrt(std::sqrt(CGAL::squared_area(p, q, r)) /
+                               CGAL::area(uv[g], uv[h], uv[i])) / size_at(CGAL::centroid(p, q, r)));
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const double median = ratios[ratios.size() / 2];
+  CHECK_IN(name + ": median ratio " + std::to_string(median), median > 0.85 && median < 1.15);
+  for(double& ratio : ratios)
+    ratio = std::abs(std::log(ratio));
+  std::sort(ratios.begin(), ratios.end());
+  const double deviation = ratios[ratios.size() / 2];
+  CHECK_IN(name + ": median deviation " + std::to_string(deviation), deviation < std::log(1.15));
+  std::cout << name << ": median ratio " << median << ", median deviation " << deviation << ", "
+            << report.cones.size() << " cones" << std::endl;
+}
+
+void test_sizes()
+{
+  check_sizes("square, exponential sizes", grid(20), [](const Point_3& p)
+              { return std::exp(std::log(4.) * p.x() / 19); });
+  check_sizes("square, small in the middle", grid(40), [](const Point_3& p) {
+    const double x = p.x() / 19.5 - 1, y = p.y() / 19.5 - 1;
+    return std::exp(-std::log(4.) * std::exp(-6 * (x * x + y * y)));
+  });
+  check_sizes("sphere, 4 times larger on one side", icosphere(4), [](const Point_3& p)
+              { return std::exp(std::log(4.) * p.x() / std::sqrt(p.x() * p.x() + p.y() * p.y() +
+                                                                  p.z() * p.z()) / 2); });
+  check_sizes("torus", torus(60, 24), [](const Point_3& p)
+              { return std::exp(std::log(4.) * p.x() / 8); });
+
+  // Sizes that are all the same are a target edge length.
+  Mesh mesh = grid(5);
+  const auto size = mesh.add_property_map<Vertex, double>("v:size", 3).first;
+  const Uv_map uv = new_uv_map(mesh), other = mesh.add_property_map<Halfedge, Point_2>().first;
+  CHECK(bool(SS::approximate_seamless_parametrization(
+    mesh, uv, parameters::vertex_sizing_map(size).target_edge_length(0.5))));
+  CHECK(bool(SS::approximate_seamless_parametrization(mesh, other,
+                                                      parameters::target_edge_length(1.5))));
+  for(const Halfedge h : mesh.halfedges())
+    CHECK(mesh.is_border(h) || uv[h] == other[h]);
+  for(const double bad : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")}) {
+    size[Vertex(7)] = bad;
+    const Uv_map none = new_uv_map(mesh);
+    const auto refused =
+      SS::approximate_seamless_parametrization(mesh, none, parameters::vertex_sizing_map(size));
+    CHECK(refused.status == Outcome::INVALID_ARGUMENT &&
+          refused.message.find("size") != std::string::npos);
+  }
+}
+
+// Where a surface is flat, the faces are mapped to less.
+void test_sizes_by_curvature()
+{
+  Mesh mesh = height_field(30);
+  for(const Vertex v : mesh.vertices())
+    if(mesh.point(v).x() > 15)
+      mesh.point(v) = Point_3(mesh.point(v).x(), mesh.point(v).y(), 0);
+  const auto mean_size = [&](const Uv_map& uv, const bool is_flat) {
+    double plane = 0, space = 0;
+    for(const auto f : mesh.faces()) {
+      const Halfedge g = mesh.halfedge(f), h = mesh.next(g), i = mesh.next(h);
+      const Point_3 &p = mesh.point(mesh.target(g)), &q = mesh.point(mesh.target(h)),
+                    &r = mesh.point(mesh.target(i));
+      if((CGAL::centroid(p, q, r).x() > 20) != is_flat)
+        continue;
+      space += std::sqrt(CGAL::squared_area(p, q, r));
+      plane += CGAL::area(uv[g], uv[h], uv[i]);
+    }
+    return std::sqrt(space / plane);
+  };
+  for(const double adaptivity : {1., 4.}) {
+    const Uv_map uv = mesh.add_property_map<Halfedge, Point_2>().first;
+    CHECK(bool(SS::approximate_seamless_parametrization(
+      mesh, uv, parameters::curvature_adaptivity(adaptivity))));
+    const double ratio = mean_size(uv, true) / mean_size(uv, false);
+    std::cout << "curvature_adaptivity " << adaptivity << ": ratio " << ratio << std::endl;
+    CHECK(adaptivity == 1 ? ratio < 1.3 : ratio > 2 && ratio < 4.5);
+  }
+  const Uv_map uv = new_uv_map(mesh);
+  CHECK(SS::approximate_seamless_parametrization(mesh, uv, parameters::curvature_adaptivity(0.5))
+          .status == Outcome::INVALID_ARGUMENT);
   CHECK(is_untouched(mesh, uv));
 }
 
@@ -671,6 +774,8 @@ int main()
   test_target_edge_length();
   test_curvature_alignment();
   test_given_directions();
+  test_sizes();
+  test_sizes_by_curvature();
   test_given_cones();
   test_given_cones_around_handles();
   test_unavoidable_flips();

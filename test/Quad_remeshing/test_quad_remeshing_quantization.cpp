@@ -10,6 +10,7 @@
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
@@ -31,6 +32,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -920,9 +922,189 @@ void test_sizes_in_space()
   }
 }
 
+// --- sizes, symmetry, and what hangs on the surface ----------------------------------------------
+
+// A torus of revolution around the z-axis, whose vertices are symmetric by x = center, to the bit.
+Mesh symmetric_torus(const int n, const int m, const double center)
+{
+  Mesh mesh;
+  const double pi = std::acos(-1.);
+  const auto cosine = [&](const int i) { // of quarter turns and multiples, to the bit
+    const int k = i % n, l = (std::min)(k, n - k);
+    return 2 * l <= n / 2 ? std::cos(2 * pi * l / n) : -std::cos(2 * pi * (n / 2 - l) / n);
+  };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < m; ++j) {
+      const double r = std::ldexp(std::round(std::ldexp(3 + std::cos(2 * pi * j / m), 20)), -20);
+      const double x = std::ldexp(std::round(std::ldexp(r * cosine(i), 20)), -20);
+      mesh.add_vertex(Point_3(center + x, r * cosine(i + 3 * n / 4), std::sin(2 * pi * j / m)));
+    }
+  const auto at = [&](const int i, const int j) { return Vertex((i % n) * m + j % m); };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < m; ++j) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
+}
+
+// The median over the edges of the ratio of their length to the size there, and of its deviation.
+template <typename SizeAt>
+std::pair<double, double> measure_sizes(const Mesh& quads, const SizeAt& size_at)
+{
+  std::vector<double> ratios;
+  for(const auto e : quads.edges()) {
+    const Point_3 &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
+    ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / size_at(CGAL::midpoint(p, q)));
+  }
+  const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  const double median = *middle;
+  for(double& ratio : ratios)
+    ratio = std::abs(std::log(ratio / median));
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return {median, *middle};
+}
+
+void test_sizes_of_quads()
+{
+  Mesh mesh = symmetric_torus(48, 24, 0);
+  const auto size = mesh.add_property_map<Vertex, double>("v:size").first;
+  const auto size_at = [](const Point_3& p) { return 0.25 * std::exp(std::log(4.) * p.x() / 8); };
+  for(const auto v : mesh.vertices())
+    size[v] = size_at(mesh.point(v));
+  const auto np = parameters::vertex_sizing_map(size);
+  Mesh quads, fewer, smaller;
+  const auto report = SS::quad_remesh(mesh, quads, np);
+  CHECK_IN(report.message, bool(report));
+  const auto [median, deviation] = measure_sizes(quads, size_at);
+  std::cout << report.number_of_quads << " quads: median ratio " << median << ", deviation "
+            << deviation << std::endl;
+  CHECK(median > 0.85 && median < 1.15 && deviation < std::log(1.15));
+  // Of so many quads, the sizes are relative; with a length, they are multiples of it.
+  const auto by_number = SS::quad_remesh(mesh, fewer, np.target_number_of_quads(1000));
+  CHECK(by_number && by_number.number_of_quads > 900 && by_number.number_of_quads < 1100);
+  const auto relative = measure_sizes(fewer, size_at);
+  const double factor = std::sqrt(double(report.number_of_quads) / 1000);
+  CHECK(relative.first > 0.85 * factor && relative.first < 1.15 * factor &&
+        relative.second < std::log(1.15));
+  const auto by_length = SS::quad_remesh(mesh, smaller, np.target_edge_length(0.5));
+  CHECK(by_length && std::abs(double(by_length.number_of_quads) /
+                              double(report.number_of_quads) - 4) < 0.4);
+  size[Vertex(3)] = 0;
+  CHECK(SS::quad_remesh(mesh, quads, np).status == SS::Outcome::INVALID_ARGUMENT);
+}
+
+// Whether the image of each point is a vertex, to the bit, and that of each quad a quad.
+bool is_symmetric(const Mesh& quads, const double center)
+{
+  std::map<Point_3, Vertex> vertices;
+  for(const auto v : quads.vertices())
+    vertices[quads.point(v)] = v;
+  std::set<std::set<Vertex> > faces;
+  std::vector<std::set<Vertex> > images;
+  for(const auto f : quads.faces()) {
+    std::set<Vertex> face, image;
+    for(const auto v : CGAL::vertices_around_face(quads.halfedge(f), quads)) {
+      const Point_3& p = quads.point(v);
+      const auto it = vertices.find(Point_3(2 * center - p.x(), p.y(), p.z()));
+      if(it == vertices.end())
+        return false;
+      face.insert(v);
+      image.insert(it->second);
+    }
+    faces.insert(face);
+    images.push_back(image);
+  }
+  return vertices.size() == quads.number_of_vertices() &&
+         std::all_of(images.begin(), images.end(),
+                     [&](const auto& image) { return faces.count(image) == 1; });
+}
+
+void test_symmetry()
+{
+  for(const double center : {0., 1.25}) {
+    const Mesh mesh = symmetric_torus(48, 24, center);
+    const auto plane = SS::find_symmetry_plane(mesh);
+    CHECK(plane.has_value() && plane->a() == 1 && plane->b() == 0 && plane->c() == 0 &&
+          plane->d() == -center);
+    for(const bool is_tilted : {false, true}) { // the cut runs through the middle of faces, then
+      Mesh cut = mesh;
+      if(is_tilted)
+        for(const auto v : cut.vertices())
+          cut.point(v) = cut.point(v) + Kernel::Vector_3(0.05 + 0.1 * cut.point(v).y(), 0, 0);
+      for(const std::size_t number : {60, 1000}) {
+        const std::string context = std::to_string(number) + (is_tilted ? " tilted" : "") +
+                                    " around " + std::to_string(center);
+        Mesh quads;
+        const auto report = SS::quad_remesh(
+          cut, quads, parameters::symmetry_plane(*plane).target_number_of_quads(number));
+        CHECK_IN(context + ": " + report.message, bool(report));
+        CHECK_IN(context, CGAL::is_valid_polygon_mesh(quads) && CGAL::is_closed(quads) &&
+                            !has_double_edges(quads));
+        CHECK_IN(context, is_symmetric(quads, center));
+        CHECK_EQUAL(euler_characteristic(quads), 0);
+        CHECK_EQUAL(report.number_of_quads, std::size_t(quads.number_of_faces()));
+        CHECK_IN(context + ": " + std::to_string(report.number_of_quads),
+                 report.number_of_quads > 0.8 * double(number) &&
+                   report.number_of_quads < 1.4 * double(number));
+        CHECK_IN(context, report.number_of_inverted_quads == 0);
+      }
+    }
+    Mesh moved = mesh, quads;
+    moved.point(Vertex(5)) = moved.point(Vertex(5)) + Kernel::Vector_3(0, 1e-15, 0);
+    moved.point(Vertex(7)) = moved.point(Vertex(7)) + Kernel::Vector_3(0, 1e-9, 1e-9);
+    CHECK(!SS::find_symmetry_plane(moved).has_value());
+    CHECK(SS::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(1, 0, 0, -9)))
+            .status == SS::Outcome::INVALID_ARGUMENT);
+    CHECK(SS::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(0, 0, 0, 1)))
+            .status == SS::Outcome::INVALID_ARGUMENT);
+    CHECK(quads.is_empty());
+  }
+}
+
+// Each vertex lies where its location says; the half that is a mirror image lies near by.
+void test_locations()
+{
+  const Mesh mesh = symmetric_torus(48, 24, 0);
+  using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+  const auto check = [&](const auto& np, const double largest) {
+    Mesh quads;
+    const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
+    const auto of_face = quads.add_property_map<Mesh::Face_index, Location>("f:location").first;
+    CHECK(bool(SS::quad_remesh(
+      mesh, quads, np, parameters::vertex_location_map(of_vertex).face_location_map(of_face))));
+    const auto distance = [&](const Point_3& p, const Location& location) {
+      const auto h = mesh.halfedge(location.first);
+      Kernel::Vector_3 sum(0, 0, 0);
+      double weight = 0;
+      std::size_t i = 0;
+      for(const auto v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}) {
+        CHECK(location.second[i] >= 0);
+        weight += location.second[i];
+        sum = sum + location.second[i++] * (mesh.point(v) - CGAL::ORIGIN);
+      }
+      CHECK(std::abs(weight - 1) < 1e-14);
+      return std::sqrt((p - (CGAL::ORIGIN + sum)).squared_length());
+    };
+    for(const auto v : quads.vertices())
+      CHECK(distance(quads.point(v), of_vertex[v]) < largest);
+    for(const auto f : quads.faces()) {
+      Kernel::Vector_3 sum(0, 0, 0);
+      for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
+        sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
+      CHECK(distance(CGAL::ORIGIN + sum, of_face[f]) < 0.1);
+    }
+  };
+  const auto np = parameters::target_number_of_quads(1000);
+  check(np, 1e-12);
+  check(np.symmetry_plane(Kernel::Plane_3(1, 0, 0, 0)), 0.05);
+}
+
 // --- improvement of quads ------------------------------------------------------------------------
 
 const auto no_direction = [](const Mesh::Face_index) { return Kernel::Vector_3(0, 0, 0); };
+const auto no_size = [](const Mesh::Vertex_index) { return 1.; };
 
 // A grid of 4 x 4 points at integers, times a height, and the surface below.
 struct Flat_quads
@@ -956,7 +1138,7 @@ struct Flat_quads
       is_feature[e] = quads.is_border(e);
     const SS::internal::Surface_to_remesh surface(
       square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
-      no_direction);
+      no_direction, no_size, std::nullopt);
     scale_quads(1 / surface.unscaled(1)); // as large as the copy
     SS::internal::Quad_smoother smoother(quads, surface.mesh());
     const SS::internal::Feature_lines lines(surface);
@@ -1034,7 +1216,8 @@ void test_division()
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
     const SS::internal::Surface_to_remesh surface(
       surface_mesh, surface_mesh.points(),
-      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction);
+      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
+      std::nullopt);
     SS::internal::Quad_smoother smoother(quads, surface.mesh());
     CHECK(smoother.measure_shape()[0] <= 0);
     SS::internal::Quad_divider divider(quads, is_feature, smoother);
@@ -1183,6 +1366,9 @@ int main()
     test_search();
     test_numbers();
     test_remeshing();
+    test_sizes_of_quads();
+    test_symmetry();
+    test_locations();
   }
   test_sizes_in_space();
   test_improvement();

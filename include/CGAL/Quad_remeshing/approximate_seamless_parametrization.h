@@ -25,6 +25,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Seamless_parametrizer.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_directions.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_surface.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -135,6 +136,8 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
     choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
   options.curvature_alignment = static_cast<double>(
     choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.));
+  options.curvature_adaptivity = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.));
   options.number_of_stiffening_rounds = static_cast<long>(
     choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5));
   options.number_of_untangling_iterations = static_cast<std::size_t>(choose_parameter(
@@ -155,6 +158,8 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
                       choose_parameter(get_parameter(np, internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, tmesh)),
                       get_parameter(np, internal_np::face_direction));
+  if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
+    read_sizes(numbering, surface, get_parameter(np, internal_np::vertex_sizing), options);
   check_options(options, surface);
   return options;
 }
@@ -297,6 +302,11 @@ report.
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
+  \cgalParamNBegin{curvature_adaptivity}
+    \cgalParamDescription{by how much lengths may vary with curvature: see `quad_remesh()`}
+    \cgalParamType{`double`, at least 1}
+    \cgalParamDefault{`1`}
+  \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{a property map that associates to each face a direction of its cross, in
                           space: what is perpendicular to the face does not count. A face with the
@@ -309,6 +319,17 @@ report.
     \cgalParamDefault{all faces are free}
     \cgalParamExtra{A direction that is not finite is refused. Can't be combined with
                     `cone_index_map`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_sizing_map}
+    \cgalParamDescription{a property map that associates to each vertex the length on the surface
+                          that corresponds to one unit in the plane there, in multiples of
+                          `target_edge_length`. The smoothest field is sought where lengths are
+                          measured by it, so that cones let it vary.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
+                   as value type}
+    \cgalParamDefault{`1` everywhere}
+    \cgalParamExtra{A size that is not positive and finite is refused.}
   \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
     \cgalParamDescription{a property map that associates to each vertex the index that it is to

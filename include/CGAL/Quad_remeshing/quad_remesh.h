@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -29,7 +30,9 @@
 #include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -86,6 +89,7 @@ struct Remeshing_options
 {
   Quantization_options quantization;
   double curvature_alignment;
+  double curvature_adaptivity;
   std::size_t number_of_smoothing_rounds;
   bool verbose;
   bool has_single_precision; // the points of the quads
@@ -102,14 +106,37 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
   return {quantization,
           static_cast<double>(
             choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.)),
+          static_cast<double>(
+            choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.)),
           static_cast<std::size_t>(
             choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5)),
           choose_parameter(get_parameter(np, internal_np::verbose), false),
           has_single_precision};
 }
 
+template <typename Plane>
+std::optional<Mirror> to_mirror(const Plane& plane)
+{
+  return Mirror(CGAL::to_double(plane.a()), CGAL::to_double(plane.b()),
+                CGAL::to_double(plane.c()), CGAL::to_double(plane.d()));
+}
+
+template <typename Plane>
+std::optional<Mirror> to_mirror(const std::optional<Plane>& plane)
+{ return plane ? to_mirror(*plane) : std::nullopt; }
+
+template <typename NamedParameters>
+std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::symmetry_plane_t>)
+    return to_mirror(CGAL::parameters::get_parameter(np, internal_np::symmetry_plane));
+  else
+    return std::nullopt;
+}
+
 template <typename TriangleMesh, typename NamedParameters>
-Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np)
+Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
+                                    const std::optional<Mirror>& mirror)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -122,13 +149,18 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
     }
     return Surface_to_remesh::Kernel::Vector_3(0, 0, 0);
   };
+  const auto read_size = [&]([[maybe_unused]] const auto v) {
+    if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
+      return CGAL::to_double(get(get_parameter(np, internal_np::vertex_sizing), v));
+    return 1.;
+  };
   return Surface_to_remesh(
     tmesh,
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                      CGAL::Static_boolean_property_map<Edge, false>()),
-    read_direction);
+    read_direction, read_size, mirror);
 }
 
 // Makes the quads, as large as the input. The surface gets its map, and loses features that are
@@ -138,6 +170,11 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
 
+// The numbers of the faces of the input that are nearest to points.
+std::vector<std::size_t>
+nearest_faces(const Surface_to_remesh& surface,
+              const std::vector<Surface_to_remesh::Kernel::Point_3>& points);
+
 template <typename QuadMesh, typename NamedParameters>
 auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
 {
@@ -146,23 +183,108 @@ auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
     CGAL::get_property_map(CGAL::vertex_point, quads));
 }
 
-template <typename QuadMesh, typename PointMap, typename NamedParameters>
-void add_copy(const Surface_to_remesh::Mesh& result,
-              const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads,
-              const PointMap& point_map, const NamedParameters& np)
+// Where points lie on the input.
+template <typename TriangleMesh, typename NamedParameters>
+auto locate_points(const std::vector<Surface_to_remesh::Kernel::Point_3>& points,
+                   const TriangleMesh& tmesh, const NamedParameters& np)
 {
-  const auto feature_map =
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-  const auto write_feature = [&](const auto& halfedges) {
-    if constexpr(is_given<decltype(feature_map)>)
-      put(feature_map, edge(halfedges.second, quads),
-          bool(is_feature[result.edge(halfedges.first)]));
-  };
-  CGAL::copy_face_graph(result, quads,
-                        CGAL::parameters::halfedge_to_halfedge_output_iterator(
-                          boost::make_function_output_iterator(write_feature)),
-                        CGAL::parameters::vertex_point_map(point_map));
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  const std::vector<std::size_t> numbers =
+    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), points);
+  const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  std::vector<std::pair<Face, std::array<double, 3> > > result;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result.push_back(locate_in_face(points[i], all_faces[numbers[i]], tmesh, point_map));
+  return result;
 }
+
+// Writes the result to the caller's mesh and maps.
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
+          typename NamedParameters2>
+class Quad_writer
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+  using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
+                             std::array<double, 3> >;
+
+public:
+  Quad_writer(const TriangleMesh& tmesh, const NamedParameters1& np1, const NamedParameters2& np2)
+    : m_tmesh(tmesh), m_np1(np1), m_np2(np2)
+  { }
+
+  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads)
+  {
+    const auto vertex_map = parameter(internal_np::vertex_location);
+    const auto face_map = parameter(internal_np::face_location);
+    const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
+    std::vector<Location> of_vertices, of_faces;
+    if constexpr(is_given<decltype(vertex_map)>)
+      of_vertices = locate(result.vertices(), [&](const auto v) { return result.point(v); });
+    if constexpr(is_given<decltype(face_map)>)
+      of_faces = locate(result.faces(), [&](const auto f) { return middle(result, f); });
+    const auto write_vertex = [&]([[maybe_unused]] const auto& vertices) {
+      if constexpr(is_given<decltype(vertex_map)>)
+        put(vertex_map, vertices.second, of_vertices[vertices.first]);
+    };
+    const auto write_face = [&]([[maybe_unused]] const auto& faces) {
+      if constexpr(is_given<decltype(face_map)>)
+        put(face_map, faces.second, of_faces[faces.first]);
+    };
+    const auto write_feature = [&]([[maybe_unused]] const auto& halfedges) {
+      if constexpr(is_given<decltype(feature_map)>)
+        put(feature_map, edge(halfedges.second, quads),
+            bool(is_feature[result.edge(halfedges.first)]));
+    };
+    CGAL::copy_face_graph(
+      result, quads,
+      CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                          boost::make_function_output_iterator(write_feature))
+                       .vertex_to_vertex_output_iterator(
+                          boost::make_function_output_iterator(write_vertex))
+                       .face_to_face_output_iterator(
+                          boost::make_function_output_iterator(write_face)),
+      CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
+  }
+
+private:
+  template <typename Tag_type>
+  auto parameter(const Tag_type tag) const
+  { return CGAL::parameters::get_parameter(m_np2, tag); }
+
+  // Per index.
+  template <typename Range, typename PointOf>
+  std::vector<Location> locate(const Range& elements, const PointOf& point_of) const
+  {
+    std::vector<Point> points;
+    std::size_t size = 0;
+    for(const auto x : elements) {
+      points.push_back(point_of(x));
+      size = std::size_t(x) + 1;
+    }
+    const std::vector<Location> locations = locate_points(points, m_tmesh, m_np1);
+    std::vector<Location> result(size);
+    std::size_t i = 0;
+    for(const auto x : elements)
+      result[x] = locations[i++];
+    return result;
+  }
+
+  static Point middle(const Mesh& quads, const Mesh::Face_index f)
+  {
+    Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
+    for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
+      sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
+    return CGAL::ORIGIN + sum;
+  }
+
+  const TriangleMesh& m_tmesh;
+  const NamedParameters1& m_np1;
+  const NamedParameters2& m_np2;
+};
 
 } // namespace internal
 
@@ -216,7 +338,7 @@ left out.
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{instead of their number, the length of the quads' edges}
     \cgalParamType{`double`}
-    \cgalParamDefault{not used}
+    \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
   \cgalParamNEnd
   \cgalParamNBegin{coarsest}
     \cgalParamDescription{whether there are to be as few quads as are found}
@@ -242,6 +364,13 @@ left out.
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
+  \cgalParamNBegin{curvature_adaptivity}
+    \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to
+                          the smallest: where a surface is more curved, quads are smaller, by the
+                          root of curvature. `vertex_sizing_map` is multiplied by it.}
+    \cgalParamType{`double`, at least 1}
+    \cgalParamDefault{`1`}
+  \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{a property map that associates to each face a direction of its cross, in
                           space: what is perpendicular to the face does not count. A face with the
@@ -252,6 +381,29 @@ left out.
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
                    as value type}
     \cgalParamDefault{all faces are free}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_sizing_map}
+    \cgalParamDescription{a property map that associates to each vertex how long the edges of quads
+                          are to be there. With `target_number_of_quads`, only the ratios of the
+                          sizes count; with `target_edge_length`, they are multiples of that. What
+                          varies costs cones: the field is the smoothest one where lengths are
+                          measured by the sizes. Where the field is given, or cones can't be had,
+                          sizes are met as far as the field allows.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
+                   as value type}
+    \cgalParamDefault{all quads are of one size}
+    \cgalParamExtra{A size that is not positive and finite is refused.}
+  \cgalParamNEnd
+  \cgalParamNBegin{symmetry_plane}
+    \cgalParamDescription{a plane by which the result is its own mirror image: the part of the
+                          surface on its positive side is remeshed, aligned to the cut, and
+                          mirrored. What is on its negative side is not read. See
+                          `find_symmetry_plane()`.}
+    \cgalParamType{`%Plane_3` or `std::optional<%Plane_3>`}
+    \cgalParamDefault{none}
+    \cgalParamExtra{Points are mirrored exactly by the coordinate planes; by others, each is the
+                    image of the other, rounded to `double`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the number of rounds of smoothing; 0 for none}
@@ -283,6 +435,27 @@ left out.
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_location_map}
+    \cgalParamDescription{receives for each new vertex where it lies on the input: a face, and its
+                          barycentric coordinates there, in the order of
+                          `CGAL::Polygon_mesh_processing::Face_location`, so that whatever hangs on
+                          the input can be interpolated. Among the faces that are nearest, as at an
+                          edge, any may be taken.}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
+                   `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,
+                   std::array<double, 3> >` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_location_map}
+    \cgalParamDescription{receives for each new face the place on the input that is nearest to its
+                          middle, in the same way}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%face_descriptor` as key type and
+                   `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,
+                   std::array<double, 3> >` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{receives for each new edge whether it runs along a feature edge that is
                           kept, or is on the border}
@@ -311,17 +484,20 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   using namespace internal;
   using Mesh = Surface_to_remesh::Mesh;
   const Protect_exact_arithmetic protect;
-  const auto point_map = point_map_of_quads(quads, strip(np2));
-  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
+  using Point = typename boost::property_traits<
+    decltype(point_map_of_quads(quads, strip(np2)))>::value_type;
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  Surface_to_remesh surface = surface_to_remesh(tmesh, strip(np1));
+  Surface_to_remesh surface = surface_to_remesh(tmesh, strip(np1), mirror_of(strip(np1)));
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   const Remeshing_report report =
     remesh(surface, remeshing_options(tmesh, strip(np1), std::is_same<FT, float>::value), result,
            is_feature);
-  if(report)
-    add_copy(result, is_feature, quads, point_map, strip(np2));
+  if(report) {
+    Quad_writer<TriangleMesh, QuadMesh, std::decay_t<decltype(strip(np1))>,
+                std::decay_t<decltype(strip(np2))> >(tmesh, strip(np1), strip(np2))
+      .write(result, is_feature, quads);
+  }
   return report;
 }
 

@@ -31,6 +31,7 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,14 @@ template <typename TriangleMesh, typename NamedParameters>
 double area_in_squares(const TriangleMesh& tmesh, const double length, const NamedParameters& np)
 {
   const int exponent = std::ilogb(length); // no square is too large then
+  const auto size_of = [&]([[maybe_unused]] const auto f) {
+    double size = 1;
+    if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
+      for(const auto v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh))
+        size *= std::cbrt(CGAL::to_double(
+          get(CGAL::parameters::get_parameter(np, internal_np::vertex_sizing), v)));
+    return size;
+  };
   const auto point_map = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
     CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
@@ -68,7 +77,8 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
       normal[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) -
                   (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
     }
-    area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+    const double size = size_of(f);
+    area += std::hypot(normal[0], normal[1], normal[2]) / 2 / (size * size);
   }
   const double scaled = std::ldexp(length, -exponent);
   return area / (scaled * scaled);
@@ -83,9 +93,11 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
   options.needs_face_graph =
     choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
-  if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t>) {
-    const double length =
-      static_cast<double>(get_parameter(np, internal_np::target_edge_length));
+  if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t> ||
+               (is_given<NamedParameters, internal_np::vertex_sizing_t> &&
+                !is_given<NamedParameters, internal_np::target_number_of_quads_t>)) {
+    const double length = static_cast<double>(
+      choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
     options.number_of_quads = length > 0 && std::isfinite(length)
                                 ? area_in_squares(tmesh, length, np)
                                 : std::numeric_limits<double>::quiet_NaN();
@@ -215,7 +227,16 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{instead of their number, the length of the quads' edges in space}
     \cgalParamType{`double`}
-    \cgalParamDefault{not used}
+    \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_sizing_map}
+    \cgalParamDescription{the lengths at the vertices of `tmesh`, in multiples of
+                          `target_edge_length`, for which the map was made: they tell how many quads
+                          there are to be}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
+                   as value type}
+    \cgalParamDefault{`1` everywhere}
   \cgalParamNEnd
   \cgalParamNBegin{coarsest}
     \cgalParamDescription{whether there are to be as few quads as are found. Then the other targets

@@ -43,11 +43,13 @@
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
   F(connection_tolerance_t, connection_tolerance, connection_tolerance)                            \
   F(corner_constraints_t, corner_constraints, corner_constraints)                                  \
+  F(curvature_adaptivity_t, curvature_adaptivity, curvature_adaptivity)                            \
   F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(face_direction_t, face_direction, face_direction_map)                                          \
+  F(face_location_t, face_location, face_location_map)                                             \
   F(feature_edges_t, feature_edges, feature_edges)                                                 \
   F(feature_facets_t, feature_facets, feature_facets)                                              \
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
@@ -62,12 +64,14 @@
   F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
   F(stop_policy_t, stop_policy, stop_policy)                                                       \
+  F(symmetry_plane_t, symmetry_plane, symmetry_plane)                                              \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_number_of_quads_t, target_number_of_quads, target_number_of_quads)                      \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
   F(value_weights_t, value_weights, value_weights)                                                 \
   F(vertex_location_t, vertex_location, vertex_location_map)                                       \
+  F(vertex_sizing_t, vertex_sizing, vertex_sizing_map)                                             \
   F(weld_t, weld, weld)
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
@@ -216,10 +220,12 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   parametrization
  * - `connection_tolerance`: the largest distance by which connections and cycles may miss before
  *   snapping, relative to the extent of the coordinates (`double`)
+ * - `curvature_adaptivity`: how many times larger quads may be where a surface is flat (`double`)
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
  * - `face_direction_map`: the direction that the field of crosses is to have in each face
+ * - `face_location_map`: where the middle of each face of a quad mesh lies on the input
  * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
  *   to be aligned
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
@@ -239,6 +245,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `stop_policy`: where curves of a layout end that meet others
+ * - `symmetry_plane`: the plane by which a quad mesh is to be its own mirror image
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
@@ -248,6 +255,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
  *   small
  * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
+ * - `vertex_sizing_map`: the length that edges of quads are to have at each vertex of the input
  * - `weld`: whether a reader joins border edges that coincide in space
  *
  * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,

@@ -23,6 +23,7 @@
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
@@ -31,9 +32,12 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -55,8 +59,7 @@ public:
 
   Remeshing_report run()
   {
-    if(parametrize() && extract()) {
-      smooth();
+    if(check_mirror() && parametrize() && make_quads()) {
       change_points([&](const double x) { return m_surface.unscaled(x); });
     }
     return m_report;
@@ -71,6 +74,41 @@ private:
     return parameters::edge_is_constrained_map(m_surface.is_feature())
                       .edge_is_cut_map(m_surface.is_cut())
                       .halfedge_rotation_map(m_surface.rotations());
+  }
+
+  // The mesh is one half then, and has half of the quads.
+  bool check_mirror()
+  {
+    const std::optional<Mirror>& mirror = m_surface.mirror();
+    if(!mirror)
+      return true;
+    if(!mirror->is_valid())
+      return refuse(m_report, Outcome::INVALID_ARGUMENT, "symmetry_plane is no plane");
+    if(surface_mesh().number_of_faces() == 0)
+      return refuse(m_report, Outcome::INVALID_ARGUMENT,
+                    "no part of the surface is on the positive side of symmetry_plane, or it meets "
+                    "itself along it");
+    Quantization_options& options = m_options.quantization;
+    options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
+    options.maximum_number /= 2;
+    return true;
+  }
+
+  // Of a half, as many as make a mesh with their mirror image.
+  bool make_quads()
+  {
+    constexpr int most_rounds = 12;
+    for(int round = 0; round < most_rounds; ++round) {
+      if(!extract())
+        return false;
+      const double number_in_half = double(m_quads.number_of_faces());
+      if(smooth())
+        return true;
+      m_options.quantization.is_coarsest = false;
+      m_options.quantization.number_of_quads = 1.5 * number_in_half;
+    }
+    return refuse(m_report, Outcome::NO_FACE_GRAPH,
+                  "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
   // From here on, edges that no field can follow without flips are not features.
@@ -89,7 +127,9 @@ private:
       surface_mesh(), m_surface.uv_map(),
       features_and_transitions().align_border(true).release_alignment(true)
                                 .curvature_alignment(m_options.curvature_alignment)
+                                .curvature_adaptivity(m_options.curvature_adaptivity)
                                 .face_direction_map(m_surface.directions())
+                                .vertex_sizing_map(m_surface.sizes())
                                 .largest_cone_index(largest_cone_index));
     m_timer.finish("parametrization");
     if(!made)
@@ -121,7 +161,8 @@ private:
                                                    strip(features_and_transitions()),
                                                    m_options.quantization);
     m_timer.finish("quantization");
-    m_report.number_of_forced_quads = quantization.number_of_forced_quads;
+    m_report.number_of_forced_quads = quantization.number_of_forced_quads *
+                                      (m_surface.mirror() ? 2 : 1);
     if(!quantization)
       return refuse(m_report, quantization);
     const Extraction_report extracted = extract_quad_mesh(
@@ -131,11 +172,14 @@ private:
     if(!extracted)
       return refuse(m_report, extracted);
     m_report.message = quantization.message;
+    if(m_surface.mirror() && !m_report.message.empty())
+      m_report.message += ", for each half";
     return true;
   }
 
-  // Vertices on features and borders are held.
-  void smooth()
+  // Vertices on features and borders are held. Returns whether the quads are a mesh, also with
+  // their mirror image where they are to have one.
+  bool smooth()
   {
     const auto is_held = [&](const Mesh::Vertex_index v) {
       for(const auto h : CGAL::halfedges_around_target(v, m_quads))
@@ -161,6 +205,11 @@ private:
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);
     m_timer.finish("smoothing");
+    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
+    if(m_surface.mirror() && !Mirror_image(m_surface, m_quads, m_is_feature).add())
+      return false;
+    if(m_options.has_single_precision)
+      change_points(rounded_to<float>);
     count();
     std::size_t i = 0;
     for(const auto f : m_quads.faces())
@@ -168,8 +217,8 @@ private:
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
     m_report.mean_scaled_jacobian = shape[1];
-    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
     m_timer.finish("measurement");
+    return true;
   }
 
   template <typename Change>
@@ -205,6 +254,20 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 { return Quad_remesher(surface, options, quads, is_feature).run(); }
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+std::vector<std::size_t>
+nearest_faces(const Surface_to_remesh& surface,
+              const std::vector<Surface_to_remesh::Kernel::Point_3>& points)
+{
+  Surface_to_remesh::Mesh no_quads;
+  const Quad_smoother smoother(no_quads, surface.mesh());
+  std::vector<std::size_t> result;
+  for(const auto& p : points)
+    result.push_back(surface.original(smoother.nearest_face(
+      {surface.scaled(p.x()), surface.scaled(p.y()), surface.scaled(p.z())})));
+  return result;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -31,6 +31,7 @@ struct Parametrization_options
 {
   double target_edge_length = 1;
   double curvature_alignment = 0;
+  double curvature_adaptivity = 1;
   long number_of_stiffening_rounds = 5;
   unsigned int random_seed = 0;
   std::size_t number_of_untangling_iterations = 500;
@@ -39,6 +40,7 @@ struct Parametrization_options
   int largest_cone_index = 3;  // of the cones that the field decides
   std::vector<int> cone_index; // per vertex; empty: the field decides
   Prescribed_field directions; // empty: no face has one
+  std::vector<double> log_size; // per vertex, in units of `target_edge_length`; empty: all are 0
 };
 
 } // namespace parametrization

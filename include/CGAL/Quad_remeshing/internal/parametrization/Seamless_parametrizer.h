@@ -30,6 +30,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/curvature_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
 
 #include <CGAL/number_utils.h>
@@ -68,6 +69,8 @@ inline void check_options(const Parametrization_options& options, const Triangle
     refuse("target_edge_length must be positive");
   if(!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
     refuse("curvature_alignment must not be negative");
+  if(!(options.curvature_adaptivity >= 1) || !std::isfinite(options.curvature_adaptivity))
+    refuse("curvature_adaptivity must be at least 1");
   if(options.largest_cone_index < 1 || options.largest_cone_index >= Quarter_turns::order)
     refuse("largest_cone_index must be 1, 2, or 3");
   if(options.number_of_stiffening_rounds < 0)
@@ -196,9 +199,14 @@ Parametrization_result parametrize(Triangle_surface& surface,
   timer.finish("topology");
 
   Matching matching;
-  std::vector<double> angles;
+  std::vector<double> angles, log_size = options.log_size;
   {
     Timed_solver<Solver> solver(report.seconds_in_solvers);
+    if(options.curvature_adaptivity > 1)
+      adapt_to_curvature(surface, diffused_curvature(surface, solver),
+                         options.curvature_adaptivity, log_size);
+    if(!log_size.empty())
+      turn_by_sizes(surface, log_size);
     if(!options.cone_index.empty()) {
       angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
     } else {
@@ -226,6 +234,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
   graph.connect(std::vector<char>(singular.index.begin(), singular.index.end()));
   const std::vector<Quarter_turns::Element> rotation =
     comb(surface, graph.is_cut(), matching, angles);
+  if(!log_size.empty())
+    measure_by_sizes(surface, log_size);
   timer.finish("cut graph");
 
   Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, singular.index,

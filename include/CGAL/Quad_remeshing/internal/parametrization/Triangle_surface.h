@@ -48,6 +48,7 @@ struct Triangle_surface : Flat_mesh<Flat_corner>
   std::vector<double> angle;     // of the corner
   std::vector<double> direction; // of the halfedge, in the plane layout of its face
   std::vector<double> bending;   // signed dihedral angle, positive if convex; 0 on the border
+  std::vector<double> turn_by_size; // from the center of the face; empty if sizes are all the same
   std::vector<char> is_aligned;  // the edge is to lie on an isocurve (equal for both halfedges)
 
   // per face
@@ -67,7 +68,8 @@ struct Triangle_surface : Flat_mesh<Flat_corner>
   // the face across `h`: unfold the two faces along the edge.
   double transport(const Corner_index h) const
   {
-    return direction[opposite(h)] + pi - direction[h];
+    const double turn = direction[opposite(h)] + pi - direction[h];
+    return turn_by_size.empty() ? turn : turn + turn_by_size[h] - turn_by_size[opposite(h)];
   }
 };
 
@@ -78,7 +80,8 @@ inline Corner_index release_edge(Triangle_surface& surface, const Corner_index h
   return h;
 }
 
-// The curvature concentrated at each vertex: what the angles lack of 2 pi, or of pi on the border.
+// The curvature concentrated at each vertex: what the angles lack of 2 pi, or of pi on the border,
+// and what the sizes add.
 inline std::vector<double> angle_defects(const Triangle_surface& surface)
 {
   std::vector<double> defect(surface.number_of_vertices());
@@ -86,6 +89,11 @@ inline std::vector<double> angle_defects(const Triangle_surface& surface)
     defect[v] = surface.is_border[v] ? pi : 2 * pi;
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
     defect[surface.vertex(h)] -= surface.angle[h];
+  if(!surface.turn_by_size.empty())
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+      if(!surface.is_border_edge(h))
+        defect[surface.vertex(h)] +=
+          surface.turn_by_size[h] - surface.turn_by_size[surface.opposite(h)];
   return defect;
 }
 

@@ -18,6 +18,9 @@
 // The surface that quads are to cover, with its features: a copy of the input, as some faces have
 // to be split first.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Half_surface.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -34,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -45,7 +49,7 @@ namespace internal {
 // Invariant: no triangle with an area has three sides that are features or border, which no map
 // without flips aligns. Such ones are divided into nine, and their neighbors so that there are
 // triangles only. The copy is the input times a power of two, of a size near 1, so that squares of
-// lengths are neither too large nor too small.
+// lengths are neither too large nor too small. With a mirror, it is the half above.
 class Surface_to_remesh
 {
 public:
@@ -58,17 +62,22 @@ public:
   using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
   using Direction_map = Mesh::Property_map<Face, Kernel::Vector_3>;
   using Rotation_map = Mesh::Property_map<Halfedge, int>;
+  using Sizing_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
   // \param read_direction of the cross of a face, or 0
+  // \param read_size of the quads at a vertex
+  // \param mirror on whose upper side the surface is to be
   template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-            typename ReadDirection>
+            typename ReadDirection, typename ReadSize>
   Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                    const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction)
+                    const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction,
+                    const ReadSize& read_size, const std::optional<Mirror>& mirror)
     : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
       m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
       m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
-      m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first)
+      m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first),
+      m_sizes(m_mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1).first)
   {
     std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
                           Halfedge> > copies;
@@ -79,12 +88,17 @@ public:
     for(const auto& [original, copy] : copies)
       if(!m_mesh.is_border(copy) && m_mesh.halfedge(m_mesh.face(copy)) == copy)
         m_directions[m_mesh.face(copy)] = read_direction(face(original, tmesh));
-    for(const auto& [original, copy] : copies)
+    for(const auto& [original, copy] : copies) {
       m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
+      m_sizes[m_mesh.target(copy)] = read_size(target(original, tmesh));
+    }
     for(const Face f : m_mesh.faces())
       m_originals.push_back(std::size_t(f));
-    if(CGAL::is_triangle_mesh(m_mesh))
-      divide(std::vector<Face>(m_mesh.faces().begin(), m_mesh.faces().end()));
+    if(!CGAL::is_triangle_mesh(m_mesh))
+      return;
+    if(mirror)
+      keep_half(m_mirror.emplace(mirror->scaled(-m_exponent)));
+    divide(std::vector<Face>(m_mesh.faces().begin(), m_mesh.faces().end()));
   }
 
   Surface_to_remesh(const Surface_to_remesh&) = delete; // the maps belong to the mesh
@@ -96,9 +110,15 @@ public:
   Direction_map directions() const { return m_directions; }
   Feature_map is_cut() const { return m_is_cut; }
   Rotation_map rotations() const { return m_rotations; }
+  Sizing_map sizes() const { return m_sizes; }
+
+  // In the scale of the mesh, which is on its upper side.
+  const std::optional<Mirror>& mirror() const { return m_mirror; }
 
   // A length in the size of the input.
   double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
+
+  double scaled(const double x) const { return std::ldexp(x, -m_exponent); }
 
   // The number of a face in the input.
   std::size_t original(const std::size_t face) const { return m_originals[face]; }
@@ -117,6 +137,38 @@ private:
     for(const auto v : m_mesh.vertices()) {
       Kernel::Point_3& p = m_mesh.point(v);
       p = Kernel::Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+  }
+
+  // Keeps nothing of a surface that meets itself along the plane.
+  void keep_half(const Mirror& mirror)
+  {
+    const Half_surface half(m_mesh, m_is_feature, mirror);
+    std::vector<std::pair<Kernel::Point_3, double> > vertices;
+    for(const Half_surface::Place& p : half.places())
+      vertices.emplace_back(half.point(p),
+                            (1 - p.t) * m_sizes[p.source] + p.t * m_sizes[p.target]);
+    std::vector<Kernel::Vector_3> directions;
+    for(const Half_surface::Triangle& t : half.triangles())
+      directions.push_back(m_directions[t.face]);
+    m_mesh.clear_without_removing_property_maps();
+    m_originals.clear();
+    for(const auto& [point, size] : vertices)
+      m_sizes[m_mesh.add_vertex(point)] = size;
+    for(const Half_surface::Triangle& t : half.triangles()) {
+      std::array<Mesh::Vertex_index, 3> v;
+      for(std::size_t i = 0; i < 3; ++i)
+        v[i] = Mesh::Vertex_index(Mesh::size_type(t.vertices[i]));
+      const Face f = m_mesh.add_face(v[0], v[1], v[2]);
+      if(f == Mesh::null_face()) {
+        m_mesh.clear_without_removing_property_maps();
+        return;
+      }
+      m_directions[f] = directions[m_originals.size()];
+      m_originals.push_back(std::size_t(t.face));
+      for(std::size_t i = 0; i < 3; ++i)
+        if(t.is_feature[i])
+          m_is_feature[m_mesh.edge(m_mesh.halfedge(v[i], v[(i + 1) % 3]))] = true;
     }
   }
 
@@ -156,9 +208,12 @@ private:
     const Halfedge h = m_mesh.halfedge(e);
     const Kernel::Point_3 first = m_mesh.point(m_mesh.source(h));
     const Kernel::Vector_3 third = (m_mesh.point(m_mesh.target(h)) - first) / 3;
+    const double size = m_sizes[m_mesh.source(h)];
+    const double third_of_size = (m_sizes[m_mesh.target(h)] - size) / 3;
     for(const int i : {1, 2}) {
       const Halfedge part = CGAL::Euler::split_edge(h, m_mesh);
       m_mesh.point(m_mesh.target(part)) = first + i * third;
+      m_sizes[m_mesh.target(part)] = size + i * third_of_size;
       m_is_feature[m_mesh.edge(part)] = bool(m_is_feature[e]);
     }
   }
@@ -167,11 +222,15 @@ private:
   {
     const double n = static_cast<double>(m_mesh.degree(f));
     std::array<double, 3> center{};
-    for(const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
+    double size = 0;
+    for(const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) {
       for(int c = 0; c < 3; ++c)
         center[std::size_t(c)] += m_mesh.point(v)[c] / n;
+      size += m_sizes[v] / n;
+    }
     const Halfedge h = CGAL::Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
     m_mesh.point(m_mesh.target(h)) = Kernel::Point_3(center[0], center[1], center[2]);
+    m_sizes[m_mesh.target(h)] = size;
     m_originals.resize(m_mesh.number_of_faces(), std::size_t(f));
     for(const Halfedge g : m_mesh.halfedges_around_target(h))
       m_directions[m_mesh.face(g)] = m_directions[f];
@@ -183,6 +242,8 @@ private:
   Direction_map m_directions;
   Feature_map m_is_cut;     // these two are known once there are coordinates
   Rotation_map m_rotations;
+  Sizing_map m_sizes;
+  std::optional<Mirror> m_mirror;
   std::vector<std::size_t> m_originals; // per face
   int m_exponent = 0;
 };

@@ -161,6 +161,9 @@ public:
     return {q.x(), q.y(), q.z()};
   }
 
+  Face nearest_face(const Space_vector& p) const
+  { return m_tree.closest_point_and_primitive(Point(p[0], p[1], p[2])).second; }
+
   // The area vector, times two, of the triangle that is nearest to the middle of a quad.
   Space_vector normal_of_surface(const Quad& q) const
   {
@@ -168,8 +171,7 @@ public:
     for(const Space_vector& p : q)
       for(std::size_t c = 0; c < 3; ++c)
         middle[c] += p[c] / 4;
-    const Face f =
-      m_tree.closest_point_and_primitive(Point(middle[0], middle[1], middle[2])).second;
+    const Face f = nearest_face(middle);
     std::array<Space_vector, 3> t;
     std::size_t i = 0;
     for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {
