@@ -1,0 +1,70 @@
+// Quads of one surface in several numbers: it is parametrized, snapped, and made coarse once; then
+// each number costs the search for integers alone. Prints what each step takes.
+
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/quantize.h>
+#include <CGAL/Seamless_snapping/IO/OBJ.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace SS = CGAL::Seamless_snapping;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// Seconds of the processor since the last call.
+double seconds()
+{
+  static std::clock_t last = 0;
+  const std::clock_t before = last;
+  last = std::clock();
+  return double(last - before) / CLOCKS_PER_SEC;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string input = (argc > 1) ? argv[1] : "data/genus3_features.obj";
+  std::vector<std::size_t> numbers{500, 2000, 8000};
+  if(argc > 2)
+    numbers.clear();
+  for(int i = 2; i < argc; ++i)
+    numbers.push_back(std::size_t(std::atol(argv[i])));
+  Mesh mesh;
+  const auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  if(!SS::IO::read_OBJ(input, mesh, uv_map, SS::parameters::edge_is_constrained_map(is_feature)))
+    return EXIT_FAILURE;
+  const auto parameters = SS::parameters::edge_is_constrained_map(is_feature).align_border(true);
+  seconds();
+  const auto made = SS::approximate_seamless_parametrization(mesh, uv_map, parameters);
+  std::cout << made << "\nparametrization: " << seconds() << " s\n";
+  const auto snapped = SS::snap_to_seamless(mesh, uv_map, parameters);
+  std::cout << snapped << "\nsnapping: " << seconds() << " s\n";
+  if(!made || !snapped)
+    return EXIT_FAILURE;
+
+  SS::Quantization quantization;
+  for(const std::size_t number : numbers) {
+    quantization = quantization ? SS::quantize_again(quantization, mesh,
+                                                     parameters.target_number_of_quads(number))
+                                : SS::quantize(mesh, uv_map,
+                                               parameters.target_number_of_quads(number));
+    std::cout << "quantization to " << number << ": " << seconds() << " s, "
+              << quantization.number_of_quads << " quads\n";
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::vector<std::size_t> > quads;
+    if(!SS::extract_quad_soup(quantization, mesh, points, quads))
+      return EXIT_FAILURE;
+    std::cout << "extraction: " << seconds() << " s, " << quads.size() << " quads\n";
+  }
+  return EXIT_SUCCESS;
+}
