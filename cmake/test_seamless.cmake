@@ -127,10 +127,14 @@ seamless(2 body new.off --edge-length 0)
 seamless(2 quads in.obj new.off --number 0)
 seamless(2 quads in.obj new.off --number 9 --grid-scale 2)
 expect_message("${err}" "--number and --grid-scale exclude each other")
-seamless(2 quads in.obj new.ply)
+seamless(2 quads in.obj new.stl)
 seamless(2 remesh in.obj new.off --quads 0)
-seamless(2 remesh in.obj new.ply)
-expect_message("${err}" ".obj and .off files")
+seamless(2 remesh in.obj new.stl)
+expect_message("${err}" ".obj, .off, and .ply files")
+seamless(2 remesh in.obj new.off --adaptivity 0.5)
+foreach(plane IN ITEMS w 1,0,0 1,0,0,x 1,0,0,0,0)
+  seamless(2 remesh in.obj new.off "--symmetry=${plane}")
+endforeach()
 
 set(reason "No such file or directory")
 file(WRITE "${WORK_DIR}/empty.obj" "")
@@ -448,6 +452,66 @@ foreach(suffix IN ITEMS rosy rawfield)
 endforeach()
 seamless(2 remesh sheet.off turned.off --field sheet.off)
 seamless(3 remesh sheet.off turned.off --field missing.rosy)
+# sizes: lengths, multiples of one, and ratios
+file(WRITE "${WORK_DIR}/sizes.txt" "0.125 0.125\n0.125\t0.125\n")
+set(ply "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n")
+string(APPEND ply "property float z\nproperty float quality\nproperty int mark\n"
+  "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+  "property list uchar int vertex_indices\nproperty int part\nend_header\n"
+  "0 0 0 0.25 7 0 0 9\n1 0 0 0.25 7 200 0 9\n1 1 0 0.25 7 200 100 9\n0 1 0 0.25 7 0 100 9\n"
+  "3 0 1 2 4\n3 2 3 0 5\n")
+file(WRITE "${WORK_DIR}/sheet.ply" "${ply}")
+foreach(arguments IN ITEMS "64;sheet.off;--sizes;sizes.txt"
+    "16;sheet.off;--sizes;sizes.txt;--edge-length;2" "25;sheet.off;--sizes;sizes.txt;--number;25"
+    "16;sheet.ply;--sizes;quality" "64;sheet.ply;--sizes;sizes.txt" "16;sheet.off;--number;16"
+    "16;sheet.off;--number;16;--adaptivity;3")
+  list(POP_FRONT arguments number input)
+  seamless(0 remesh ${input} sized.off ${arguments})
+  expect_message("${out}" "${number} quads,")
+endforeach()
+file(WRITE "${WORK_DIR}/few.txt" "0.1 0.1 0.1")
+seamless(3 remesh sheet.off sized.off --sizes few.txt)
+expect_message("${err}" "a number for each of 4 vertices")
+file(WRITE "${WORK_DIR}/zero.txt" "0.1 0 0.1 0.1")
+seamless(1 remesh sheet.off sized.off --sizes zero.txt)
+expect_message("${err}" "is not positive and finite")
+
+# halves, mirrored
+foreach(arguments IN ITEMS "16;auto" "18;y" "40;1,0,0,-0.25")
+  list(POP_FRONT arguments number plane)
+  seamless(0 remesh sheet.off mirrored.off --number ${number} --symmetry ${plane})
+  expect_message("${out}" "${number} quads,")
+endforeach()
+seamless(1 remesh sheet.off mirrored.off --symmetry=-1,0,0,-1)
+expect_message("${err}" "positive side of --symmetry")
+file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 1 2\n")
+seamless(1 remesh tilted.off mirrored.off --symmetry auto)
+expect_message("${err}" "not symmetric, exactly")
+
+# what hangs on a file: the colors and texture coordinates of the square are linear
+set(obj "mtllib square.mtl\nv 0 0 0 0 0 0.5\nv 1 0 0 1 0 0.5\nv 1 1 0 1 1 0.5\nv 0 1 0 0 1 0.5\n")
+string(APPEND obj "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng first\nusemtl red\nf 1/1 2/2 3/3\n"
+  "g second\nf 3/3 4/4 1/1\n")
+file(WRITE "${WORK_DIR}/square.obj" "${obj}")
+seamless(0 remesh square.obj square_quads.obj --number 16)
+file(READ "${WORK_DIR}/square_quads.obj" text)
+foreach(line IN ITEMS "mtllib square.mtl\n" "g first\nusemtl red\n" "g second\nusemtl red\n"
+    "v 0 0 0 0 0 0.5\n" "v 1 1 0 1 1 0.5\n" "vt 1 0\n")
+  expect_message("${text}" "${line}")
+endforeach()
+string(REGEX MATCHALL "v 0.25[0-9]* 0.5[0-9]* 0 0.25[0-9]* 0.5[0-9]* 0.5" inside "${text}")
+expect("${text}" inside)
+string(REGEX MATCHALL "f [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+" faces "${text}")
+list(LENGTH faces number_of_faces)
+expect("${text}" number_of_faces EQUAL 16)
+seamless(0 remesh sheet.ply square_quads.ply --number 16)
+file(READ "${WORK_DIR}/square_quads.ply" text)
+foreach(line IN ITEMS "property uchar red" "property float quality" "property int mark"
+    "property int part" "\n1 1 0 7 0.25 200 100 9 " "\n0.5 0.5 0 7 0.25 100 50 9 " "\n4 [0-9 ]* 4\n"
+    "\n4 [0-9 ]* 5\n")
+  expect("${text}" text MATCHES "${line}")
+endforeach()
+
 # more quads than allowed: which number would work
 seamless(1 remesh box.off no_quads.obj --quads 1 --feature-angle 40 --maximum-number 5)
 expect_message("${err}" "more than --maximum-number")

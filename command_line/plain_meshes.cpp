@@ -6,7 +6,9 @@
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 
@@ -42,8 +44,9 @@ std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)
 
 void check_quad_file(const std::string& filename)
 {
-  if(suffix_of(filename) != "obj" && suffix_of(filename) != "off")
-    throw Failure(USAGE, "'" + filename + "': quads are written to .obj and .off files");
+  const std::string suffix = suffix_of(filename);
+  if(suffix != "obj" && suffix != "off" && suffix != "ply")
+    throw Failure(USAGE, "'" + filename + "': quads are written to .obj, .off, and .ply files");
 }
 
 void write_inverted_quads(std::ostream& os, const std::size_t number,
@@ -68,8 +71,10 @@ std::string text(const std::string& filename, const Quads&... quads)
 {
   std::ostringstream os;
   const auto precision = CGAL::parameters::stream_precision(17);
-  if(!(suffix_of(filename) == "off" ? CGAL::IO::write_OFF(os, quads..., precision)
-                                    : CGAL::IO::write_OBJ(os, quads..., precision)))
+  const std::string suffix = suffix_of(filename);
+  if(!(suffix == "off"   ? CGAL::IO::write_OFF(os, quads..., precision)
+       : suffix == "ply" ? CGAL::IO::write_PLY(os, quads..., precision)
+                         : CGAL::IO::write_OBJ(os, quads..., precision)))
     throw Failure(UNWRITABLE, "cannot write '" + filename + "'");
   return os.str();
 }

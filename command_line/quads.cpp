@@ -48,8 +48,8 @@ struct Quad_options
                     "Makes the texture coordinates of a triangle mesh an exact integer-grid map,\n"
                     "and extracts the quad mesh that it describes: its edges are the lines on which\n"
                     "a coordinate is an integer. IN is a .obj file, a .ply file with a list\n"
-                    "'texcoord' for each face, or - for the standard input; OUT is a .obj or .off\n"
-                    "file.\n");
+                    "'texcoord' for each face, or - for the standard input; OUT is a .obj, .off,\n"
+                    "or .ply file.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);

@@ -4,6 +4,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "Repairs.h"
+#include "attributes.h"
 #include "commands.h"
 #include "directions.h"
 #include "files.h"
@@ -12,27 +13,54 @@
 #include "pictures/quad_picture.h"
 #include "words.h"
 
+#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <locale>
+#include <optional>
+#include <sstream>
 #include <string>
 
 namespace SS = CGAL::Seamless_snapping;
 
 namespace {
 
+using Sizing_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+
+// Nothing without a name. Throws `Failure`.
+std::optional<Kernel::Plane_3> named_plane(const std::string& name)
+{
+  if(name.empty())
+    return std::nullopt;
+  if(name == "x" || name == "y" || name == "z")
+    return Kernel::Plane_3(name == "x", name == "y", name == "z", 0);
+  std::istringstream stream(name);
+  stream.imbue(std::locale::classic());
+  std::array<double, 4> plane;
+  char comma = ',';
+  for(std::size_t i = 0; i < 4 && comma == ','; ++i)
+    if(stream >> plane[i] && i < 3)
+      stream >> comma;
+  if(!stream || comma != ',' || !(stream >> std::ws).eof())
+    throw Failure(USAGE, "'" + name + "' is not x, y, z, auto, or four numbers A,B,C,D");
+  return Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]);
+}
+
 struct Remesh_options
 {
-  std::string input, output, field, picture, report;
+  std::string input, output, field, sizes, symmetry, picture, report;
   Plain_reading_options reading;
-  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, curvature = 0;
+  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, curvature = 0,
+         adaptivity = 1;
   bool coarsest = false, verbose = false;
 
   // Returns whether there is something to do.
@@ -43,7 +71,9 @@ struct Remesh_options
     Options options("remesh IN OUT",
                     "Remeshes a mesh with quads only, aligned to borders. IN is a .obj, .ply, .off,\n"
                     "or .stl file, or one of another format that CGAL reads, or - for the standard\n"
-                    "input; OUT is a .obj or .off file. What has to be repaired in IN is told.\n");
+                    "input; OUT is a .obj, .off, or .ply file. What has to be repaired in IN is\n"
+                    "told. From .obj to .obj, texture coordinates, colors, groups, and materials are\n"
+                    "carried over, from .ply to .ply all properties that are numbers.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, {1, largest_number},
@@ -61,6 +91,17 @@ struct Remesh_options
     options.add("field", "FILE", field,
                 "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
                 "file; where it is 0, the field is smooth, and features go first");
+    options.add("sizes", "FILE", sizes,
+                "how long to make the edges at each vertex of IN: a text file with a number for\n"
+                "each, or the name of a property of IN, a .ply file. With --number, only ratios\n"
+                "count; with --edge-length, these are multiples of it");
+    options.add("adaptivity", "R", adaptivity, {1, (std::numeric_limits<double>::max)()},
+                "make quads up to R times larger where the surface is flat than where it is\n"
+                "curved");
+    options.add("symmetry", "PLANE", symmetry,
+                "mirror one half: by x, y, or z for a coordinate plane, A,B,C,D for the plane\n"
+                "Ax + By + Cz + D = 0, whose positive side is kept, or auto to find a plane by\n"
+                "which all vertices of IN are symmetric");
     reading.add_to(options);
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
@@ -71,6 +112,11 @@ struct Remesh_options
     if(!options.parse(arguments))
       return false;
     check_quad_file(output);
+    if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
+       !coarsest)
+      edge_length = 1;
+    if(symmetry != "auto")
+      named_plane(symmetry);
     check_direction_file(field);
     check_picture(picture);
     check_outputs({input, field}, {output, picture, report});
@@ -78,19 +124,36 @@ struct Remesh_options
   }
 };
 
-SS::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
-                                const Direction_map& directions, Mesh& quads,
-                                const Edge_bool_map is_kept)
+// Nothing without a name. Throws `Failure`.
+std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, const Mesh& mesh)
 {
+  if(options.symmetry != "auto")
+    return named_plane(options.symmetry);
+  const auto plane = SS::find_symmetry_plane(mesh);
+  if(!plane)
+    throw Failure(NOT_SOLVED, options.input + ": the vertices are not symmetric, exactly, by a "
+                              "plane across a coordinate axis; name a plane");
+  return plane;
+}
+
+SS::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
+                                const Direction_map& directions, const Sizing_map& sizes,
+                                Located_quads& quads, const Edge_bool_map is_kept)
+{
+  const auto plane = symmetry_plane(options, model.mesh);
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
                           options.verbose);
   const auto parameters =
     SS::parameters::edge_is_constrained_map(model.is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
-                   .coarsest(options.coarsest).verbose(options.verbose)
+                   .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
+                   .symmetry_plane(plane).coarsest(options.coarsest).verbose(options.verbose)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
-    return SS::quad_remesh(model.mesh, quads, np, SS::parameters::edge_is_constrained_map(is_kept));
+    return SS::quad_remesh(model.mesh, quads.mesh, np,
+                           SS::parameters::edge_is_constrained_map(is_kept)
+                                          .vertex_location_map(quads.of_vertex)
+                                          .face_location_map(quads.of_face));
   };
   const auto make_at_most = [&](const auto& np) {
     return options.maximum_number > 0
@@ -159,9 +222,11 @@ void remesh(const Arguments& arguments)
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
   const Direction_map directions = read_directions(options.field, repairs, model.mesh);
-  Mesh quads;
-  const Edge_bool_map is_kept = quads.add_property_map<Edge, bool>("e:feature", false).first;
-  const SS::Remeshing_report report = make_quads(options, model, directions, quads, is_kept);
+  const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
+  Located_quads quads;
+  const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
+  const SS::Remeshing_report report =
+    make_quads(options, model, directions, sizes, quads, is_kept);
   const std::string message =
     report ? report.message
            : in_words_of_user(to_string(report.status) + (": " + report.message), model);
@@ -170,8 +235,8 @@ void remesh(const Arguments& arguments)
     write_json(options.report, json_of(report, message, repairs, size));
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + message);
-  write_file(options.output, text_of_quads(quads, options.output));
+  write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
   if(!options.picture.empty())
-    write_file(options.picture, quad_picture(quads, is_kept));
+    write_file(options.picture, quad_picture(quads.mesh, is_kept));
   write_summary(os, options, report, size);
 }

@@ -1,0 +1,433 @@
+#include "attributes.h"
+
+#include "Failure.h"
+#include "files.h"
+#include "plain_meshes.h"
+#include "words.h"
+
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <locale>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <type_traits>
+
+namespace {
+
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+
+// The corners of a face, in the order of the coordinates of a location.
+std::array<Halfedge, 3> corners(const Mesh& mesh, const Face f)
+{
+  const Halfedge h = mesh.halfedge(f);
+  return {{mesh.prev(h), h, mesh.next(h)}};
+}
+
+std::size_t file_face(const Model& model, const Face f)
+{
+  const std::size_t i = f;
+  return i < model.file_faces.size() ? model.file_faces[i] : i;
+}
+
+// Calls `visit` with the vertices in the file and the weights of a location.
+template <typename Visit>
+void for_each_corner(const Model& model, const Location& location, const Visit& visit)
+{
+  const auto around = corners(model.mesh, location.first);
+  for(std::size_t i = 0; i < 3; ++i)
+    visit(model.file_vertices[model.mesh.target(around[i])], location.second[i]);
+}
+
+// --- PLY -----------------------------------------------------------------------------------------
+
+// Returns whether it is one that CGAL can read as a mesh.
+bool read_PLY_mesh(const std::string& filename, Mesh& mesh)
+{
+  if(is_special_file(filename) || suffix_of(filename) != "ply")
+    return false;
+  std::istringstream stream(read_file(filename));
+  std::string comments;
+  return CGAL::IO::read_PLY(stream, mesh, comments, false);
+}
+
+template <typename T>
+T interpolated(const Model& model, const Mesh::Property_map<Vertex, T>& values,
+               const Location& location)
+{
+  double sum = 0, largest = -1;
+  T nearest{};
+  for_each_corner(model, location, [&](const std::size_t v, const double weight) {
+    const T value = values[Vertex(Mesh::size_type(v))];
+    if(weight > largest) {
+      largest = weight;
+      nearest = value;
+    }
+    sum += weight * double(value);
+  });
+  return std::is_integral_v<T> ? nearest : T(sum);
+}
+
+template <typename T>
+void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
+{
+  for(const std::string& name : file.properties<Vertex>())
+    if(const auto [values, exists] = file.property_map<Vertex, T>(name); exists) {
+      const auto map = quads.mesh.add_property_map<Vertex, T>(name).first;
+      for(const Vertex v : quads.mesh.vertices())
+        map[v] = interpolated(model, values, quads.of_vertex[v]);
+    }
+  for(const std::string& name : file.properties<Face>())
+    if(const auto [values, exists] = file.property_map<Face, T>(name); exists) {
+      const auto map = quads.mesh.add_property_map<Face, T>(name).first;
+      for(const Face f : quads.mesh.faces())
+        map[f] = values[Face(Mesh::size_type(file_face(model, quads.of_face[f].first)))];
+    }
+}
+
+void carry_over_colors(const Model& model, const Mesh& file, Located_quads& quads)
+{
+  using CGAL::IO::Color;
+  if(const auto [colors, exists] = file.property_map<Vertex, Color>("v:color"); exists) {
+    const auto map = quads.mesh.add_property_map<Vertex, Color>("v:color").first;
+    for(const Vertex v : quads.mesh.vertices()) {
+      std::array<double, 3> sum{};
+      for_each_corner(model, quads.of_vertex[v], [&](const std::size_t w, const double weight) {
+        for(std::size_t c = 0; c < 3; ++c)
+          sum[c] += weight * colors[Vertex(Mesh::size_type(w))][c];
+      });
+      const auto rounded = [](const double x) { return static_cast<unsigned char>(std::lround(x)); };
+      map[v] = Color(rounded(sum[0]), rounded(sum[1]), rounded(sum[2]));
+    }
+  }
+  if(const auto [colors, exists] = file.property_map<Face, Color>("f:color"); exists) {
+    const auto map = quads.mesh.add_property_map<Face, Color>("f:color").first;
+    for(const Face f : quads.mesh.faces())
+      map[f] = colors[Face(Mesh::size_type(file_face(model, quads.of_face[f].first)))];
+  }
+}
+
+template <typename... Types>
+void carry_over_all(const Model& model, const Mesh& file, Located_quads& quads)
+{ (carry_over<Types>(model, file, quads), ...); }
+
+// --- OBJ -----------------------------------------------------------------------------------------
+
+struct OBJ_attributes
+{
+  using Values = std::array<double, 3>;
+
+  std::vector<Values> points, colors;         // per vertex
+  std::vector<std::array<double, 2> > coordinates; // the 'vt' elements
+  std::vector<std::vector<std::array<std::size_t, 2> > > corners; // vertex and 'vt' from 1; 0: none
+  std::vector<std::string> parts;   // what stands before faces: objects, groups, and materials
+  std::vector<std::size_t> part_of; // per face
+  std::string libraries;            // of materials
+  bool has_coordinates = false;
+
+  explicit OBJ_attributes(const std::string& text) : parts(1)
+  {
+    CGAL::Seamless_snapping::internal::OBJ_scanner scanner(text);
+    for(auto keyword = scanner.next_statement(); !keyword.empty();
+        keyword = scanner.next_statement()) {
+      const std::string name(keyword);
+      std::vector<std::string> tokens;
+      for(auto token = scanner.next_token(); !token.empty(); token = scanner.next_token())
+        tokens.emplace_back(token);
+      add(name, tokens);
+    }
+    if(colors.size() != points.size())
+      colors.clear();
+  }
+
+private:
+  static double number(const std::string& token)
+  {
+    std::istringstream stream(token);
+    stream.imbue(std::locale::classic());
+    double x = 0;
+    stream >> x;
+    return x;
+  }
+
+  void add(const std::string& name, const std::vector<std::string>& tokens)
+  {
+    if(name == "v" && tokens.size() >= 3) {
+      points.push_back({number(tokens[0]), number(tokens[1]), number(tokens[2])});
+      if(tokens.size() >= 6) {
+        const std::size_t i = tokens.size() - 3;
+        colors.push_back({number(tokens[i]), number(tokens[i + 1]), number(tokens[i + 2])});
+      }
+    } else if(name == "vt" && tokens.size() >= 2) {
+      coordinates.push_back({number(tokens[0]), number(tokens[1])});
+    } else if(name == "mtllib") {
+      libraries += line(name, tokens);
+    } else if(name == "o" || name == "g" || name == "usemtl") {
+      m_lines[name] = line(name, tokens);
+      m_part = 0;
+    } else if(name == "f") {
+      add_face(tokens);
+    }
+  }
+
+  static std::string line(const std::string& name, const std::vector<std::string>& tokens)
+  {
+    std::string result = name;
+    for(const std::string& token : tokens)
+      result += " " + token;
+    return result + "\n";
+  }
+
+  void add_face(const std::vector<std::string>& tokens)
+  {
+    if(m_part == 0) {
+      const std::string part = m_lines["o"] + m_lines["g"] + m_lines["usemtl"];
+      const auto it = m_numbers.emplace(part, parts.size()).first;
+      if(it->second == parts.size())
+        parts.push_back(part);
+      m_part = it->second;
+    }
+    part_of.push_back(m_part);
+    corners.emplace_back();
+    for(const std::string& token : tokens) {
+      const std::size_t slash = token.find('/');
+      const std::size_t vt = slash == token.npos ? 0 : index(token.substr(slash + 1),
+                                                             coordinates.size());
+      corners.back().push_back({index(token, points.size()), vt});
+      has_coordinates = has_coordinates || vt > 0;
+    }
+  }
+
+  // From 1; 0 if there is none.
+  static std::size_t index(const std::string& token, const std::size_t size)
+  {
+    const long i = std::strtol(token.c_str(), nullptr, 10);
+    return i < 0 ? size + 1 - std::size_t(-i) : std::size_t(i);
+  }
+
+  std::map<std::string, std::string> m_lines; // in force
+  std::map<std::string, std::size_t> m_numbers;
+  std::size_t m_part = 0; // 0: to be looked up
+};
+
+// Texture coordinates of the model's corners, and its charts: faces that they agree on across edges.
+// Invariant: a corner that has none is in no chart.
+class Texture
+{
+public:
+  using Coordinates = std::array<double, 2>;
+
+  Texture(const Model& model, const OBJ_attributes& file)
+    : m_model(model), m_charts(model.mesh.number_of_faces()),
+      m_coordinates(model.mesh.num_halfedges())
+  {
+    for(const Face f : mesh().faces()) {
+      m_charts.make_set(std::size_t(f));
+      for(const Halfedge h : corners(mesh(), f))
+        m_coordinates[h] = find(file, f, h);
+    }
+    for(const Edge e : mesh().edges()) {
+      const Halfedge h = mesh().halfedge(e), o = mesh().opposite(h);
+      if(!mesh().is_border(e) && has_coordinates(mesh().face(h)) &&
+         m_coordinates[h] == m_coordinates[mesh().prev(o)] &&
+         m_coordinates[o] == m_coordinates[mesh().prev(h)])
+        m_charts.union_set(std::size_t(mesh().face(h)), std::size_t(mesh().face(o)));
+    }
+  }
+
+  // At a vertex of a quad, in the chart below the middle of the quad: in the face where the vertex is,
+  // or one beside it, or that of the middle.
+  std::optional<Coordinates> at(const Kernel::Point_3& point, const Location& vertex,
+                                const Location& middle)
+  {
+    if(!has_coordinates(middle.first))
+      return std::nullopt;
+    Face face = middle.first;
+    double least = -1;
+    const auto consider = [&](const Face f) {
+      if(!has_coordinates(f) || chart(f) != chart(middle.first))
+        return;
+      const auto weights = this->weights(point, f);
+      const double outside = -(std::min)({weights[0], weights[1], weights[2], 0.});
+      if(least < 0 || outside < least) {
+        least = outside;
+        face = f;
+      }
+    };
+    consider(vertex.first);
+    if(least != 0)
+      for(const Halfedge h : corners(mesh(), vertex.first))
+        for(const Face f : mesh().faces_around_target(h))
+          if(f != mesh().null_face())
+            consider(f);
+    const auto around = corners(mesh(), face);
+    const auto weights = this->weights(point, face);
+    Coordinates result{};
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t c = 0; c < 2; ++c)
+        result[c] += weights[i] * (*m_coordinates[around[i]])[c];
+    return result;
+  }
+
+private:
+  const Mesh& mesh() const { return m_model.mesh; }
+  std::size_t chart(const Face f) { return m_charts.find_set(std::size_t(f)); }
+
+  bool has_coordinates(const Face f) const
+  {
+    const auto around = corners(mesh(), f);
+    return std::all_of(around.begin(), around.end(),
+                       [&](const Halfedge h) { return m_coordinates[h].has_value(); });
+  }
+
+  // Vertices may have been joined with others in the same place.
+  std::optional<Coordinates> find(const OBJ_attributes& file, const Face f, const Halfedge h) const
+  {
+    const std::size_t v = m_model.file_vertices[mesh().target(h)];
+    for(const auto& [w, vt] : file.corners[file_face(m_model, f)])
+      if(vt > 0 && (w == v + 1 || file.points[w - 1] == file.points[v]))
+        return file.coordinates[vt - 1];
+    return std::nullopt;
+  }
+
+  // Barycentric coordinates in the plane of a face, also outside of it.
+  std::array<double, 3> weights(const Kernel::Point_3& p, const Face f) const
+  {
+    const auto around = corners(mesh(), f);
+    std::array<Kernel::Point_3, 3> q;
+    for(std::size_t i = 0; i < 3; ++i)
+      q[i] = mesh().point(mesh().target(around[i]));
+    const Kernel::Vector_3 normal = CGAL::cross_product(q[1] - q[0], q[2] - q[0]);
+    const double area = normal.squared_length();
+    if(!(area > 0))
+      return {{1, 0, 0}};
+    std::array<double, 3> result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] = CGAL::cross_product(q[(i + 1) % 3] - p, q[(i + 2) % 3] - p) * normal / area;
+    return result;
+  }
+
+  const Model& m_model;
+  boost::disjoint_sets_with_storage<> m_charts; // of faces
+  std::vector<std::optional<Coordinates> > m_coordinates; // per halfedge
+};
+
+void write_vertices(const Model& model, const OBJ_attributes& file, const Located_quads& quads,
+                    std::ostream& os)
+{
+  for(const Vertex v : quads.mesh.vertices()) {
+    const Kernel::Point_3& p = quads.mesh.point(v);
+    os << "v " << p.x() << " " << p.y() << " " << p.z();
+    if(!file.colors.empty()) {
+      std::array<double, 3> color{};
+      for_each_corner(model, quads.of_vertex[v], [&](const std::size_t w, const double weight) {
+        for(std::size_t c = 0; c < 3; ++c)
+          color[c] += weight * file.colors[w][c];
+      });
+      os << " " << color[0] << " " << color[1] << " " << color[2];
+    }
+    os << "\n";
+  }
+}
+
+std::string OBJ_text(const Model& model, const std::string& text, const Located_quads& quads)
+{
+  const OBJ_attributes file(text);
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os.precision(17);
+  os << file.libraries;
+  write_vertices(model, file, quads, os);
+  std::map<Vertex, std::size_t> numbers;
+  for(const Vertex v : quads.mesh.vertices())
+    numbers.emplace(v, numbers.size() + 1);
+  std::optional<Texture> texture;
+  if(file.has_coordinates)
+    texture.emplace(model, file);
+  std::map<Texture::Coordinates, std::size_t> known;
+  std::size_t part = 0;
+  for(const Face f : quads.mesh.faces()) {
+    const Location& middle = quads.of_face[f];
+    const std::size_t part_of_quad = file.part_of[file_face(model, middle.first)];
+    if(part_of_quad != part)
+      os << file.parts[part = part_of_quad];
+    std::string face = "f";
+    for(const Vertex v : quads.mesh.vertices_around_face(quads.mesh.halfedge(f))) {
+      face += " " + std::to_string(numbers[v]);
+      if(const auto uv = texture ? texture->at(quads.mesh.point(v), quads.of_vertex[v], middle)
+                                 : std::nullopt) {
+        const auto [it, is_new] = known.emplace(*uv, known.size() + 1);
+        if(is_new)
+          os << "vt " << (*uv)[0] << " " << (*uv)[1] << "\n";
+        face += "/" + std::to_string(it->second);
+      }
+    }
+    os << face << "\n";
+  }
+  return os.str();
+}
+
+} // namespace
+
+std::string text_with_attributes(const Model& model, const std::string& input, Located_quads& quads,
+                                 const std::string& filename)
+{
+  const std::string format = suffix_of(filename);
+  if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
+    return OBJ_text(model, read_file(input), quads);
+  Mesh file;
+  if(format == "ply" && read_PLY_mesh(input, file)) {
+    carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
+                   std::uint32_t, float, double>(model, file, quads);
+    carry_over_colors(model, file, quads);
+  }
+  return text_of_quads(quads.mesh, filename);
+}
+
+namespace {
+
+template <typename T>
+bool read_property(const Model& model, const Mesh& file, const std::string& name,
+                   Mesh::Property_map<Vertex, double> sizes)
+{
+  const auto [values, exists] = file.property_map<Vertex, T>("v:" + name);
+  if(exists)
+    for(const Vertex v : model.mesh.vertices())
+      sizes[v] = double(values[Vertex(Mesh::size_type(model.file_vertices[v]))]);
+  return exists;
+}
+
+} // namespace
+
+Mesh::Property_map<Vertex, double>
+read_sizes(const std::string& property_or_file, const std::string& input,
+           const std::size_t file_points, Model& model)
+{
+  const auto sizes = model.mesh.add_property_map<Vertex, double>("v:size", 1).first;
+  if(property_or_file.empty())
+    return sizes;
+  Mesh file;
+  if(read_PLY_mesh(input, file) &&
+     (read_property<float>(model, file, property_or_file, sizes) ||
+      read_property<double>(model, file, property_or_file, sizes)))
+    return sizes;
+  std::istringstream stream(read_file(property_or_file));
+  stream.imbue(std::locale::classic());
+  std::vector<double> values;
+  for(double x; stream >> x; )
+    values.push_back(x);
+  if(!stream.eof() || values.size() != file_points)
+    throw Failure(UNREADABLE, property_or_file + ": the file is not a number for each of " +
+                                counted(file_points, "vertex") + " of the mesh");
+  for(const Vertex v : model.mesh.vertices())
+    sizes[v] = values[model.file_vertices[v]];
+  return sizes;
+}

@@ -1,0 +1,40 @@
+// What hangs on the vertices, corners, and faces of a file, carried over to quads: of .ply files all
+// properties that are numbers, and colors; of .obj files colors, texture coordinates, objects, groups,
+// and materials.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_ATTRIBUTES_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_ATTRIBUTES_H
+
+#include "Model.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Location = std::pair<Mesh::Face_index, std::array<double, 3> >; // in the model's mesh
+
+struct Located_quads
+{
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Vertex_index, Location> of_vertex =
+    mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
+  Mesh::Property_map<Mesh::Face_index, Location> of_face =
+    mesh.add_property_map<Mesh::Face_index, Location>("f:location").first;
+};
+
+// The quads with what hangs on the file of the model, if they are to be of the same format; else the
+// quads alone. Floating-point numbers, colors, and texture coordinates are interpolated; integers are
+// those of the nearest vertex, and what hangs on faces that of the face below the middle of a quad.
+// \param input the file of the model, which is read again if it is no standard stream
+std::string text_with_attributes(const Model& model, const std::string& input, Located_quads& quads,
+                                 const std::string& filename);
+
+// A number for each vertex of the model: that of a property of its .ply file, or of a text file with a
+// number for each vertex of its file; 1 where no name is given. Throws `Failure`.
+Mesh::Property_map<Mesh::Vertex_index, double>
+read_sizes(const std::string& property_or_file, const std::string& input, std::size_t file_points,
+           Model& model);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_ATTRIBUTES_H
