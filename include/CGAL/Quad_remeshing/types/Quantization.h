@@ -71,6 +71,9 @@ public:
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no isocurve
   /// @}
 
+  /// returns `true` if and only if there is one, which a default-constructed one is not.
+  explicit operator bool() const { return m_surface && Report::operator bool(); }
+
   /// \cond SKIP_IN_MANUAL
   const internal::Quantized_surface& surface() const { return *m_surface; }
   void set_surface(std::shared_ptr<const internal::Quantized_surface> surface)

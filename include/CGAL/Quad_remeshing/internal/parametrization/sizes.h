@@ -71,7 +71,7 @@ template <typename Solver>
 std::vector<double> diffused_curvature(const Triangle_surface& surface,
                                        Timed_solver<Solver>& solver)
 {
-  constexpr double distance = 0.03; // relative to the root of the component's area
+  constexpr double distance = 0.08; // relative to the root of the component's area
   const std::vector<double> mean_area = component_means(surface, surface.area);
   std::vector<std::size_t> faces(surface.number_of_components, 0);
   for(const std::size_t c : surface.component)
