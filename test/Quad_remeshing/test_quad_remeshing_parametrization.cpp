@@ -307,9 +307,9 @@ void check_sizes(const std::string& name, Mesh mesh, const SizeAt& size_at)
 void test_sizes()
 {
   check_sizes("square, exponential sizes", grid(20), [](const Point_3& p)
-              { return std::exp(std::log(4.) * p.x() / 19); });
+              { return std::exp(std::log(4.) * p.x() / 20); });
   check_sizes("square, small in the middle", grid(40), [](const Point_3& p) {
-    const double x = p.x() / 19.5 - 1, y = p.y() / 19.5 - 1;
+    const double x = p.x() / 20 - 1, y = p.y() / 20 - 1;
     return std::exp(-std::log(4.) * std::exp(-6 * (x * x + y * y)));
   });
   check_sizes("sphere, 4 times larger on one side", icosphere(4), [](const Point_3& p)
