@@ -138,7 +138,8 @@ and at vertices.
   \cgalParamNBegin{rounding_tolerance}
     \cgalParamDescription{the largest distance of a translation or a level from the integer that it
                           becomes. A larger one is an error, since the map is not meant to be an
-                          integer-grid map then; raise it, to 10 for instance, where it is.}
+                          integer-grid map then; raise it, to 10 for instance, where it is. Given
+                          without `integer_grid`, it is an error of compilation.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
     \cgalParamExtra{Integers are the nearest ones, not the best ones: on a coarse grid, what is
@@ -159,7 +160,8 @@ and at vertices.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{the largest number of passes that repairs make over the vertices around
-                          cells to be repaired}
+                          cells to be repaired. Given without `repair_flips` or `integer_grid`, it
+                          is an error of compilation.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400}
   \cgalParamNEnd
