@@ -5,6 +5,7 @@
 #define SEAMLESS_SNAPPING_COMMAND_LINE_SURFACE_PICTURE_H
 
 #include "../Model.h"
+#include "Natural_view.h"
 #include "depth_buffer.h"
 
 #include <CGAL/Bbox_2.h>
@@ -52,11 +53,11 @@ public:
   // outlines inside of faces that are bent.
   template <typename ColorOfFace, typename StylesOfScale>
   Surface_picture(const Mesh& mesh, const ColorOfFace& color, const StylesOfScale& styles)
-    : m_mesh(mesh), m_is_closed(CGAL::is_closed(mesh)), m_buffer(0, 0, std::size_t(size))
+    : m_mesh(mesh), m_is_closed(CGAL::is_closed(mesh)), m_view(mesh),
+      m_buffer(0, 0, std::size_t(size))
   {
     for(const Vertex v : mesh.vertices())
-      m_box += CGAL::Bbox_2(across(mesh.point(v)), up(mesh.point(v)), across(mesh.point(v)),
-                            up(mesh.point(v)));
+      m_box += Kernel::Point_2(m_view.across(mesh.point(v)), m_view.up(mesh.point(v))).bbox();
     m_svg.precision(6);
     m_svg << "<g stroke-width=\"0.5\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     const std::vector<Line_style> lines = styles(scale());
@@ -96,14 +97,6 @@ private:
   static constexpr double size = 900;
   static constexpr double slack = 0.004 * size;
 
-  // Seen from (1, -2, 1), roughly.
-  static double across(const Point& p) { return 0.894 * p.x() + 0.447 * p.y(); }
-  static double up(const Point& p) { return 0.913 * p.z() - 0.183 * p.x() + 0.365 * p.y(); }
-
-  template <typename Point_or_vector>
-  static double depth(const Point_or_vector& p)
-  { return 0.408 * p.x() - 0.816 * p.y() + 0.408 * p.z(); }
-
   double scale() const
   {
     const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
@@ -112,8 +105,8 @@ private:
 
   Depth_buffer::Point pixel(const Point& p) const
   {
-    return {2 + scale() * (across(p) - m_box.xmin()), 2 + scale() * (m_box.ymax() - up(p)),
-            scale() * depth(p)};
+    return {2 + scale() * (m_view.across(p) - m_box.xmin()),
+            2 + scale() * (m_box.ymax() - m_view.up(p)), scale() * m_view.depth(p)};
   }
 
   // A corner, and the side that leads to it: an edge, or one between two triangles of a face, which
@@ -158,7 +151,7 @@ private:
     std::vector<Piece> triangles;
     std::vector<char> is_seen(whole.size() + 1, 0); // of the triangle before corner i
     for(std::size_t i = 2; i < whole.size(); ++i)
-      is_seen[i] = !m_is_closed || depth(normal({whole[0], whole[i - 1], whole[i]})) > 0;
+      is_seen[i] = !m_is_closed || m_view.depth(normal({whole[0], whole[i - 1], whole[i]})) > 0;
     for(std::size_t i = 2; i < whole.size(); ++i)
       if(is_seen[i]) {
         Corner first = whole[0], second = whole[i - 1];
@@ -179,10 +172,10 @@ private:
     std::vector<Piece> pieces;
     for(const Face f : m_mesh.faces())
       add_pieces(f, pieces);
-    const auto mean_depth = [](const Piece& piece) {
+    const auto mean_depth = [this](const Piece& piece) {
       double sum = 0;
       for(const Corner& c : piece.corners)
-        sum += depth(c.point);
+        sum += m_view.depth(c.point);
       return sum / double(piece.corners.size());
     };
     std::stable_sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
@@ -202,7 +195,7 @@ private:
   {
     const Kernel::Vector_3 n = normal(corners(piece.face));
     const double length = (std::max)(std::sqrt(n.squared_length()), 1e-300);
-    const double light = (0.2 * n.x() - 0.4 * n.y() + 0.9 * n.z()) / length;
+    const double light = m_view.light(n / length);
     const double brightness = 0.78 + 0.22 * light;
     std::ostringstream rgb;
     for(std::size_t k = 0; k < 3; ++k)
@@ -248,6 +241,7 @@ private:
 
   const Mesh& m_mesh;
   bool m_is_closed;
+  Natural_view m_view;
   CGAL::Bbox_2 m_box;
   Depth_buffer m_buffer;
   std::ostringstream m_svg;
