@@ -402,6 +402,53 @@ void test_given_cones_around_handles()
   }
 }
 
+// Without features, opposite cones cancel whatever their distance is, until all have the same sign;
+// features, and directions in all faces, keep theirs.
+void test_cone_distance()
+{
+  const auto any_distance =
+    parameters::least_cone_distance(1e9).number_of_untangling_iterations(0);
+  const auto sum_of_indices = [](const Report& report) {
+    int sum = 0;
+    for(const auto& cone : report.cones)
+      sum += std::abs(cone.second);
+    return sum;
+  };
+  for(const unsigned int seed : {0u, 1u, 2u})
+    for(Mesh mesh : {perturbed(icosphere(3), 0.08, seed), perturbed(torus(24, 10), 0.2, seed),
+                     perturbed(slab(2, true), 0.08, seed)}) {
+      const std::string context = "seed " + std::to_string(seed);
+      const auto no_untangling = parameters::number_of_untangling_iterations(0);
+      const Uv_map uv = new_uv_map(mesh);
+      const Report all = SS::approximate_seamless_parametrization(mesh, uv, no_untangling);
+      const Report some = SS::approximate_seamless_parametrization(
+        mesh, uv, no_untangling.least_cone_distance(0.5));
+      const Report few = SS::approximate_seamless_parametrization(mesh, uv, any_distance);
+      check_result(mesh, uv, few, exact_check::No_edge_aligned(), parameters::default_values());
+      CHECK_EQUAL(sum_of_indices(few), std::abs(4 * int(few.euler_characteristic)));
+      CHECK_IN(context, sum_of_indices(few) <= sum_of_indices(some) &&
+                          sum_of_indices(some) <= sum_of_indices(all) &&
+                          sum_of_indices(few) < sum_of_indices(all));
+    }
+
+  Mesh cube = [] {
+    square_complex::Square_complex complex = test_meshes::box(1, 1, 1);
+    test_meshes::mark_creases(complex);
+    return test_meshes::make_mesh<Kernel>(complex, 4);
+  }();
+  const auto cones = [](Mesh& mesh, const auto& np) {
+    return SS::approximate_seamless_parametrization(mesh, new_uv_map(mesh), np).cones;
+  };
+  const auto creases = test_meshes::feature_map(cube);
+  CHECK(cones(cube, any_distance.edge_is_constrained_map(creases)) ==
+        cones(cube, parameters::edge_is_constrained_map(creases)));
+  Mesh rough = perturbed(icosphere(3), 0.08, 0);
+  const auto direction = rough.add_property_map<Mesh::Face_index, Kernel::Vector_3>(
+    "f:direction", Kernel::Vector_3(1, 2, 3)).first;
+  CHECK(cones(rough, any_distance.face_direction_map(direction)) ==
+        cones(rough, parameters::face_direction_map(direction)));
+}
+
 // A cone of 8 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
 // but those that fail must not cost the coordinates either.
 void test_unavoidable_flips()
@@ -652,6 +699,12 @@ void test_refused_parameters()
   check_refused("cone without an angle", mesh, Outcome::INVALID_CONES,
                 parameters::cone_index_map(index), "a vertex of face ");
   index[Vertex(0)] = index[Vertex(1)] = 1;
+  check_refused("cones and their distance", mesh, Outcome::INVALID_ARGUMENT,
+                parameters::cone_index_map(index).least_cone_distance(1));
+  check_refused("curvature and distance of cones", mesh, Outcome::INVALID_ARGUMENT,
+                parameters::curvature_alignment(1.).least_cone_distance(1));
+  check_refused("negative distance of cones", mesh, Outcome::INVALID_ARGUMENT,
+                parameters::least_cone_distance(-1));
   check_refused("cones and curvature", mesh, Outcome::INVALID_ARGUMENT,
                 parameters::cone_index_map(index).curvature_alignment(1.));
 
@@ -778,6 +831,7 @@ int main()
   test_sizes_by_curvature();
   test_given_cones();
   test_given_cones_around_handles();
+  test_cone_distance();
   test_unavoidable_flips();
   for(unsigned int seed = 0; seed < 20; ++seed)
     test_release(seed);

@@ -145,6 +145,8 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
     options.number_of_untangling_iterations));
   options.largest_cone_index = static_cast<int>(choose_parameter(
     get_parameter(np, internal_np::largest_cone_index), options.largest_cone_index));
+  options.least_cone_distance = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::least_cone_distance), 0.));
   options.may_release =
     choose_parameter(get_parameter(np, internal_np::release_alignment), false);
   options.verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
@@ -352,6 +354,15 @@ report.
                           quadrangulation, which no face graph can hold.}
     \cgalParamType{`int`}
     \cgalParamDefault{`3`}
+  \cgalParamNEnd
+  \cgalParamNBegin{least_cone_distance}
+    \cgalParamDescription{a length on the surface: two cones of the field of opposite indices that
+                          are not farther apart, along edges, cancel, the closest first. So there
+                          are as few as large quads have room for. Cones on features and borders
+                          stay.}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0`}
+    \cgalParamExtra{Can't be combined with `cone_index_map` or `curvature_alignment`.}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length on the surface that corresponds to one unit in the plane}

@@ -56,6 +56,7 @@
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
+  F(least_cone_distance_t, least_cone_distance, least_cone_distance)                               \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
   F(needs_face_graph_t, needs_face_graph, needs_face_graph)                                        \
@@ -234,6 +235,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
  *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
+ * - `least_cone_distance`: the distance up to which opposite cones of a field cancel (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that

@@ -38,6 +38,7 @@ struct Parametrization_options
   bool may_release = false; // edges from their alignment
   bool verbose = false;
   int largest_cone_index = 3;  // of the cones that the field decides
+  double least_cone_distance = 0; // of opposite ones, in the size of the mesh
   std::vector<int> cone_index; // per vertex; empty: the field decides
   Prescribed_field directions; // empty: no face has one
   std::vector<double> log_size; // per vertex, in units of `target_edge_length`; empty: all are 0

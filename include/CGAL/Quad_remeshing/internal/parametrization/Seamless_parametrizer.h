@@ -26,6 +26,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Positive_solver.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/cancel_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/comb.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/curvature_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
@@ -73,6 +74,11 @@ inline void check_options(const Parametrization_options& options, const Triangle
     refuse("curvature_adaptivity must be at least 1");
   if(options.largest_cone_index < 1 || options.largest_cone_index >= Quarter_turns::order)
     refuse("largest_cone_index must be 1, 2, or 3");
+  if(!(options.least_cone_distance >= 0))
+    refuse("least_cone_distance must not be negative");
+  if(options.least_cone_distance > 0 &&
+     (options.curvature_alignment > 0 || !options.cone_index.empty()))
+    refuse("least_cone_distance can't be combined with curvature_alignment or given cones");
   if(options.number_of_stiffening_rounds < 0)
     refuse("number_of_iterations must not be negative");
   const bool is_aligned = std::find(surface.is_aligned.begin(), surface.is_aligned.end(), true)
@@ -200,6 +206,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
 
   Matching matching;
   std::vector<double> angles, log_size = options.log_size;
+  Prescribed_field prescribed;
   {
     Timed_solver<Solver> solver(report.seconds_in_solvers);
     if(options.curvature_adaptivity > 1)
@@ -207,10 +214,10 @@ Parametrization_result parametrize(Triangle_surface& surface,
                          options.curvature_adaptivity, log_size);
     if(!log_size.empty())
       turn_by_sizes(surface, log_size);
+    prescribed = prescribe_alignment(surface, options.directions);
     if(!options.cone_index.empty()) {
       angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
     } else {
-      const Prescribed_field prescribed = prescribe_alignment(surface, options.directions);
       angles = (options.curvature_alignment > 0)
                ? curvature_field(surface, prescribed, options.curvature_alignment, solver)
                : smoothest_field(surface, prescribed, options.random_seed, solver);
@@ -224,6 +231,13 @@ Parametrization_result parametrize(Triangle_surface& surface,
      spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
                           singular, matching, result.released))
     singular = singularities(surface, topo, matching);
+  if(options.least_cone_distance > 0) {
+    Timed_solver<Solver> solver(report.seconds_in_solvers);
+    if(cancel_cones(surface, prescribed,
+                    std::ldexp(options.least_cone_distance, -surface.exponent), singular.index,
+                    angles, matching, solver))
+      singular = singularities(surface, topo, matching);
+  }
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)
     throw Refusal(Outcome::INTERNAL_ERROR,

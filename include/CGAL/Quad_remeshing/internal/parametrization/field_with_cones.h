@@ -105,25 +105,32 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
   return deviation;
 }
 
-// The smoothest field with the given rotations: turns each cross such that the squared deviations
-// become smallest.
+// The smoothest field with the given rotations: turns each cross that is not fixed such that the
+// squared deviations become smallest.
 template <typename Solver>
-void smoothen_matched_field(const Triangle_surface& surface, std::vector<double>& angles,
-                            Matching& matching, Timed_solver<Solver>& solver)
+void smoothen_matched_field(const Triangle_surface& surface, const std::vector<char>& is_fixed,
+                            std::vector<double>& angles, Matching& matching,
+                            Timed_solver<Solver>& solver)
 {
   Sparse_system<Solver> system(surface.number_of_faces(), solver);
   std::vector<double> b(surface.number_of_faces(), 0);
   std::vector<char> has_anchor(surface.number_of_components, false);
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
+    if(is_fixed[f]) {
+      has_anchor[surface.component[f]] = true;
+      system.add(f, f, 1);
+    }
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const Flat_face_index f = surface.face(h);
     if(!has_anchor[surface.component[f]])
       system.add(f, f, 1);
     has_anchor[surface.component[f]] = true;
-    if(surface.is_border_edge(h))
+    if(surface.is_border_edge(h) || is_fixed[f])
       continue;
     const double weight = dual_weight(surface, h);
     system.add(f, f, weight);
-    system.add(f, surface.face(surface.opposite(h)), -weight);
+    if(!is_fixed[surface.face(surface.opposite(h))])
+      system.add(f, surface.face(surface.opposite(h)), -weight);
     b[f] -= weight * matching.deviation[h];
   }
   system.factor();
@@ -144,7 +151,8 @@ std::vector<double> field_with_cones(const Triangle_surface& surface, const Topo
   const std::vector<double> deviation = deviation_of_cones(surface, index, solver);
   Integrated_field field = integrate_connection(surface, deviation);
   matching = match_along_connection(surface, deviation, field);
-  smoothen_matched_field(surface, field.angles, matching, solver);
+  smoothen_matched_field(surface, std::vector<char>(surface.number_of_faces(), false), field.angles,
+                         matching, solver);
   return field.angles;
 }
 

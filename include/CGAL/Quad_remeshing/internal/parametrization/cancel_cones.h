@@ -1,0 +1,171 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CANCEL_CONES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CANCEL_CONES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Cones of opposite index that lie close together cancel: where quads are to be large, a field
+// with both of them forces small ones. The rotations across a path from one to the other change.
+
+#include <CGAL/Quad_remeshing/internal/parametrization/Matching.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+// Shortest paths along edges, up to a length. They don't touch features and the border, nor lead
+// between faces whose directions are prescribed.
+class Cone_paths
+{
+public:
+  Cone_paths(const Triangle_surface& surface, const std::vector<char>& is_fixed,
+             const double longest)
+    : m_surface(surface), m_is_fixed(is_fixed), m_longest(longest),
+      m_distance(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      m_before(surface.number_of_vertices(), no_index), m_is_barrier(surface.is_border)
+  {
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+      if(surface.is_aligned[h])
+        m_is_barrier[surface.vertex(h)] = m_is_barrier[surface.source(h)] = true;
+  }
+
+  // Calls `visit(vertex, distance)` for each vertex that is reached, in the order of distances,
+  // until it returns false.
+  template <typename Visit>
+  void run(const std::size_t start, const Visit& visit)
+  {
+    for(const std::size_t v : m_reached)
+      m_distance[v] = std::numeric_limits<double>::infinity();
+    m_reached.clear();
+    Queue queue;
+    reach(start, 0, no_index, queue);
+    while(!queue.empty()) {
+      const auto [distance, v] = queue.top();
+      queue.pop();
+      if(distance > m_distance[v])
+        continue;
+      if(!visit(v, distance))
+        return;
+      for_each_corner(m_surface, v, [&, d = distance](const Corner_index h) {
+        if(!m_surface.is_border_edge(h) && may_follow(h))
+          reach(m_surface.source(h), d + m_surface.length[h], h, queue);
+      });
+    }
+  }
+
+  // Of the path to a vertex that was visited last: calls `visit(halfedge)` for its halfedges, from
+  // the end; each leads back to the vertex before.
+  template <typename Visit>
+  void for_each_edge_to(const std::size_t end, const Visit& visit) const
+  {
+    for(Corner_index h = m_before[end]; h != no_index; h = m_before[m_surface.vertex(h)])
+      visit(h);
+  }
+
+private:
+  using Queued = std::pair<double, std::size_t>;
+  using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued> >;
+
+  bool may_follow(const Corner_index h) const
+  {
+    return !m_is_barrier[m_surface.source(h)] && !m_is_barrier[m_surface.vertex(h)] &&
+           !(m_is_fixed[m_surface.face(h)] && m_is_fixed[m_surface.face(m_surface.opposite(h))]);
+  }
+
+  void reach(const std::size_t v, const double distance, const Corner_index h, Queue& queue)
+  {
+    if(distance >= m_distance[v] || distance > m_longest)
+      return;
+    if(m_distance[v] == std::numeric_limits<double>::infinity())
+      m_reached.push_back(v);
+    m_distance[v] = distance;
+    m_before[v] = h;
+    queue.emplace(distance, v);
+  }
+
+  const Triangle_surface& m_surface;
+  const std::vector<char>& m_is_fixed; // per face
+  double m_longest;
+  std::vector<double> m_distance;     // per vertex
+  std::vector<Corner_index> m_before; // per vertex: leads to the one before on the path
+  std::vector<char> m_is_barrier;     // per vertex
+  std::vector<std::size_t> m_reached;
+};
+
+// Changes the rotations such that opposite cones of up to that distance cancel, the closest first.
+// The deviations of the field are not small after that. Returns the number of pairs.
+inline std::size_t cancel_rotations(const Triangle_surface& surface,
+                                    const std::vector<double>& angles,
+                                    const std::vector<char>& is_fixed, const double distance,
+                                    std::vector<int> index, Matching& matching)
+{
+  Cone_paths paths(surface, is_fixed, distance);
+  std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // the positive one first
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    if(index[v] > 0)
+      paths.run(v, [&](const std::size_t w, const double d) {
+        if(index[w] < 0)
+          pairs.emplace_back(d, v, w);
+        return true;
+      });
+  std::sort(pairs.begin(), pairs.end());
+  std::size_t count = 0;
+  for(const auto& [d, from, to] : pairs) {
+    if(index[from] <= 0 || index[to] >= 0)
+      continue;
+    paths.run(from, [&, end = to](const std::size_t v, double) { return v != end; });
+    paths.for_each_edge_to(to, [&](const Corner_index h) {
+      set_turns(surface, angles, h, matching.turns[h] - 1, matching);
+    });
+    --index[from];
+    ++index[to];
+    ++count;
+  }
+  return count;
+}
+
+// Cancels opposite cones of up to that distance, and smoothens the field but for the directions
+// that are prescribed. Returns whether there were some.
+template <typename Solver>
+bool cancel_cones(const Triangle_surface& surface, const Prescribed_field& prescribed,
+                  const double distance, const std::vector<int>& index,
+                  std::vector<double>& angles, Matching& matching, Timed_solver<Solver>& solver)
+{
+  std::vector<char> is_fixed;
+  for(const Complex& direction : prescribed)
+    is_fixed.push_back(direction != Complex(0));
+  if(cancel_rotations(surface, angles, is_fixed, distance, index, matching) == 0)
+    return false;
+  smoothen_matched_field(surface, is_fixed, angles, matching, solver);
+  return true;
+}
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CANCEL_CONES_H
