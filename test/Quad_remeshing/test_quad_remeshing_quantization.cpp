@@ -17,6 +17,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -1161,6 +1162,56 @@ struct Flat_quads
   std::vector<Vertex> vertices;
 };
 
+// On a plane, vertices inside go where their quads are squares.
+void test_shape_of_flat_quads()
+{
+  Flat_quads flat(1);
+  for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+    flat.add_quad(first);
+  const std::array<std::size_t, 4> inside{5, 6, 9, 10};
+  for(const std::size_t i : inside)
+    flat.quads.point(flat.vertices[i]) += Kernel::Vector_3(0.3, i == 6 ? -0.4 : 0.2, 0);
+  SS::internal::Quad_smoother smoother(flat.quads, flat.square);
+  SS::internal::Quad_shaper(flat.quads, flat.square, smoother)
+    .run(50, [&](const Vertex v) { return flat.quads.is_border(v); });
+  for(const std::size_t i : inside) {
+    const Point_3& p = flat.quads.point(flat.vertices[i]);
+    CHECK_EQUAL(p.z(), 0.);
+    CHECK(std::abs(p.x() - double(i % 4)) < 0.1 && std::abs(p.y() - double(i / 4)) < 0.1);
+  }
+}
+
+// A cube whose eight corners are cut off by six quads: their vertices find them.
+void test_distance_of_quads()
+{
+  const std::array<Point_3, 8> corners{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0),
+                                       Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(1, 0, 1),
+                                       Point_3(1, 1, 1), Point_3(0, 1, 1)};
+  const std::vector<std::array<Mesh::size_type, 4> > sides{
+    {{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
+  Mesh cube, quads;
+  const Point_3 peak(1, 1, 1);
+  for(const Point_3& p : corners) {
+    cube.add_vertex(p);
+    const Kernel::Vector_3 inwards = CGAL::midpoint(Point_3(0, 0, 0), peak) - p;
+    const bool is_low = p.z() == 0; // on the bottom and the top, turned against each other
+    quads.add_vertex(p + 0.4 * Kernel::Vector_3(is_low ? inwards.x() : 0,
+                                                is_low ? 0 : inwards.y(), 0));
+  }
+  for(const auto& s : sides) {
+    quads.add_face(Vertex(s[0]), Vertex(s[1]), Vertex(s[2]), Vertex(s[3]));
+    cube.add_face(Vertex(s[0]), Vertex(s[1]), Vertex(s[2]));
+    cube.add_face(Vertex(s[2]), Vertex(s[3]), Vertex(s[0]));
+  }
+  SS::internal::Quad_smoother smoother(quads, cube);
+  const double before = smoother.measure_distance();
+  SS::internal::Quad_shaper(quads, cube, smoother).run(50, [](const Vertex) { return false; });
+  std::cout << "distance " << before << ", then " << smoother.measure_distance() << std::endl;
+  CHECK(before > 0.05 && smoother.measure_distance() < 0.01);
+  for(std::size_t i = 0; i < 8; ++i)
+    CHECK(CGAL::squared_distance(quads.point(Vertex(Mesh::size_type(i))), corners[i]) < 0.01);
+}
+
 void test_improvement()
 {
   for(const bool on_border : {false, true}) {
@@ -1371,6 +1422,8 @@ int main()
     test_locations();
   }
   test_sizes_in_space();
+  test_shape_of_flat_quads();
+  test_distance_of_quads();
   test_improvement();
   test_division();
   test_triangles();

@@ -294,14 +294,17 @@ private:
 remeshes a triangle mesh with quads only, about as many as wanted.
 
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
-`extract_quad_mesh()`, and a smoothing of the vertices along the surface. Borders are aligned, and
-so are feature edges: they become chains of edges of quads, whose vertices lie on them and are not
-smoothed. What this leaves inverted or thin is improved: vertices near by move along the surface or
-along their feature, unless it turns or ends there, and two quads around a vertex of two edges
-become one. What is inverted or flat even then, as between two features that are a straight line in
-space, becomes five quads, one of them inside, if those have a better shape. Quads that stay
-inverted are counted in the report. Triangles with three sides that are features or border are
-divided before, in a copy.
+`extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
+field that are less than two edges of the wanted quads apart cancel, unless `coarsest` or
+`curvature_alignment` is given. Borders are aligned, and so are feature edges: they become chains of
+edges of quads, whose vertices lie on them and are not smoothed. After some rounds of smoothing, the
+others move to where their quads are near to rectangles and, of up to 6,600 quads, near to the
+surface: at most four times as many rounds, and of about 100,000 quads in all. What this leaves
+inverted or thin is improved: vertices near by move along the surface or along their feature, unless
+it turns or ends there, and two quads around a vertex of two edges become one. What is inverted or
+flat even then, as between two features that are a straight line in space, becomes five quads, one
+of them inside, if those have a better shape. Quads that stay inverted are counted in the report.
+Triangles with three sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the

@@ -26,6 +26,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -34,6 +35,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -120,6 +122,16 @@ private:
     m_report.number_of_released_edges = released.size();
   }
 
+  // Of opposite cones: there are quads between them at the wanted size.
+  double least_cone_distance() const
+  {
+    const double number = m_options.quantization.number_of_quads;
+    if(m_options.quantization.is_coarsest || m_options.curvature_alignment > 0 || !(number >= 1))
+      return 0;
+    const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
+    return 2 * std::sqrt(area / number);
+  }
+
   // An exactly seamless map without flips.
   bool parametrize()
   {
@@ -130,7 +142,8 @@ private:
                                 .curvature_adaptivity(m_options.curvature_adaptivity)
                                 .face_direction_map(m_surface.directions())
                                 .vertex_sizing_map(m_surface.sizes())
-                                .largest_cone_index(largest_cone_index));
+                                .largest_cone_index(largest_cone_index)
+                                .least_cone_distance(least_cone_distance()));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
@@ -190,6 +203,8 @@ private:
     Quad_smoother smoother(m_quads, surface_mesh());
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
+      Quad_shaper(m_quads, surface_mesh(), smoother)
+        .run(shaping_rounds * m_options.number_of_smoothing_rounds, is_held);
       const Feature_lines lines(m_surface);
       Quad_improver improver(m_quads, m_is_feature, lines, smoother);
       improver.move_vertices();
@@ -239,6 +254,7 @@ private:
         ++m_report.number_of_cones;
   }
 
+  static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Surface_to_remesh& m_surface;

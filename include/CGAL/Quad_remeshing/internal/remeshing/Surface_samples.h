@@ -1,0 +1,180 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_SAMPLES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_SAMPLES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Places on the surface that quads are to come near to: large quads cut off what is sharp or thin
+// where their vertices lie elsewhere. What the places ask of a vertex is a quadratic form of its
+// displacement, as the squared distances of their tangent planes from what moves with it.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+
+// Of a displacement d: d A d - 2 b d, which is 0 for none.
+struct Distance_form
+{
+  std::array<Space_vector, 3> matrix{}; // A
+  Space_vector vector{};                // b
+
+  // Of a place that moves by `share` of the displacement, and lies `distance` below a plane.
+  void add(const Space_vector& normal, const double share, const double distance)
+  {
+    for(std::size_t c = 0; c < 3; ++c) {
+      for(std::size_t d = 0; d < 3; ++d)
+        matrix[c][d] += share * share * normal[c] * normal[d];
+      vector[c] += share * distance * normal[c];
+    }
+  }
+
+  double value(const Space_vector& d) const
+  {
+    double result = -2 * inner_product(vector, d);
+    for(std::size_t c = 0; c < 3; ++c)
+      result += d[c] * inner_product(matrix[c], d);
+    return result;
+  }
+
+  // A displacement that lowers the value, not too long.
+  Space_vector descent() const
+  {
+    const double trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
+    Space_vector result{};
+    for(std::size_t c = 0; c < 3 && trace > 0; ++c)
+      result[c] = vector[c] / trace;
+    return result;
+  }
+};
+
+class Surface_samples
+{
+  using Kernel = Surface_to_remesh::Kernel;
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Triangle = Kernel::Triangle_3;
+
+public:
+  // Spread evenly over the area.
+  Surface_samples(const Mesh& surface, const std::size_t number)
+  {
+    std::vector<Triangle> triangles;
+    for(const auto f : faces(surface)) {
+      const auto h = halfedge(f, surface);
+      triangles.emplace_back(surface.point(source(h, surface)), surface.point(target(h, surface)),
+                             surface.point(target(next(h, surface), surface)));
+      m_area += std::sqrt(triangles.back().squared_area());
+    }
+    std::size_t f = 0;
+    double area_so_far = 0; // of the faces before f
+    for(std::size_t k = 0; k < number; ++k) {
+      const double goal = (double(k) + 0.5) / double(number) * m_area;
+      for(double area; f + 1 < triangles.size() &&
+                       area_so_far + (area = std::sqrt(triangles[f].squared_area())) < goal; ++f)
+        area_so_far += area;
+      add(triangles[f], k);
+    }
+  }
+
+  // Per vertex of the quads: of the places whose nearest triangle of a quad has it as a corner. The
+  // sum of all squares is that of distances in units of an edge, as a mean over each quad.
+  std::vector<Distance_form> distance_forms(const Mesh& quads) const
+  {
+    using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+    std::vector<Distance_form> forms(quads.number_of_vertices());
+    std::vector<Triangle> triangles;
+    std::vector<std::array<Vertex, 3> > corners;
+    for(const auto f : faces(quads))
+      add_triangles(quads, f, triangles, corners);
+    if(triangles.empty() || m_places.empty())
+      return forms;
+    Search_tree<Primitive> tree(triangles.begin(), triangles.end());
+    tree.accelerate_distance_queries();
+    const double quads_of_each = double(quads.number_of_faces()) / double(m_places.size());
+    const double scale = quads_of_each * double(quads.number_of_faces()) / m_area;
+    for(const Place& place : m_places) {
+      const auto [p, it] = tree.closest_point_and_primitive(place.point);
+      const Kernel::Vector_3 normal =
+        CGAL::cross_product((*it)[1] - (*it)[0], (*it)[2] - (*it)[0]);
+      if(normal * place.normal <= 0) // the other side of a thin part
+        continue;
+      const Kernel::Vector_3 n = std::sqrt(scale) * place.normal;
+      for(std::size_t i = 0; i < 3; ++i) {
+        const Kernel::Vector_3 across = CGAL::cross_product((*it)[int(i + 1) % 3] - p,
+                                                            (*it)[int(i + 2) % 3] - p);
+        const double share = across * normal / normal.squared_length();
+        forms[corners[std::size_t(it - triangles.cbegin())][i]]
+          .add({n.x(), n.y(), n.z()}, share, n * (place.point - p));
+      }
+    }
+    return forms;
+  }
+
+private:
+  // The k-th place, in the triangle where it falls. Successive ones lie far apart in triangles.
+  void add(const Triangle& t, const std::size_t k)
+  {
+    double x = std::fmod(0.7548776662466927 * double(k), 1);
+    double y = std::fmod(0.5698402909980532 * double(k), 1);
+    if(x + y > 1) {
+      x = 1 - x;
+      y = 1 - y;
+    }
+    const Kernel::Vector_3 u = t[1] - t[0], v = t[2] - t[0], n = CGAL::cross_product(u, v);
+    const double length = std::sqrt(n.squared_length());
+    if(length > 0)
+      m_places.push_back({t[0] + x * u + y * v, n / length});
+  }
+
+  static void add_triangles(const Mesh& quads, const Mesh::Face_index f,
+                            std::vector<Triangle>& triangles,
+                            std::vector<std::array<Vertex, 3> >& corners)
+  {
+    const auto h = halfedge(f, quads);
+    for(const auto g : {h, next(next(h, quads), quads)}) {
+      const std::array<Vertex, 3> v{source(g, quads), target(g, quads),
+                                    target(next(g, quads), quads)};
+      const Triangle t(quads.point(v[0]), quads.point(v[1]), quads.point(v[2]));
+      if(t.squared_area() > 0) {
+        triangles.push_back(t);
+        corners.push_back(v);
+      }
+    }
+  }
+
+  struct Place
+  {
+    Kernel::Point_3 point;
+    Kernel::Vector_3 normal; // of length 1
+  };
+
+  std::vector<Place> m_places;
+  double m_area = 0;
+};
+
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SURFACE_SAMPLES_H
