@@ -37,6 +37,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -122,11 +123,14 @@ private:
     m_report.number_of_released_edges = released.size();
   }
 
-  // Of opposite cones: there are quads between them at the wanted size.
+  // Of opposite cones: there are quads between them at the wanted size. Sizes that vary need cones.
   double least_cone_distance() const
   {
     const double number = m_options.quantization.number_of_quads;
-    if(m_options.quantization.is_coarsest || m_options.curvature_alignment > 0 || !(number >= 1))
+    const auto sizes = m_surface.sizes();
+    if(m_options.quantization.is_coarsest || m_options.curvature_alignment > 0 ||
+       m_options.curvature_adaptivity > 1 || !(number >= 1) ||
+       std::adjacent_find(sizes.begin(), sizes.end(), std::not_equal_to<>()) != sizes.end())
       return 0;
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
     return 2 * std::sqrt(area / number);
