@@ -216,7 +216,7 @@ expect_unreadable(a.off "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n"
 expect_unreadable(a.off "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n" "the faces have no area")
 expect_unreadable(a.obj "v 0 0 0\nv 1 0 0\nv inf 0 0\nf 1 2 3\n" "line 3: 'inf' is not a finite")
 expect_unreadable(a.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n" "line 4: vertex index 4 is out of")
-expect_unreadable(a.obj "v 0 0 0\n" "line 1: the file ends without a face")
+expect_unreadable(a.obj "v 0 0 0\n" "the file has no face")
 set(head "ply\nformat ascii 1.0\n")
 expect_unreadable(a.ply "${head}element vertex 1\nproperty float x\nend_header\n1\n"
   "element vertex has no number y")
@@ -310,7 +310,7 @@ file(WRITE "${WORK_DIR}/thin.obj"
      "v 0 0 0\nv 1 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 2 0.0009765625\nf 1/1 2/2 3/3\n")
 seamless(5 snap thin.obj thin_out.obj --align-border --tolerance 0.1 --repair-flips
          --report thin.json)
-expect_message("${err}" "exact, but flips remain: 1 face that was positive no longer is (number 0,")
+expect_message("${err}" "exact, but flips remain: 1 face that was positive no longer is (face 1)")
 file(READ "${WORK_DIR}/thin.json" json)
 expect_message("${json}" "\"exact\": true")
 seamless(0 check thin_out.obj --align-border)
@@ -647,6 +647,12 @@ string(REPLACE "-0.0000001" "-0.00001" thin "${thin}")
 file(WRITE "${WORK_DIR}/thin.obj" "${thin}")
 seamless(1 quads thin.obj new.obj --number 50 --align-border)
 expect_message("${err}" "1 face of the integer-grid map is flipped")
+
+# one side of four that lies on no isocurve is no obstacle
+file(WRITE "${WORK_DIR}/slanted.obj" "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 4 0\n"
+     "vt 0 0\nvt 4 0\nvt 4 3\nvt 0 4\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+seamless(0 quads slanted.obj quads.obj --number 16)
+expect_message("${out}" "1 border edge lies on no isocurve, and two sides of quads follow it")
 
 # --- the files that are written
 

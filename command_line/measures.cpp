@@ -81,7 +81,7 @@ void Seam_options::check_repair(const Options& options) const
 }
 
 Alignment::Alignment(Model& model, const Seam_options& options)
-  : is_aligned(model.mesh.add_property_map<Edge, bool>("e:aligned", false).first)
+  : is_aligned(model.mesh.add_property_map<Edge, bool>(std::string(), false).first)
 {
   if(!options.features && !options.align_border)
     return;

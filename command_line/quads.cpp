@@ -58,7 +58,7 @@ struct Quad_options
     options.add("number", "N", number, {1, largest_number},
                 "instead, make about N quads: of the coordinates scaled to an area of N, if "
                 "integers are near; else by a quantization, which finds integers for each map "
-                "without flips whose border is aligned");
+                "without flips");
     options.add("rounding", "D", rounding, {0, infinity},
                 "how far from integers translations, cones, and levels may be that are rounded to "
                 "them (default: 0.01; with --number 0.5, or any distance if nothing else helps)");
@@ -157,12 +157,16 @@ bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const d
   });
 }
 
-// Flips that are noise are repaired without being asked for, and counted in `result`.
+// With the border aligned where it is nearly. Flips that are noise are repaired without being asked
+// for, and counted in `result`.
 SS::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
-  const Alignment alignment(model, options.seams);
+  Seam_options seams = options.seams;
+  seams.align_border = true;
+  const Alignment alignment(model, seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  const auto snap_and_quantize = [&](const Seam_options& seams, SS::Snapping_report& snapped) {
+  SS::Snapping_report snapped;
+  const auto snap_and_quantize = [&] {
     snapped = snap_in_double(model, alignment, seams);
     check_snapped(options, model, snapped);
     return SS::quantize(model.mesh, model.uv_map,
@@ -170,14 +174,12 @@ SS::Quantization quantize(const Quad_options& options, Model& model, Result& res
                           .needs_face_graph(!options.soup)
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
-  SS::Snapping_report snapped;
-  const SS::Quantization quantization = snap_and_quantize(options.seams, snapped);
+  const SS::Quantization quantization = snap_and_quantize();
   const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
   if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
     return quantization;
-  Seam_options repairing = options.seams;
-  repairing.repair_flips = true;
-  const SS::Quantization other = snap_and_quantize(repairing, snapped);
+  seams.repair_flips = true;
+  const SS::Quantization other = snap_and_quantize();
   result.number_of_repaired_flips = flips.size() - other.nonpositive_faces.size();
   return other;
 }
@@ -230,10 +232,32 @@ void extract_rounded(const Quad_options& options, Model& model, const double rou
   extract(options, model, result, model.mesh, model.uv_map);
 }
 
+// Whether the border is meant to lie on isocurves: most of it does.
+bool has_aligned_border(Model& model, const Quad_options& options)
+{
+  Seam_options seams = options.seams;
+  seams.align_border = true;
+  const Alignment alignment(model, seams);
+  std::size_t number = 0, number_of_others = 0;
+  for(const Edge e : model.mesh.edges())
+    if(model.mesh.is_border(e))
+      ++(alignment.is_aligned[e] ? number : number_of_others);
+  return 3 * number_of_others <= number;
+}
+
+void extract_quantized(const Quad_options& options, const Model& model,
+                       const SS::Quantization& quantization, Result& result)
+{
+  result.integers = "of a quantization";
+  if(!quantization.message.empty())
+    result.integers += "; " + quantization.message;
+  extract(options, model, result, quantization, model.mesh);
+}
+
 // By the integers that are near in the map itself, if there are and make about the number; or by a
 // quantization, also where that can't make so few, so that it never makes more than for a larger
-// number; or, where this needs an aligned border or faces that are not flipped, by integers at any
-// distance.
+// number; or, where faces are flipped, by integers at any distance. Where the border is not meant
+// to be aligned, a quantization comes last, as it follows the border edge by edge.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
 {
   constexpr double tolerance = 0.05;
@@ -251,26 +275,35 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   const double number = static_cast<double>(near_by.report.number_of_faces);
   const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;
   restore();
-  const SS::Quantization quantization = quantize(options, model, result);
+  const bool is_aligned = has_aligned_border(model, options);
+  SS::Quantization quantization;
+  if(is_aligned)
+    quantization = quantize(options, model, result);
   const double least = static_cast<double>(quantization.number_of_quads);
   if(is_near && !(quantization && least > (1 + tolerance) * options.number)) {
     result = std::move(near_by);
     return;
   }
-  result.integers = "of a quantization";
-  if(quantization) {
-    if(!quantization.message.empty())
-      result.integers += "; " + quantization.message;
-    return extract(options, model, result, quantization, model.mesh);
-  }
+  if(quantization)
+    return extract_quantized(options, model, quantization, result);
   restore();
   const double any = std::numeric_limits<double>::infinity();
   extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
-  const std::string why = "there is no quantization: " +
-                          in_words_of_user(quantization.message, model);
+  const std::string why =
+    is_aligned ? "there is no quantization: " + in_words_of_user(quantization.message, model)
+               : "most of the border lies on no isocurve";
   result.integers = "at any distance, as " + why;
-  if(!result.report)
-    result.report.message += "; and " + why;
+  if(result.report)
+    return;
+  result.report.message += "; and " + why;
+  if(is_aligned)
+    return;
+  restore();
+  Result last;
+  if(const SS::Quantization other = quantize(options, model, last)) {
+    extract_quantized(options, model, other, last);
+    result = std::move(last);
+  }
 }
 
 void write_summary(std::ostream& os, const Quad_options& options, const Result& result)

@@ -315,7 +315,7 @@ Where cones and features lie close together, so few quads may not exist, or meet
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this
 condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
-sixteen, which always helps. There are at most 226 quantizations, and 121 with `coarsest`; as
+sixteen, which always helps. There are at most 254 quantizations, and 149 with `coarsest`; as
 many again where there are far more quads than wanted, to tell how many the features force. The
 result has about as many quads as wanted, or as few as were found, which the message tells; and at
 least 95 % of those that are made where fewer are wanted. The quad around a vertex of one edge is

@@ -141,7 +141,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
                                              "there is no quantization: " + quantization.message);
   const Protect_exact_arithmetic protect;
   const Quantized_surface& surface = quantization.surface();
-  if(3 * faces(tmesh).size() != surface.coarse->input.corners.size())
+  if(faces(tmesh).size() != surface.coarse->steps.number_of_faces_inside())
     return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
                                              "the mesh is not the one that has been quantized");
   std::vector<char> is_feature;
@@ -161,7 +161,8 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
       CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
-    const auto locate_point = [&](const Lattice_point& p) { return locator.locate(p); };
+    const auto locate_point = [&](const Lattice_point& p)
+      { return surface.coarse->steps.inside(locator.locate(p)); };
     output.template locate<ConcurrencyTag>(
       extractor, make_embedding(tmesh, point_map, locate_point));
   };
@@ -201,8 +202,10 @@ exactly; what remains is a coarse triangulation, whose edges are the vectors bet
 become vectors of integers, such that all triangles close, match across edges, and stay positive.
 `extract_quad_mesh()` takes the quads from that, and finds where their vertices lie on the input.
 
-It succeeds for each exactly seamless map of positive faces whose border lies on isocurves, unless
-numbers exceed 64 bits. Where the scale wanted is too coarse for integers to be found there, the
+It succeeds for each exactly seamless map of positive faces, unless numbers exceed 64 bits. Border
+edges that lie on no isocurve are followed by two sides of quads each, whose common vertex lies on
+the edge, and counted; edges that are off by less than 1e-4 of their length are meant to be aligned,
+and refused. Where the scale wanted is too coarse for integers to be found there, the
 search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
 one wanted, by far where cones lie close together. Above `maximum_number` of them the status is
 `TOO_LARGE`, and the message tells which number would work.
@@ -278,8 +281,8 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
 
 \par Complexity
 Linear in the number of faces, but for a logarithmic factor, until the coarse triangulation is
-found; then a shortest path on that for each move. Its size depends on the cones, corners, and
-features only.
+found; then a shortest path on that for each move. Its size depends on the cones, corners, features,
+and border edges off isocurves only.
 
 \sa `snap_to_seamless()`
 \sa `quad_remesh()`

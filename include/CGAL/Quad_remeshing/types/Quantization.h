@@ -67,7 +67,8 @@ public:
   /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
   /// from 0
   std::vector<std::size_t> nonpositive_faces;
-  std::size_t number_of_unaligned_border_edges = 0; ///< border edges that lie on no isocurve
+  /// border edges that lie on no isocurve, and that two sides of quads follow each
+  std::size_t number_of_unaligned_border_edges = 0;
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no isocurve
   /// @}
 

@@ -98,6 +98,8 @@ class Face_graph_search
 {
   static constexpr int most_divisions = 2;
   static constexpr int steps_per_division = 56; // of 2.5 %
+  // the first quads that can be divided are at times half as many again as those of the next steps
+  static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
   static constexpr double tolerance = 0.05;
 
 public:
@@ -113,12 +115,9 @@ public:
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;
-    m_first = step_of((std::max)(1., 0.9 * at(0).number_of_quads));
-    const int begin = m_best = (std::max)(m_first, step_of(wanted));
-    if(begin > step_of(wanted))
-      try_smaller_numbers();
-    if(at(begin).number_of_quads <= m_maximum)
-      climb(begin);
+    m_best = step_of(wanted);
+    if(!is_reached(at(m_best)))
+      search();
     Quantized_complex result = at(m_best);
     refine(1 << m_divisions, result.complex);
     result.number_of_quads = result.number_after(m_divisions);
@@ -129,6 +128,24 @@ private:
   static int step_of(const double number)
   { return int(std::lround(std::log2(number) * steps_per_division / 2)); }
   static double number_at(const int step) { return std::exp2(2. * step / steps_per_division); }
+
+  // So that nothing better is left to be found: most often, the first one is so.
+  bool is_reached(const Quantized_complex& q) const
+  {
+    return q.number_of_quads >= (1 - tolerance) * m_wanted &&
+           q.number_of_quads <= number_at(m_best + 1) && q.has_face_graph_after(0);
+  }
+
+  void search()
+  {
+    const int wanted = m_best;
+    m_first = step_of((std::max)(1., 0.9 * at(0).number_of_quads));
+    const int begin = m_best = (std::max)(m_first, wanted);
+    if(begin > wanted)
+      try_smaller_numbers();
+    if(at(begin).number_of_quads <= m_maximum)
+      climb(begin);
+  }
 
   // Numbers below those of the coarsest quantization lead to about that number, too: some of them
   // are tried for luck, the same ones whatever is wanted.
@@ -146,7 +163,7 @@ private:
   // that end before would not find it.
   void climb(const int begin)
   {
-    for(int step = begin; step <= begin + most_divisions * steps_per_division; ++step)
+    for(int step = begin; step <= begin + most_steps; ++step)
       for(int d = 0; d <= most_divisions; ++d) {
         const bool is_next_enough = step == begin && d > 0;
         if(m_least <= number_at(is_next_enough ? step + 1 : step))

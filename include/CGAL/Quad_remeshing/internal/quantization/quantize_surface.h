@@ -19,6 +19,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Border_steps.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/types/Quantization.h>
 
@@ -44,7 +45,8 @@ struct Quantization_options
 // What is the same whatever number of quads is wanted.
 struct Coarse_surface
 {
-  Integer_mesh input;
+  Integer_mesh input;        // with the steps of the border
+  Border_steps steps;
   Intrinsic_complex complex; // without units
 };
 

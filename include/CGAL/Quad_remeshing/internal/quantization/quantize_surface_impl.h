@@ -70,7 +70,7 @@ public:
 
   bool run(Coarse_surface& surface)
   {
-    if(!check_faces() || !check_border() || !read_integers(surface.input))
+    if(!check_faces() || !read_integers(surface.input) || !add_border_steps(surface))
       return false;
     surface.complex = make_coarse_complex(surface.input);
     m_result.number_of_coarse_vertices = surface.complex.number_of_vertices();
@@ -85,26 +85,6 @@ private:
     return are_positive(m_result.nonpositive_faces, m_result);
   }
 
-  bool check_border()
-  {
-    Corner_index first = no_index;
-    for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
-      if(m_mesh.opposite(h) != no_index || is_on_isocurve(m_mesh, h))
-        continue;
-      first = first == no_index ? h : first;
-      ++m_result.number_of_unaligned_border_edges;
-    }
-    return first == no_index ||
-           refuse(m_result, Outcome::NOT_ALIGNED,
-                  counted(m_result.number_of_unaligned_border_edges, "border edge") +
-                    (m_result.number_of_unaligned_border_edges == 1 ? " doesn't lie"
-                                                                    : " don't lie") +
-                    " on isocurves, the first leads from vertex " +
-                    m_vertex_name(m_mesh.source(first)) + " to vertex " +
-                    m_vertex_name(m_mesh.vertex(first)) +
-                    "; parametrize and snap with align_border(true)");
-  }
-
   bool read_integers(Integer_mesh& input)
   {
     Integer_reader reader(m_mesh, m_is_feature);
@@ -114,7 +94,30 @@ private:
                     " have more bits than integers of 64 bits can hold beside the largest "
                     "coordinate; snap the map by snap_to_seamless()");
     m_result.number_of_unaligned_features = reader.number_of_unaligned_features;
-    const Intrinsic_complex complex = make_complex(input);
+    return true;
+  }
+
+  bool add_border_steps(Coarse_surface& surface)
+  {
+    Corner_index first_near_by = no_index;
+    std::size_t number_near_by = 0;
+    for(Corner_index h = 0; h < surface.input.number_of_halfedges(); ++h) {
+      if(!Border_steps::is_needed(surface.input, h))
+        continue;
+      ++m_result.number_of_unaligned_border_edges;
+      if(Border_steps::is_nearly_aligned(surface.input.corner(h).vector) && number_near_by++ == 0)
+        first_near_by = h;
+    }
+    if(number_near_by > 0)
+      return refuse(m_result, Outcome::NOT_ALIGNED,
+                    counted(number_near_by, "border edge") +
+                      (number_near_by == 1 ? " lies" : " lie") +
+                      " on isocurves nearly, but not exactly, the first leads from vertex " +
+                      m_vertex_name(m_mesh.source(first_near_by)) + " to vertex " +
+                      m_vertex_name(m_mesh.vertex(first_near_by)) +
+                      "; snap with align_border(true)");
+    surface.steps.add_to(surface.input);
+    const Intrinsic_complex complex = make_complex(surface.input);
     const std::string problem =
       defect(complex, angles_around_vertices(complex), &Intrinsic_corner::vector);
     return problem.empty() ||
@@ -152,8 +155,11 @@ public:
       return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
     if(!m_options.is_coarsest && has_more_than_wanted()) {
       m_result.number_of_forced_quads = number_of_forced_quads();
-      m_result.message = words_for_number();
+      add_note(words_for_number());
     }
+    if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
+      add_note(counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
+               " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
     if(found.number_of_quads > m_options.maximum_number)
       return refuse(m_result, Outcome::TOO_LARGE,
                     "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
@@ -165,6 +171,9 @@ public:
   }
 
 private:
+  void add_note(const std::string& note)
+  { m_result.message += (m_result.message.empty() ? "" : "; ") + note; }
+
   // Units per step of each part's grid. Steps, which are powers of two, are measured by the largest
   // one, so that no square is too large.
   std::vector<double> scales(const double number_of_quads) const
@@ -282,6 +291,7 @@ Quantization quantize_again(const Quantization& quantization, const Quantization
   result.number_of_coarse_vertices = quantization.number_of_coarse_vertices;
   result.number_of_coarse_faces = quantization.number_of_coarse_faces;
   result.number_of_unaligned_features = quantization.number_of_unaligned_features;
+  result.number_of_unaligned_border_edges = quantization.number_of_unaligned_border_edges;
   if(check_options(options, result))
     refuse_overflow([&] { Unit_finder(quantization.surface().coarse, options, result).run(); },
                     result);
