@@ -106,7 +106,8 @@ SS::Snapping_report snap(const Graph& g, UVMap uv, const NP& np, const IsAligned
   } else {
     CHECK_IN(context, report.remaining_flips.empty() && report.run.number_of_repaired_flips == 0);
   }
-  const bool is_told = report.message.find("counted from 0") != std::string::npos;
+  const bool is_told = report.message.find("(face ") != std::string::npos ||
+                       report.message.find("(the first is face ") != std::string::npos;
   CHECK_IN(context, is_told == !(report.lost_faces.empty() && report.remaining_flips.empty()));
   CHECK_IN(context, (report.status == SS::Outcome::FLIPS_REMAIN) ==
                       (repair != 0 && is_told));

@@ -251,7 +251,7 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
       parse_polygon(m_soup.polygons);
   }
   if(faces().empty())
-    m_scanner.refuse("the file ends without a face");
+    throw File_refusal(0, "the file has no face");
   check_indices();
   return std::move(m_soup);
 }

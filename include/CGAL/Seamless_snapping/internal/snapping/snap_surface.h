@@ -82,8 +82,7 @@ inline std::string number_of_faces_in_words(const std::vector<std::size_t>& face
                                             const std::string& one, const std::string& many)
 {
   return std::to_string(faces.size()) + (faces.size() == 1 ? one : many) + " (" +
-         (faces.size() == 1 ? "" : "the first is ") + "number " + std::to_string(faces.front()) +
-         ", counted from 0)";
+         (faces.size() == 1 ? "" : "the first is ") + "face " + std::to_string(faces.front()) + ")";
 }
 
 // What became of the orientations, in words; and in the status, where repairs were asked for.
