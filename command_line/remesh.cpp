@@ -182,6 +182,10 @@ void write_summary(std::ostream& os, const Remesh_options& options,
      << report.largest_distance / diagonal << " of its diagonal\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
+  if(report.number_of_displaced_vertices > 0)
+    os << "moved off the surface or off a feature, as quads would be inverted: "
+       << counted(report.number_of_displaced_vertices, "vertex") << ", by at most "
+       << report.largest_displacement << "\n";
   if(report.number_of_released_edges > 0)
     os << "not kept, as faces would be flipped: "
        << counted(report.number_of_released_edges, "feature edge") << "\n";
@@ -199,6 +203,8 @@ nlohmann::json json_of(const SS::Remeshing_report& report, const std::string& me
           {"number_of_cones", report.number_of_cones},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
+          {"number_of_displaced_vertices", report.number_of_displaced_vertices},
+          {"largest_displacement", report.largest_displacement},
           {"least_scaled_jacobian", report.least_scaled_jacobian},
           {"mean_scaled_jacobian", report.mean_scaled_jacobian},
           {"largest_distance", report.largest_distance},

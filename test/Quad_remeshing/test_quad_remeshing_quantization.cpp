@@ -16,6 +16,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
@@ -1406,6 +1407,63 @@ void test_division()
   }
 }
 
+// Inverted quads that are held by features are mended, in either precision.
+void check_mending(Flat_quads& flat, const bool has_single_precision)
+{
+  using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  const Feature_map is_feature =
+    flat.quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
+  const SS::internal::Surface_to_remesh surface(
+    flat.square, flat.square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
+    no_direction, no_size, std::nullopt);
+  flat.scale_quads(1 / surface.unscaled(1));
+  SS::internal::Quad_smoother smoother(flat.quads, surface.mesh());
+  const auto number_of_inverted = [&] {
+    std::size_t result = 0;
+    for(const auto f : flat.quads.faces())
+      result += SS::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
+    return result;
+  };
+  const std::vector<Point_3> before(flat.quads.points().begin(), flat.quads.points().end());
+  CHECK(number_of_inverted() > 0);
+  SS::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
+  mender.run();
+  CHECK_EQUAL(number_of_inverted(), 0u);
+
+  std::size_t moved = 0;
+  double largest = 0;
+  for(const auto v : flat.quads.vertices()) {
+    const Point_3 &p = before[std::size_t(v)], &q = flat.quads.point(v);
+    moved += p == q ? 0 : 1;
+    largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(p, q)));
+    for(int c = 0; has_single_precision && c < 3; ++c)
+      CHECK_EQUAL(double(float(q[c])), q[c]);
+  }
+  CHECK_EQUAL(mender.number_of_displaced_vertices(), moved);
+  CHECK(std::abs(mender.largest_displacement() - largest) < 1e-12);
+}
+
+void test_mending()
+{
+  for(const bool has_single_precision : {false, true}) {
+    // Slightly, and so far that the smallest steps don't help.
+    for(const double x : {2.0009765625, 2.375}) {
+      Flat_quads flat(1);
+      for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+        flat.add_quad(first);
+      flat.quads.point(flat.vertices[5]) = Point_3(x, x, 0);
+      check_mending(flat, has_single_precision);
+    }
+    // No place on the plane mends two quads around a vertex of two edges.
+    Flat_quads flat(1);
+    const Vertex v = flat.quads.add_vertex(Point_3(1.5, 1.5, 0));
+    flat.quads.add_face(flat.vertices[5], flat.vertices[6], flat.vertices[10], v);
+    flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
+    flat.quads.point(v) = Point_3(1.625, 1.375, 0);
+    check_mending(flat, has_single_precision);
+  }
+}
+
 // No map aligns three sides of a triangle, as all of these edges are features or border.
 template <typename Quad_mesh>
 void check_aligned_triangles(const std::vector<Point_3>& points,
@@ -1547,6 +1605,7 @@ int main()
   test_distance_of_quads();
   test_improvement();
   test_division();
+  test_mending();
   test_triangles();
   test_refusals();
   return report_checks();

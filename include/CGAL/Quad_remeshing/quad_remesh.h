@@ -65,8 +65,12 @@ struct Remeshing_report
   std::size_t number_of_inverted_quads = 0;
   /// the first of them, at most ten, counted from 0 in the order in which the faces were written
   std::vector<std::size_t> first_inverted_quads;
+  /// vertices that were moved off the surface, or off the feature or border that they lay on, as
+  /// quads would be inverted otherwise
+  std::size_t number_of_displaced_vertices = 0;
+  double largest_displacement = 0; ///< the largest distance by which these were moved
   /// the largest distance from the input that was found, at the middles of faces and edges. The
-  /// vertices lie on the input, up to rounding.
+  /// vertices lie on the input, up to rounding, but for those that were displaced.
   double largest_distance = 0;
   /// @}
 
@@ -303,8 +307,11 @@ surface: at most four times as many rounds, and of about 100,000 quads in all. W
 inverted or thin is improved: vertices near by move along the surface or along their feature, unless
 it turns or ends there, and two quads around a vertex of two edges become one. What is inverted or
 flat even then, as between two features that are a straight line in space, becomes five quads, one
-of them inside, if those have a better shape. Quads that stay inverted are counted in the report.
-Triangles with three sides that are features or border are divided before, in a copy.
+of them inside, if those have a better shape. The vertices of quads that are inverted even then
+leave their features, and the surface where that does not help, by as little as mends the quads, and
+by at most half of the quad's longest edge; the report counts them, and tells by how much. With
+`symmetry_plane`, they stay. Quads that stay inverted are counted in the report. Triangles with
+three sides that are features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the

@@ -26,6 +26,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
@@ -221,8 +222,8 @@ private:
         improver.move_vertices_of_flat_quads();
       }
     }
-    if(m_options.has_single_precision)
-      change_points(rounded_to<float>);
+    if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
+      mend(smoother);
     m_timer.finish("smoothing");
     m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
     if(m_surface.mirror() && !Mirror_image(m_surface, m_quads, m_is_feature).add())
@@ -238,6 +239,17 @@ private:
     m_report.mean_scaled_jacobian = shape[1];
     m_timer.finish("measurement");
     return true;
+  }
+
+  // Not where there is to be a mirror image: vertices on the plane have to stay there.
+  void mend(Quad_smoother& smoother)
+  {
+    if(m_options.has_single_precision)
+      change_points(rounded_to<float>);
+    Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
+    mender.run();
+    m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
+    m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());
   }
 
   template <typename Change>

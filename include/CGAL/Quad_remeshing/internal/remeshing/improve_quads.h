@@ -245,15 +245,13 @@ private:
     m_tangents[1] = scaled_to_one(outer_product(normal, m_tangents[0]));
   }
 
-  // Where a quad is to face: where the surface did beside it before any of its vertices moved.
-  // Quads that did not face there, as on sharp edges, are not to turn from where they do.
+  // Where a quad is to face, with the surface as it was beside it before any of its vertices moved.
   Space_vector upper_side(const Face f, const Quad& q)
   {
     const auto [it, is_new] = m_upper_side.try_emplace(f);
     if(is_new)
       it->second = m_smoother.normal_of_surface(q);
-    const Space_vector normal = quad_normal(q);
-    return inner_product(normal, it->second) > 0 ? it->second : normal;
+    return upper_side_or_own(q, it->second);
   }
 
   static Space_vector scaled_to_one(const Space_vector& a)
