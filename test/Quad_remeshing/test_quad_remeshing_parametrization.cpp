@@ -26,10 +26,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -746,6 +748,100 @@ void test_equations_without_units()
   }
 }
 
+// --- what is for large meshes --------------------------------------------------------------------
+
+// More terms than are kept at a time, with two sets of values: solutions meet the sums of terms.
+void test_matrix_of_many_terms()
+{
+  namespace P = SS::internal::parametrization;
+  constexpr std::size_t size = 20000, number_of_edges = 400000;
+  double seconds = 0;
+  P::Timed_solver<P::Default_solver> solver(seconds);
+  P::Sparse_system<P::Default_solver> system(size, solver);
+  for(const unsigned int seed : {3u, 4u}) {
+    const auto for_each_term = [&](const auto& f) {
+      for(std::size_t i = 0; i < size; ++i)
+        f(i, i, 1.);
+      CGAL::Random random(seed);
+      for(std::size_t k = 0; k < number_of_edges; ++k) {
+        const std::size_t i = k % (size - 150), j = i + (k % 3 == 0 ? 150 : 1);
+        const double weight = random.get_double(0.5, 2);
+        f(i, i, weight);
+        f(j, j, weight);
+        f(j, i, -weight);
+        f(i, j, -weight);
+      }
+    };
+    for_each_term([&](const auto i, const auto j, const double a) { system.add(i, j, a); });
+    system.factor();
+    std::vector<double> b(size), residual;
+    for(std::size_t i = 0; i < size; ++i)
+      b[i] = double(i % 7) - 3;
+    const std::vector<double> x = system.solve(b);
+    residual = b;
+    for_each_term([&](const auto i, const auto j, const double a) { residual[i] -= a * x[j]; });
+    CHECK(std::all_of(residual.begin(), residual.end(),
+                      [](const double r) { return std::abs(r) < 1e-9; }));
+    system.set_zero();
+  }
+}
+
+// Crosses of clusters go to their faces and back; nothing of the surface is lost on the way.
+void test_clusters()
+{
+  namespace P = SS::internal::parametrization;
+  Mesh mesh = perturbed(icosphere(3), 0.01, 1);
+  mesh += height_field(9);
+  CGAL::make_triangle(Point_3(9, 0, 0), Point_3(9, 1, 0), Point_3(9, 0, 1), mesh);
+  const SS::internal::Flat_numbering<Mesh> numbering(mesh);
+  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
+  P::find_components(surface);
+  P::read_geometry(numbering, mesh.points(), surface);
+  P::Cross_graph graph = P::cross_graph(surface);
+  const auto sum = [](const std::vector<double>& a)
+  { return std::accumulate(a.begin(), a.end(), 0.); };
+  const double area = sum(graph.area), mass = sum(graph.mass);
+  for(std::size_t size = graph.size(); size > 100; size = graph.size()) {
+    const P::Clusters clusters(graph);
+    CHECK(clusters.size() < size / 2);
+    P::Prescribed_field field;
+    for(std::size_t i = 0; i < clusters.size(); ++i)
+      field.push_back(std::polar(1., double(i)));
+    const P::Prescribed_field back = clusters.restrict(graph, clusters.prolong(field));
+    for(std::size_t i = 0; i < field.size(); ++i)
+      CHECK(std::abs(back[i] - field[i]) < 1e-12);
+    graph = clusters.coarse_graph(graph);
+    CHECK(std::abs(sum(graph.area) - area) < 1e-9 * area);
+    CHECK(std::abs(sum(graph.mass) - mass) < 1e-9 * mass);
+    for(std::size_t i = 0; i < graph.size(); ++i)
+      graph.for_each_arc(i, [&](const auto& arc) {
+        CHECK(std::abs(arc.rotation) < 1 + 1e-12);
+        std::size_t number_of_opposite_arcs = 0;
+        graph.for_each_arc(std::size_t(arc.target), [&](const auto& opposite) {
+          number_of_opposite_arcs += std::size_t(opposite.target) == i &&
+                                     std::abs(opposite.length - arc.length) < 1e-12 &&
+                                     std::abs(opposite.rotation - std::conj(arc.rotation)) < 1e-12;
+        });
+        CHECK_EQUAL(number_of_opposite_arcs, std::size_t(1));
+      });
+  }
+}
+
+// The field comes from a coarser graph, and what is flipped is untangled before it is stiffened.
+void test_large_surface()
+{
+  Mesh mesh = perturbed(icosphere(6), 0.004, 2);
+  const Uv_map uv = new_uv_map(mesh);
+  const Report report =
+    SS::approximate_seamless_parametrization(mesh, uv, parameters::release_alignment(true));
+  CHECK(bool(report));
+  check_topology(mesh, report);
+  CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+  CHECK(report.cones.size() < 100);
+  CHECK(SS::snap_to_seamless(mesh, uv));
+  CHECK(SS::is_seamless(mesh, uv));
+}
+
 // --- input that is handled -----------------------------------------------------------------------
 
 void test_poor_meshes()
@@ -844,6 +940,9 @@ int main()
   test_spikes();
   test_tiny_meshes();
   test_equations_without_units();
+  test_matrix_of_many_terms();
+  test_clusters();
+  test_large_surface();
   test_poor_meshes();
   return report_checks();
 }

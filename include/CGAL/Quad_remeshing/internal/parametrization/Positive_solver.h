@@ -43,23 +43,28 @@ namespace parametrization {
 
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
-// more, which ends it.
-template <typename Solver, typename Report>
+// more, which ends it. A round is as much work for one flip as for many: where they are few on a
+// large surface, `untangle(unknowns)` may end it, and returns whether it left none.
+template <typename Solver, typename Untangle, typename Report>
 std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
-                      const long number_of_rounds, Timed_solver<Solver>& solver, Report& report)
+                      const long number_of_rounds, const Untangle& untangle,
+                      Timed_solver<Solver>& solver, Report& report)
 {
+  constexpr std::size_t faces_of_a_flip = 50000;
+  const std::size_t few_flips = std::size_t(surface.number_of_faces()) / faces_of_a_flip;
   const Coordinate_table table(coordinates, complex.number_of_sectors());
+  Sparse_system<Solver> system(coordinates.number_of_unknowns(), solver);
   std::vector<double> weights(surface.number_of_faces(), 1), best;
-  for(long round = 0; ; ++round) {
+  for(long round = 0; ; ++round, system.set_zero()) {
     std::vector<double> unknowns;
     try {
       unknowns = solve_poisson(
         surface,
         [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
-        complex, table, coordinates.number_of_unknowns(), weights, solver);
+        complex, table, weights, system);
     } catch(const Refusal&) {
       if(round == 0)
         throw;
@@ -74,6 +79,11 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
       report.number_of_flipped_faces = flips;
     }
     report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
+    if(flips == report.number_of_flipped_faces && flips > 0 && flips <= few_flips) {
+      unknowns = best;
+      if(untangle(unknowns))
+        return unknowns;
+    }
     if(round == number_of_rounds || flips == 0)
       return best;
   }
@@ -89,10 +99,10 @@ unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surfac
     const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
     return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
   };
+  Sparse_system<Solver> system(coordinates.number_of_unknowns(), solver);
   return solve_poisson(surface, difference, complex,
                        Coordinate_table(coordinates, complex.number_of_sectors()),
-                       coordinates.number_of_unknowns(),
-                       std::vector<double>(surface.number_of_faces(), 1), solver);
+                       std::vector<double>(surface.number_of_faces(), 1), system);
 }
 
 // The shortest of some edges that are aligned and can be released: borders have to stay straight.
@@ -157,14 +167,20 @@ public:
         make_complex();
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows,
-        round == 0 ? m_options.number_of_stiffening_rounds : 0, m_solver, m_report);
+        round == 0 ? m_options.number_of_stiffening_rounds : 0,
+        [&](std::vector<double>& u) {
+          return m_options.may_release && m_iterations_left > 0 &&
+                 untangle(u, Untangling::CLOSE_BY).empty();
+        },
+        m_solver, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
       else
         keep_better(unknowns);
       std::vector<std::size_t> stuck;
       m_uv = m_rows->evaluate(unknowns);
-      if(m_report.number_of_flipped_faces > 0)
+      m_solver.solver = Solver(); // frees memory
+      if(number_of_flips(m_surface, *m_complex, m_uv) > 0)
         stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
                                                          : Untangling::ANGLES_FIRST);
       const bool is_last = round == largest_number_of_rounds || m_iterations_left == 0;

@@ -28,11 +28,10 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/cancel_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/comb.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/curvature_field.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/cross_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
 
 #include <CGAL/number_utils.h>
 
@@ -218,9 +217,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
     if(!options.cone_index.empty()) {
       angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
     } else {
-      angles = (options.curvature_alignment > 0)
-               ? curvature_field(surface, prescribed, options.curvature_alignment, solver)
-               : smoothest_field(surface, prescribed, options.random_seed, solver);
+      angles = cross_field(surface, prescribed, options, solver);
       matching = match_crosses(surface, angles);
     }
   }

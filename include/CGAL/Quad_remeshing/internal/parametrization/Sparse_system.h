@@ -58,11 +58,23 @@ class Sparse_system
 public:
   Sparse_system(const std::size_t dimension, Timed_solver<Solver>& solver)
     : m_dimension(dimension)
-    , m_matrix(dimension == 0 ? nullptr : new Matrix(static_cast<int>(dimension),
-                                                     static_cast<int>(dimension)))
+    , m_matrix(make_matrix())
     , m_scale(1)
     , m_solver(solver)
   { }
+
+  std::size_t dimension() const { return m_dimension; }
+
+  // After `factor()`, for a matrix of other values.
+  void set_zero()
+  {
+    if constexpr(std::is_same_v<Solver, Default_solver>) {
+      if(m_matrix)
+        m_matrix->set_zero(); // keeps its pattern
+    } else {
+      m_matrix.reset(make_matrix());
+    }
+  }
 
   void add(const std::size_t row, const std::size_t column, const double value)
   {
@@ -71,7 +83,7 @@ public:
     m_matrix->add_coef(row, column, value);
   }
 
-  // To be called once, after the last coefficient.
+  // To be called after the last coefficient.
   void factor()
   {
     CGAL::Real_timer timer;
@@ -105,6 +117,12 @@ public:
   }
 
 private:
+  Matrix* make_matrix() const
+  {
+    const int dimension = static_cast<int>(m_dimension);
+    return m_dimension == 0 ? nullptr : new Matrix(dimension, dimension);
+  }
+
   std::size_t m_dimension;
   std::unique_ptr<Matrix> m_matrix; // its address must not change: solvers keep a pointer to it
   typename Solver::NT m_scale;

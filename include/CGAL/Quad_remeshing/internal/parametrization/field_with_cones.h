@@ -19,11 +19,11 @@
 // Schroeder 2010] with handles rounded to quarter turns.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Cross_graph.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Matching.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/round_holonomy.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
 
 #include <algorithm>
 #include <cmath>

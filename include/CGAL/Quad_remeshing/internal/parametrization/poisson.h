@@ -49,17 +49,16 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
 // Minimizes the sum over the faces of weight * area * |grad uv - wanted|^2, written with cotangents
 // as a sum over the edges of each face. Returns the values of the free unknowns.
 // \param wanted_difference along a halfedge, in its face
+// \param system with the coefficients 0
 template <typename Solver, typename Difference>
 std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const Difference& wanted_difference,
                                   const Surface_complex& complex,
                                   const Coordinate_table& table,
-                                  const std::size_t number_of_unknowns,
                                   const std::vector<double>& weights,
-                                  Timed_solver<Solver>& solver)
+                                  Sparse_system<Solver>& system)
 {
-  Sparse_system<Solver> system(number_of_unknowns, solver);
-  std::vector<double> right_hand_side(number_of_unknowns, 0);
+  std::vector<double> right_hand_side(system.dimension(), 0);
   Sparse_row row;
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double opposite_angle = surface.angle[surface.next(h)];

@@ -39,6 +39,11 @@ inline Complex cross_of_angle(const double angle)
   return std::polar(1., Quarter_turns::order * angle);
 }
 
+inline Complex unit_cross(const Complex& z)
+{
+  return (std::abs(z) > 0) ? z / std::abs(z) : Complex(1);
+}
+
 // One value per face: the cross to keep, or 0 where the field is free.
 using Prescribed_field = std::vector<Complex>;
 

@@ -19,10 +19,10 @@
 // conformal change of its metric.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Cross_graph.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/number_utils.h>

@@ -36,6 +36,7 @@ namespace internal {
 // What to change where changes near by would give vertices other angles than they are to have.
 enum class Untangling
 {
+  CLOSE_BY,      // nothing, nor what many triangles depend on
   NEAR_BY,       // the angles
   NEAR_BY_FIRST, // the angles, and large parts of the map where flips remain
   ANGLES_FIRST   // large parts of the map
@@ -75,10 +76,12 @@ public:
   std::size_t run(const std::size_t largest_number_of_iterations, const Untangling how)
   {
     constexpr std::size_t any = static_cast<std::size_t>(-1);
-    std::vector<Attempt> attempts{{4, 40, 30, false}, {6, any, 40, how == Untangling::NEAR_BY}};
+    std::vector<Attempt> attempts{{4, 40, 30, false}};
+    if(how != Untangling::CLOSE_BY)
+      attempts.push_back({6, any, 40, how == Untangling::NEAR_BY});
     if(how == Untangling::NEAR_BY_FIRST)
       attempts.push_back({6, any, 40, true});
-    if(how != Untangling::NEAR_BY)
+    if(how == Untangling::NEAR_BY_FIRST || how == Untangling::ANGLES_FIRST)
       attempts.push_back({40, any, 100, true});
     const double all = static_cast<double>(m_map.triangles.size());
     const double allowed = all * static_cast<double>(largest_number_of_iterations);

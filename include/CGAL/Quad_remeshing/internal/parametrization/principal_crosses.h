@@ -10,16 +10,15 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CURVATURE_FIELD_H
-#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CURVATURE_FIELD_H
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PRINCIPAL_CROSSES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PRINCIPAL_CROSSES_H
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// A field of crosses that follows the principal directions of curvature where these are clear, and
-// is smooth elsewhere.
+// The principal directions of curvature as crosses, as clear as they are.
 
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,23 +59,9 @@ inline Prescribed_field principal_crosses(const Triangle_surface& surface)
   return crosses;
 }
 
-// Minimizes the energy of the field plus `strength` times the squared distance to the principal
-// crosses per mean face.
-template <typename Solver>
-std::vector<double> curvature_field(const Triangle_surface& surface,
-                                    const Prescribed_field& prescribed, const double strength,
-                                    Timed_solver<Solver>& solver)
-{
-  Prescribed_field wanted = principal_crosses(surface);
-  for(Complex& z : wanted)
-    z *= strength;
-  Cross_field_system<Solver> system(surface, prescribed, strength, 1., solver);
-  return angles_of_field(system.solve(wanted));
-}
-
 } // namespace parametrization
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CURVATURE_FIELD_H
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_PRINCIPAL_CROSSES_H

@@ -1,0 +1,132 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CROSS_FIELD_H
+#define CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CROSS_FIELD_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The field of crosses of a surface, one per face: the smoothest one, or one that follows the
+// curvature where this is clear. On large surfaces it comes from a coarser graph, and is smoothed
+// on each finer one, in linear time.
+
+#include <CGAL/Quad_remeshing/internal/parametrization/Cross_graph.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/principal_crosses.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/smoothest_field.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+namespace internal {
+namespace parametrization {
+
+// A field is wanted that minimizes its energy plus `strength` times the squared distance from given
+// crosses per mean face, where some crosses are prescribed; with a strength of 0, of unit crosses.
+struct Wanted_field
+{
+  Prescribed_field prescribed, crosses;
+  double strength;
+};
+
+inline Wanted_field restrict(const Clusters& clusters, const Cross_graph& graph,
+                             const Wanted_field& wanted)
+{
+  Wanted_field result{clusters.restrict(graph, wanted.prescribed),
+                      clusters.restrict(graph, wanted.crosses), wanted.strength};
+  for(Complex& z : result.prescribed)
+    if(z != Complex(0))
+      z = unit_cross(z);
+  return result;
+}
+
+template <typename Solver>
+Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
+                                const unsigned int seed, Timed_solver<Solver>& solver)
+{
+  if(wanted.strength == 0)
+    return smoothest_field(graph, wanted.prescribed, seed, solver);
+  Prescribed_field crosses = wanted.crosses;
+  for(Complex& z : crosses)
+    z *= wanted.strength;
+  Cross_field_system<Solver> system(graph, wanted.prescribed, wanted.strength, 1., solver);
+  return system.solve(crosses);
+}
+
+// Gives each node the best cross for those of its neighbors, in turn: what is smooth over a few
+// nodes changes little, what is not becomes smooth. Unit crosses are made such now and then only:
+// between, long ones outweigh short ones, which removes pairs of cones that cancel out.
+inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescribed_field& field)
+{
+  constexpr int number_of_rounds = 30, rounds_of_linear_field = 10;
+  for(int round = 1; round <= number_of_rounds; ++round)
+    for(std::size_t n = 0; n < graph.size(); ++n) {
+      const std::size_t i = round % 2 == 0 ? n : graph.size() - 1 - n;
+      field[i] = wanted.prescribed[i];
+      if(field[i] != Complex(0))
+        continue;
+      double weights = wanted.strength * graph.mass[i];
+      Complex sum = weights * wanted.crosses[i];
+      graph.for_each_arc(i, [&](const Cross_graph::Arc& arc) {
+        const double weight = graph.weight(i, arc);
+        weights += weight;
+        sum += weight * std::conj(arc.rotation) * field[arc.target];
+      });
+      if(wanted.strength == 0 && round % rounds_of_linear_field == 0)
+        field[i] = unit_cross(sum);
+      else if(weights > 0) // it has neighbors
+        field[i] = sum / weights;
+    }
+}
+
+template <typename Solver>
+Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& wanted,
+                                 const unsigned int seed, Timed_solver<Solver>& solver)
+{
+  constexpr std::size_t largest_direct_size = 50000;
+  if(graph.size() <= largest_direct_size)
+    return solve_directly(graph, wanted, seed, solver);
+  const Clusters clusters(graph);
+  if(clusters.size() > graph.size() / 2) // many small components
+    return solve_directly(graph, wanted, seed, solver);
+  Prescribed_field field = clusters.prolong(
+    solve_by_levels(clusters.coarse_graph(graph), restrict(clusters, graph, wanted), seed, solver));
+  relax(graph, wanted, field);
+  return field;
+}
+
+// Returns the angle of one direction of the cross of each face, in the layout of the face.
+template <typename Solver>
+std::vector<double> cross_field(const Triangle_surface& surface,
+                                const Prescribed_field& prescribed,
+                                const Parametrization_options& options,
+                                Timed_solver<Solver>& solver)
+{
+  Wanted_field wanted{prescribed, Prescribed_field(surface.number_of_faces()),
+                      options.curvature_alignment};
+  if(wanted.strength > 0)
+    wanted.crosses = principal_crosses(surface);
+  std::vector<double> angles;
+  angles.reserve(surface.number_of_faces());
+  for(const Complex& z : solve_by_levels(cross_graph(surface), wanted, options.random_seed, solver))
+    angles.push_back(std::arg(z) / Quarter_turns::order);
+  return angles;
+}
+
+} // namespace parametrization
+} // namespace internal
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CROSS_FIELD_H
