@@ -7,16 +7,13 @@
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
-#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <set>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,131 +55,56 @@ std::string format_of(const std::string& filename, const std::string& standard_f
   return suffix;
 }
 
-template <typename Parser>
-SS::internal::Vertex_changes build(Model& model)
-{
-  const auto np = SS::parameters::edge_is_constrained_map(model.is_feature).weld(model.is_welded);
-  auto soup = Parser(model.text).parse();
-  const std::size_t n = model.number_of_points = soup.points.size();
-  const auto changes =
-    SS::internal::build_mesh(soup, model.mesh, model.uv_map, SS::internal::strip(np));
-  if constexpr(std::is_same_v<decltype(soup), decltype(model.soup)>) {
-    const auto first_copy = changes.file_vertices.end() - std::ptrdiff_t(soup.points.size() - n);
-    for(auto& triangle : soup.triangles)
-      for(std::size_t& v : triangle.vertices)
-        if(v >= n)
-          v = first_copy[std::ptrdiff_t(v - n)];
-    model.soup = std::move(soup);
-  }
-  return changes;
-}
-
 template <typename UVNumber>
-SS::internal::Vertex_changes build_from_format(Model& model)
+SS::IO::File_status read_as(const bool weld, Model& model)
 {
-  return model.format == ply ? build<SS::internal::PLY_parser<double, UVNumber> >(model)
-                             : build<SS::internal::OBJ_parser<double, UVNumber> >(model);
-}
-
-void parse(Model& model)
-{
-  SS::internal::Vertex_changes changes;
-  try {
-    changes = model.is_float ? build_from_format<float>(model)
-                             : build_from_format<double>(model);
-  } catch(const SS::internal::File_refusal& refusal) {
-    const std::string message = refusal.message();
-    const bool lacks_coordinates = message.find("has no texture coordinate") != message.npos ||
-                                   message.find("has no list texcoord") != message.npos;
-    throw Failure(UNREADABLE, model.filename + ": " + message +
-                                (lacks_coordinates ? "; 'seamless parametrize' computes some" : ""));
-  }
-  model.file_vertices = changes.file_vertices;
-  model.number_of_split_vertices = changes.number_of_split_vertices;
-  model.number_of_welded_edges = changes.number_of_welded_edges;
-  model.number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+  return model.file.read<UVNumber>(
+    model.mesh, model.uv_map,
+    SS::parameters::edge_is_constrained_map(model.is_feature).weld_borders(weld));
 }
 
 void parse(const Reading_options& options, Model& model)
 {
-  model.first_number = model.format == obj ? 1 : 0;
-  model.is_welded = options.weld;
+  model.first_number = model.file.format() == obj ? 1 : 0;
   model.is_float = options.in_float;
-  parse(model);
-}
-
-bool is_same_number(double x, double y) { return x == y && std::signbit(x) == std::signbit(y); }
-
-// Whether vertices of faces, their points, and coordinates are the same, to the bit, in the same
-// order, and so are features.
-template <typename Soup>
-bool is_same(const Model& model, const std::vector<std::size_t>& index_of_vertex, const Soup& soup)
-{
-  const Mesh& mesh = model.mesh;
-  if(mesh.number_of_faces() != soup.triangles.size())
-    return false;
-  auto triangle = soup.triangles.begin();
-  for(const Mesh::Face_index f : mesh.faces()) {
-    Halfedge h = mesh.halfedge(f);
-    for(std::size_t i = 0; i < 3; ++i) {
-      const auto& p = soup.points[triangle->vertices[i]];
-      const auto& uv = soup.uvs[triangle->uvs[i]];
-      if(triangle->vertices[i] != index_of_vertex[mesh.target(h)] ||
-         mesh.point(mesh.target(h)) != Kernel::Point_3(p[0], p[1], p[2]) ||
-         !is_same_number(uv[0], model.uv_map[h].x()) || !is_same_number(uv[1], model.uv_map[h].y()))
-        return false;
-      h = mesh.next(h);
-    }
-    ++triangle;
+  const SS::IO::File_status status = model.is_float ? read_as<float>(options.weld, model)
+                                                    : read_as<double>(options.weld, model);
+  if(!status) {
+    const bool lacks_coordinates =
+      status.message.find("has no texture coordinate") != status.message.npos ||
+      status.message.find("has no list texcoord") != status.message.npos;
+    throw Failure(UNREADABLE, model.filename + ": " + status.message +
+                                (lacks_coordinates ? "; 'seamless parametrize' computes some" : ""));
   }
-  std::set<std::pair<std::size_t, std::size_t> > features, segments;
-  for(const Edge e : mesh.edges())
-    if(model.is_feature[e])
-      features.insert(std::minmax({index_of_vertex[mesh.vertex(e, 0)],
-                                   index_of_vertex[mesh.vertex(e, 1)]}));
-  for(const auto& segment : soup.segments)
-    segments.insert(std::minmax({segment.vertices[0], segment.vertices[1]}));
-  return features == segments;
+  model.file_vertices = model.file.vertex_numbers();
+  model.number_of_split_vertices = status.number_of_split_vertices;
+  model.number_of_welded_edges = status.number_of_welded_edges;
+  model.number_of_coinciding_border_edges = status.number_of_coinciding_border_edges;
 }
 
-template <template <typename, typename> class Parser, template <typename> class Rewriter>
-std::string rewritten(const Model& model)
+// Of another format than the file.
+SS::IO::File_status write_as(const std::string& format, const Model& model, std::string& text)
 {
-  using namespace SS::internal;
-  if(model.is_float)
-    return rewritten_text<Parser, Rewriter>(model.text, model.mesh, model.uv_map,
-                                            strip(SS::parameters::weld(model.is_welded)));
-  const auto uvs = uvs_of_mesh(model.soup, model.mesh, model.uv_map, model.mesh.points());
-  return Rewriter<decltype(model.soup)>(model.text, model.soup, uvs).rewrite();
-}
-
-std::string rewritten(const Model& model)
-{
-  return model.format == ply ? rewritten<SS::internal::PLY_parser, SS::internal::PLY_rewriter>(model)
-                             : rewritten<SS::internal::OBJ_parser, SS::internal::OBJ_rewriter>(model);
-}
-
-std::string written(const Model& model, const std::string& format)
-{
-  using namespace SS::internal;
   const auto np = SS::parameters::edge_is_constrained_map(model.is_feature);
-  return format == ply ? build_PLY_text(model.mesh, model.uv_map, "", strip(np))
-                       : build_OBJ_text(model.mesh, model.uv_map, "", strip(np));
+  std::ostringstream os;
+  const SS::IO::File_status status = format == ply
+                                       ? SS::IO::write_PLY(os, model.mesh, model.uv_map, np)
+                                       : SS::IO::write_OBJ(os, model.mesh, model.uv_map, np);
+  text = os.str();
+  return status;
 }
 
-template <typename UVNumber>
-void check_text(const Model& model, const std::string& filename, const std::string& format,
-                const std::string& text)
+// Whether the text reads back as the mesh, with vertices as in the file if it is of its format.
+bool reads_back(const Model& model, const SS::IO::Mesh_text& text, const bool is_of_file)
 {
-  std::vector<std::size_t> index_of_vertex(model.file_vertices);
-  if(model.format != format) {
-    index_of_vertex.resize(model.mesh.num_vertices());
-    std::iota(index_of_vertex.begin(), index_of_vertex.end(), std::size_t(0));
-  }
-  if(!is_same(model, index_of_vertex,
-              format == ply ? SS::internal::PLY_parser<double, UVNumber>(text).parse()
-                            : SS::internal::OBJ_parser<double, UVNumber>(text).parse()))
-    throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
+  const auto number = [&](const Mesh::Vertex_index v) {
+    return is_of_file ? model.file_vertices[v] : std::size_t(v);
+  };
+  const auto np = SS::parameters::edge_is_constrained_map(model.is_feature)
+                    .vertex_index_map(
+                      boost::make_function_property_map<Mesh::Vertex_index>(number));
+  return text.holds(model.mesh, model.uv_map, np) &&
+         (!model.is_float || text.holds<float>(model.mesh, model.uv_map, np));
 }
 
 } // namespace
@@ -192,16 +114,15 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   check_format(filename);
   const Progress progress("reading " + filename, options.verbose);
   model.filename = filename;
-  model.text = read_file(filename);
-  model.format = format_of(filename, model.text.substr(0, 3) == ply ? ply : obj);
+  model.file = SS::IO::Mesh_text(read_file(filename),
+                                 is_special_file(filename) ? "" : suffix_of(filename));
   parse(options, model);
 }
 
 void read_again(const Model& other, const Reading_options& options, Model& model)
 {
   model.filename = other.filename;
-  model.text = other.text;
-  model.format = other.format;
+  model.file = SS::IO::Mesh_text(other.file.text(), other.file.format());
   parse(options, model);
 }
 
@@ -212,8 +133,10 @@ std::string notes_on_reading(const Model& model)
     result += "note: " + counted(model.number_of_welded_edges, "edge") +
               (model.number_of_welded_edges == 1 ? " was" : " were") + " welded\n";
   if(model.number_of_coinciding_border_edges > 0)
-    result += "note: " + SS::internal::note_on_coinciding_border_edges(
-                           model.number_of_coinciding_border_edges) +
+    result += "note: " + counted(model.number_of_coinciding_border_edges, "border edge") +
+              (model.number_of_coinciding_border_edges == 1 ? " coincides with others"
+                                                            : " coincide") +
+              ": is this a mesh that was cut open?" +
               (model.number_of_welded_edges > 0
                  ? " They can't be welded, as it is open which belong together.\n"
                  : " --weld closes it.\n");
@@ -226,23 +149,24 @@ std::string notes_on_reading(const Model& model)
 
 std::string text_of_model(const Model& model, const std::string& filename)
 {
-  const std::string format = format_of(filename, model.format.empty() ? obj : model.format);
+  const std::string format = format_of(filename, model.file.format());
   const Progress progress("writing " + filename);
+  const bool is_of_file = format == model.file.format() && !model.file.text().empty();
   std::string text;
-  try {
-    text = model.format == format ? rewritten(model) : written(model, format);
-    check_text<double>(model, filename, format, text);
-    if(model.is_float)
-      check_text<float>(model, filename, format, text);
-  } catch(const SS::internal::File_refusal& refusal) {
-    throw Failure(UNWRITABLE, filename + ": " + refusal.message());
-  }
-  return text;
+  const SS::IO::File_status status =
+    is_of_file ? model.file.rewrite(text, model.mesh, model.uv_map)
+               : write_as(format, model, text);
+  if(!status)
+    throw Failure(UNWRITABLE, filename + ": " + status.message);
+  const SS::IO::Mesh_text written(std::move(text), format);
+  if(!reads_back(model, written, is_of_file))
+    throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
+  return written.text();
 }
 
 bool changes_format(const Model& model, const std::string& filename)
 {
-  return format_of(filename, model.format) != model.format;
+  return format_of(filename, model.file.format()) != model.file.format();
 }
 
 void check_format(const std::string& filename)

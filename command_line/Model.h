@@ -3,7 +3,7 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 
-#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
+#include <CGAL/Seamless_snapping/IO/Mesh_text.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -31,12 +31,9 @@ struct Model
   Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
 
   // Of the file; a model that does not come from one leaves these empty.
-  std::string filename, format, text;
-  bool is_welded = false;
+  std::string filename;
+  CGAL::Seamless_snapping::IO::Mesh_text file;
   bool is_float = false; // whether the coordinates are floats
-  std::size_t number_of_points = 0;
-  // the faces, with vertices as in the file but for those that were welded; empty for floats
-  CGAL::Seamless_snapping::internal::Corner_soup<double, double> soup;
   std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0
   std::vector<std::size_t> file_faces;    // the same for faces, where they differ
   std::size_t first_number = 1;           // by which the file counts

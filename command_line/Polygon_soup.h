@@ -3,14 +3,13 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_POLYGON_SOUP_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_POLYGON_SOUP_H
 
-#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
+#include <CGAL/Seamless_snapping/IO/read_polygon_soup.h>
 
 #include <cstddef>
 #include <string>
 
-struct Polygon_soup : CGAL::Seamless_snapping::internal::Corner_soup<double, void>
+struct Polygon_soup : CGAL::Seamless_snapping::IO::Polygon_soup
 {
-  std::string format; // a suffix
   std::size_t first_number = 0; // by which the file counts
 };
 

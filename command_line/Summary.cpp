@@ -88,7 +88,7 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
 } // namespace
 
 Summary::Summary(const Model& model, const Alignment& alignment)
-  : vertices(model.number_of_points), faces(model.mesh.number_of_faces()),
+  : vertices(model.file.number_of_points()), faces(model.mesh.number_of_faces()),
     split_vertices(model.number_of_split_vertices), welded_edges(model.number_of_welded_edges),
     coinciding_border_edges(model.number_of_coinciding_border_edges),
     aligned_edges(alignment.number_of_aligned_edges),

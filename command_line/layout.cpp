@@ -87,7 +87,7 @@ void layout(const Arguments& arguments)
   const auto np = SS::parameters::edge_is_constrained_map(alignment.is_aligned);
   const SS::Motorcycle_graph<Mesh> graph =
     options.base_complex
-      ? SS::motorcycle_graph(model.mesh, model.uv_map, np.stop_policy(SS::Run_to_nodes()))
+      ? SS::motorcycle_graph(model.mesh, model.uv_map, np.curve_stop_policy(SS::Run_to_nodes()))
       : SS::motorcycle_graph(model.mesh, model.uv_map, np);
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +

@@ -147,7 +147,8 @@ SS::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
     SS::parameters::edge_is_constrained_map(model.is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
-                   .symmetry_plane(plane).coarsest(options.coarsest).verbose(options.verbose)
+                   .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
+                   .verbose(options.verbose)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
     return SS::quad_remesh(model.mesh, quads.mesh, np,

@@ -131,7 +131,7 @@ std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Trace_opt
     if(options.starts_at_all_vertices || tracer.is_singular(v))
       for(const auto& [start, direction] : tracer.outgoing(v))
         curves.push_back(options.near_by > 0
-                           ? tracer.trace(start, direction, how.tolerance(options.near_by))
+                           ? tracer.trace(start, direction, how.near_distance(options.near_by))
                            : tracer.trace(start, direction, how));
   return curves;
 }

@@ -3,12 +3,18 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_WORDS_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_WORDS_H
 
-#include <CGAL/Linear_snapping/internal/support/counted.h>
-
 #include <cstddef>
 #include <string>
 
-using CGAL::Seamless_snapping::internal::counted;
+// "1 face", "2 faces", "2 border vertices", "2 branches"
+inline std::string counted(const std::size_t n, std::string noun)
+{
+  if(n != 1 && noun.back() == 'x')
+    noun.replace(noun.size() - 2, 2, "ices");
+  else if(n != 1)
+    noun += noun.back() == 'h' ? "es" : "s";
+  return std::to_string(n) + " " + noun;
+}
 
 // The verb after it.
 inline std::string is_or_are(const std::size_t n) { return n == 1 ? " is " : " are "; }

@@ -222,7 +222,7 @@ private:
                const std::size_t number) const
   {
     return tracer.trace(curve.start, curve.direction,
-                        parameters::maximum_number(number).decide_exactly(exactly).tolerance(0.));
+                        parameters::maximum_number(number).decide_exactly(exactly).near_distance(0.));
   }
 
   void write_row(const Curve& curve, const double y)

@@ -66,10 +66,10 @@ void check_other_policies(const Grid_map& map, const NamedParameters& np,
                           const std::string& context)
 {
   check_layout(map.mesh, map.uv, map.is_feature,
-               SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(SS::Run_to_nodes())),
+               SS::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(SS::Run_to_nodes())),
                context + ", base complex");
   check_layout(map.mesh, map.uv, map.is_feature,
-               SS::motorcycle_graph(map.mesh, map.uv, np.stop_policy(&ends_at_random)),
+               SS::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(&ends_at_random)),
                context + ", random policy");
 }
 

@@ -159,7 +159,7 @@ Counts naive_ends(const Graph& mesh, const UVMap& uv, const double tolerance)
   for(const auto v : vertices(mesh))
     for(const auto& [start, direction] : tracer.outgoing(v))
       ++result[tracer.trace(start, direction,
-                            parameters::decide_exactly(false).tolerance(tolerance)).status];
+                            parameters::decide_exactly(false).near_distance(tolerance)).status];
   return result;
 }
 

@@ -496,9 +496,10 @@ void check_numbers(const Square_complex& complex, const std::string& name)
              quantization.message.empty() == (double(number) <= 1.1 * std::floor(wanted)));
     if(least == 0) {
       least = number;
-      CHECK_EQUAL(SS::quantize(map.mesh, map.uv, np.coarsest(true)).number_of_quads, least);
+      CHECK_EQUAL(
+        SS::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true)).number_of_quads, least);
       const auto fewer =
-        SS::quantize(map.mesh, map.uv, np.coarsest(true).maximum_number(least - 1));
+        SS::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true).maximum_number(least - 1));
       CHECK_IN(context + ": " + fewer.message,
                fewer.status == Status::TOO_LARGE &&
                  fewer.message.find("maximum_number") != std::string::npos);
@@ -695,7 +696,7 @@ void test_map(const std::filesystem::path& file, Sizes& sizes)
   for(const std::size_t number : {30000, 5000, 1000, 200, 0}) {
     const SS::Quantization quantization =
       SS::quantize(model.mesh, model.uv,
-                   features.target_number_of_quads(number).coarsest(number == 0));
+                   features.target_number_of_quads(number).minimize_number_of_quads(number == 0));
     const std::string run = name + " with " + std::to_string(number) + " quads";
     CHECK_IN(run + ": " + quantization.message, bool(quantization));
     if(!quantization)

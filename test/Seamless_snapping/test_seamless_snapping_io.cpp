@@ -274,7 +274,8 @@ SS::IO::File_status read_welded(const std::string& text, Surface_model& model)
 {
   std::istringstream is(text);
   return SS::IO::read_OBJ(is, model.mesh, model.uv_map,
-                          SS::parameters::weld(true).edge_is_constrained_map(model.feature_map));
+                          SS::parameters::weld_borders(true)
+                                         .edge_is_constrained_map(model.feature_map));
 }
 
 void check_weld(const std::string& text, std::size_t vertices, std::size_t welded,

@@ -34,7 +34,8 @@ struct Ply_model : public Surface_model
   {
     std::istringstream is(text);
     return SS::IO::read_PLY(is, mesh, uv_map,
-                            SS::parameters::edge_is_constrained_map(feature_map).weld(weld));
+                            SS::parameters::edge_is_constrained_map(feature_map)
+                                           .weld_borders(weld));
   }
 
   std::string write() const
@@ -49,7 +50,8 @@ struct Ply_model : public Surface_model
   {
     std::istringstream is(text);
     std::ostringstream os;
-    CHECK_EQUAL(SS::IO::rewrite_PLY(is, os, mesh, uv_map, SS::parameters::weld(weld)).message, "");
+    const auto np = SS::parameters::weld_borders(weld);
+    CHECK_EQUAL(SS::IO::rewrite_PLY(is, os, mesh, uv_map, np).message, "");
     return os.str();
   }
 

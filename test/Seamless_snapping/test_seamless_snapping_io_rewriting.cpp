@@ -4,6 +4,11 @@
 #include "floating_point_traps.h"
 #include "obj_models.h"
 
+#include <CGAL/Seamless_snapping/IO/Mesh_text.h>
+#include <CGAL/Seamless_snapping/IO/read_polygon_soup.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,9 +17,42 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using Random = std::mt19937_64;
+
+// The same by an object that parses the text once, and knows the numbers of vertices.
+void check_mesh_text(const std::string& text, const Surface_model& model, const bool weld,
+                     const std::string& expected)
+{
+  SS::IO::Mesh_text file(text, "obj");
+  Surface_model own;
+  if(!file.read(own.mesh, own.uv_map,
+                SS::parameters::edge_is_constrained_map(own.feature_map).weld_borders(weld)))
+    return; // polylines that are no edges, which the model has not read
+  const auto np = SS::parameters::edge_is_constrained_map(own.feature_map).vertex_index_map(
+    boost::make_function_property_map<Surface_model::Mesh::Vertex_index>(
+      [&](const auto v) { return file.vertex_numbers()[std::size_t(v)]; }));
+  CHECK_EQUAL(file.holds(own.mesh, own.uv_map, np), !weld || text == expected);
+  auto f = faces(model.mesh).begin();
+  for(const auto own_f : faces(own.mesh)) {
+    auto h = halfedge(*f++, model.mesh);
+    for(const auto own_h : halfedges_around_face(halfedge(own_f, own.mesh), own.mesh)) {
+      put(own.uv_map, own_h, get(model.uv_map, h));
+      h = next(h, model.mesh);
+    }
+  }
+  std::string result;
+  CHECK_EQUAL(file.rewrite(result, own.mesh, own.uv_map).message, "");
+  CHECK_EQUAL(result, expected);
+  const SS::IO::Mesh_text other(result, "obj");
+  CHECK(other.holds(own.mesh, own.uv_map, np));
+  const auto h = halfedge(*faces(own.mesh).begin(), own.mesh);
+  const Kernel::Point_2 uv = get(own.uv_map, h);
+  put(own.uv_map, h, Kernel::Point_2(uv.x(), std::nextafter(uv.y(), uv.y() + 1)));
+  CHECK(!other.holds(own.mesh, own.uv_map, np));
+}
 
 template <typename AnyModel>
 std::string rewritten(const std::string& text, const AnyModel& model, bool weld = false)
@@ -22,8 +60,10 @@ std::string rewritten(const std::string& text, const AnyModel& model, bool weld 
   std::istringstream is(text);
   std::ostringstream os;
   const SS::IO::File_status status =
-    SS::IO::rewrite_OBJ(is, os, model.mesh, model.uv_map, SS::parameters::weld(weld));
+    SS::IO::rewrite_OBJ(is, os, model.mesh, model.uv_map, SS::parameters::weld_borders(weld));
   CHECK_EQUAL(status.message, "");
+  if constexpr(std::is_same_v<AnyModel, Surface_model>)
+    check_mesh_text(text, model, weld, os.str());
   return os.str();
 }
 
@@ -114,7 +154,7 @@ void test_welded()
   const std::string two = cut.substr(0, cut.find("f -3"));
   Surface_model model, cut_model;
   std::istringstream is(two);
-  CHECK(SS::IO::read_OBJ(is, model.mesh, model.uv_map, SS::parameters::weld(true)));
+  CHECK(SS::IO::read_OBJ(is, model.mesh, model.uv_map, SS::parameters::weld_borders(true)));
   CHECK_EQUAL(num_vertices(model.mesh), 4u);
   CHECK_EQUAL(rewritten(two, model, true), expected);
   CHECK_EQUAL(rewritten(two, model), two); // without welding
@@ -215,6 +255,36 @@ void test_random(Random& random)
   CHECK(content(as_double) == content(model));
 }
 
+// What is read without coordinates per corner, and what is refused.
+void test_polygons()
+{
+  SS::IO::Polygon_soup soup;
+  const auto message = [&soup](const std::string& text, const std::string& format) {
+    std::istringstream is(text);
+    const SS::IO::File_status status = SS::IO::read_polygon_soup(is, soup, format);
+    CHECK_EQUAL(status.line != 0, status.message.substr(0, 5) == "line ");
+    return status.message;
+  };
+  const std::string off = "OFF # a comment\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1e-3\n";
+  CHECK_EQUAL(message(off + "4 0 1 2 3 255 0 0\n3 2 1 0\n", ""), "");
+  CHECK_EQUAL(soup.format, "off");
+  CHECK_EQUAL(soup.points.size(), 4u);
+  CHECK_EQUAL(soup.points[3][2], 1e-3);
+  CHECK(soup.polygons[0].vertices == std::vector<std::size_t>({0, 1, 2, 3}));
+  CHECK_EQUAL(soup.polygons[1].line, 8u);
+  CHECK_EQUAL(message(off + "3 0 1 4\n3 2 1 0\n", "off"),
+              "line 7: vertex index 4 is out of range: the file has 4");
+  CHECK_EQUAL(message(off, "off"), "line 6: the file ends before face 0");
+  CHECK_EQUAL(message("v 0 0 0\n", ""), "the file has no face");
+  CHECK_EQUAL(soup.polygons.size(), 2u); // what is refused changes nothing
+  CHECK_EQUAL(message(everything, "obj"), "");
+  CHECK_EQUAL(soup.segments.size(), 2u);
+  CHECK_EQUAL(message("solid\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n", ""),
+              "");
+  CHECK_EQUAL(soup.format, "stl");
+  CHECK_EQUAL(soup.polygons.at(0).line, 2u);
+}
+
 int main(int argc, char** argv)
 {
   const Floating_point_traps traps; // for all functions that are called
@@ -226,6 +296,7 @@ int main(int argc, char** argv)
   test_new_statements();
   test_welded();
   test_other_meshes();
+  test_polygons();
   for(int i = 0; i < 300; ++i) {
     test_random<Surface_model, double>(random);
     test_random<Float_model, float>(random);

@@ -212,9 +212,8 @@ public:
 
   /*!
   reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`, with
-  `rotational_symmetry` among them as `D` needs it; the `tolerance` is the largest violation of a
-  transition, other than that of `trace()`. Check `operator bool()` if the parametrization may not
-  be seamless at all.
+  `rotational_symmetry` among them as `D` needs it. Check `operator bool()` if the parametrization
+  may not be seamless at all.
   */
   template <typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -417,7 +416,7 @@ private:
     const double relative = m_mesh.extent > 0 ? 100 * m_mesh.violation / m_mesh.extent : 0;
     return m_mesh.extent *
            CGAL::parameters::choose_parameter(
-             CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance),
+             CGAL::parameters::get_parameter(np, CGAL::internal_np::near_distance),
              (std::max)(relative, 1e-12));
   }
 

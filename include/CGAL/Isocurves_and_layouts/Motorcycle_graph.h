@@ -408,7 +408,7 @@ Race_options race_options(const TriangleMesh& tmesh, const Flat_numbering<Triang
   options.maximum_number = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     get_parameter(np, CGAL::internal_np::maximum_number),
     (std::max)(std::size_t(1000000), 10 * numbering.halfedges_of_corners().size())));
-  const auto policy = get_parameter(np, CGAL::internal_np::stop_policy);
+  const auto policy = get_parameter(np, CGAL::internal_np::curve_stop_policy);
   using Policy = std::decay_t<decltype(policy)>;
   if constexpr(std::is_same_v<Policy, Run_to_nodes>)
     options.ends = [](const Meeting&) { return false; };
@@ -459,7 +459,7 @@ the domain is not 360 degrees; the vertices at which borders and features end, m
 vertices; and one vertex in each part of the surface that has no other node. A curve ends at borders
 and features, at nodes, and where it meets a curve that has been there before; at the same time, the
 curve that sees the other one come from its right ends. Two curves that meet head on become one arc.
-Another `stop_policy` makes curves run on where they meet.
+Another `curve_stop_policy` makes curves run on where they meet.
 
 If the parametrization is exactly seamless, all faces are positive in the domain, and borders and
 features lie on isocurves, then all of this ends, and what comes out divides the surface into
@@ -512,7 +512,7 @@ without nodes have the same coordinates in all charts, which of them is chosen.
                    value type}
     \cgalParamDefault{no vertex is}
   \cgalParamNEnd
-  \cgalParamNBegin{stop_policy}
+  \cgalParamNBegin{curve_stop_policy}
     \cgalParamDescription{whether a curve ends where it meets another one, or itself. For the same
                           meeting, the answer must always be the same. At nodes, borders, and
                           features, curves always end.}

@@ -43,7 +43,7 @@ namespace Seamless_snapping {
 
 namespace internal {
 
-// The tolerance means something else where the mesh is read.
+// The mesh is read in the same way whatever else is asked for: so less is compiled.
 template <typename NamedParameters>
 auto symmetry_only(const NamedParameters&)
 {
@@ -140,11 +140,10 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
     \cgalParamType{`Rotational_symmetry<N>`}
     \cgalParamDefault{`Rotational_symmetry<4>()`}
   \cgalParamNEnd
-  \cgalParamNBegin{tolerance}
+  \cgalParamNBegin{near_distance}
     \cgalParamDescription{in floating point only: the distance, relative to the extent of the
                           coordinates, below which a curve is taken to have missed what it passes
-                          by. It does not tell which violations are accepted, as the `tolerance` of
-                          other functions does.}
+                          by}
     \cgalParamType{`double`}
     \cgalParamDefault{100 times the largest violation of a transition divided by the extent, and at
                       least 1e-12}
@@ -257,6 +256,9 @@ the position is computed from the rounded coordinates of the start.
 \param uv_map the coordinates of each corner
 
 \pre `point.place()` is `Isocurve_place::EDGE`, and the ends of the edge differ in the domain
+
+\par Complexity
+Constant.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
 Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
@@ -284,6 +286,9 @@ returns the coordinates of a point in the chart of `face(point.halfedge())`, rou
 \param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
+
+\par Complexity
+Constant.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap>
 std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
@@ -323,6 +328,9 @@ returns the place of a point in space, rounded.
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
 \param vertex_point_map the points of the vertices
+
+\par Complexity
+Constant.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
 typename boost::property_traits<VertexPointMap>::value_type

@@ -113,7 +113,7 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
           static_cast<double>(
             choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.)),
           static_cast<std::size_t>(
-            choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5)),
+            choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 5)),
           choose_parameter(get_parameter(np, internal_np::verbose), false),
           has_single_precision};
 }
@@ -322,11 +322,11 @@ Where cones and features lie close together, so few quads may not exist, or meet
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this
 condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
-sixteen, which always helps. There are at most 254 quantizations, and 149 with `coarsest`; as
-many again where there are far more quads than wanted, to tell how many the features force. The
-result has about as many quads as wanted, or as few as were found, which the message tells; and at
-least 95 % of those that are made where fewer are wanted. The quad around a vertex of one edge is
-left out.
+sixteen, which always helps. There are at most 254 quantizations, and 149 with
+`minimize_number_of_quads`; as many again where there are far more quads than wanted, to tell how
+many the features force. The result has about as many quads as wanted, or as few as were found,
+which the message tells; and at least 95 % of those that are made where fewer are wanted. The quad
+around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -350,7 +350,7 @@ left out.
     \cgalParamType{`double`}
     \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
   \cgalParamNEnd
-  \cgalParamNBegin{coarsest}
+  \cgalParamNBegin{minimize_number_of_quads}
     \cgalParamDescription{whether there are to be as few quads as are found}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
@@ -415,7 +415,7 @@ left out.
     \cgalParamExtra{Points are mirrored exactly by the coordinate planes; by others, each is the
                     image of the other, rounded to `double`.}
   \cgalParamNEnd
-  \cgalParamNBegin{number_of_iterations}
+  \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{the number of rounds of smoothing; 0 for none}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`5`}

@@ -90,7 +90,8 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Quantization_options options;
-  options.is_coarsest = choose_parameter(get_parameter(np, internal_np::coarsest), false);
+  options.is_coarsest =
+    choose_parameter(get_parameter(np, internal_np::minimize_number_of_quads), false);
   options.needs_face_graph =
     choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
   if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t> ||
@@ -241,7 +242,7 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
                    as value type}
     \cgalParamDefault{`1` everywhere}
   \cgalParamNEnd
-  \cgalParamNBegin{coarsest}
+  \cgalParamNBegin{minimize_number_of_quads}
     \cgalParamDescription{whether there are to be as few quads as are found. Then the other targets
                           are not used.}
     \cgalParamType{Boolean}
@@ -309,9 +310,14 @@ that `quantize()` returns for the map, to the bit.
 \param tmesh the mesh that has been quantized, not changed since
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
        for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
-       `coarsest`, `needs_face_graph`, and `maximum_number`; and `vertex_point_map`
+       `minimize_number_of_quads`, `needs_face_graph`, and `maximum_number`; and `vertex_point_map`
 
 \return the quantization, or why there is none
+
+\par Complexity
+That of `quantize()` once the coarse triangulation is found.
+
+\sa `quantize()`
 */
 template <typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -343,6 +349,10 @@ around vertices of one edge are left out, and the two other sides of each are ma
        for the extraction from a map
 
 \return the outcome: why nothing was written, or how much was
+
+\par Complexity
+Linear in the number of quads, and of faces on the straight ways that lead to each of their vertices
+from the nearest vertex of the coarse triangulation.
 
 \sa `quantize()`
 */
@@ -378,6 +388,9 @@ extracts the same quads as points and lists of indices. Loops and double edges a
        for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
 
 \return the outcome
+
+\par Complexity
+That of `extract_quad_mesh()` of a quantization.
 
 \sa `quantize()`
 */

@@ -18,7 +18,7 @@ inline SS::IO::File_status read_text(const std::string& text, const File_format 
                                      const bool weld, Surface_model& model)
 {
   std::istringstream is(text);
-  const auto np = SS::parameters::edge_is_constrained_map(model.feature_map).weld(weld);
+  const auto np = SS::parameters::edge_is_constrained_map(model.feature_map).weld_borders(weld);
   return format == File_format::OBJ ? SS::IO::read_OBJ(is, model.mesh, model.uv_map, np)
                                     : SS::IO::read_PLY(is, model.mesh, model.uv_map, np);
 }
@@ -28,7 +28,7 @@ inline std::string rewritten_text(const std::string& text, const File_format for
 {
   std::istringstream is(text);
   std::ostringstream os;
-  const auto np = SS::parameters::weld(weld);
+  const auto np = SS::parameters::weld_borders(weld);
   const SS::IO::File_status status =
     format == File_format::OBJ ? SS::IO::rewrite_OBJ(is, os, model.mesh, model.uv_map, np)
                                : SS::IO::rewrite_PLY(is, os, model.mesh, model.uv_map, np);

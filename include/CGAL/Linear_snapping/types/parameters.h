@@ -38,7 +38,6 @@
   F(align_boundary_t, align_boundary, align_boundary)                                              \
   F(allow_holes_t, allow_holes, allow_holes)                                                       \
   F(cell_neighbors_t, cell_neighbors, cell_neighbors)                                              \
-  F(coarsest_t, coarsest, coarsest)                                                                \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
   F(connection_tolerance_t, connection_tolerance, connection_tolerance)                            \
@@ -46,6 +45,7 @@
   F(curvature_adaptivity_t, curvature_adaptivity, curvature_adaptivity)                            \
   F(curvature_alignment_t, curvature_alignment, curvature_alignment)                               \
   F(cycle_constraints_t, cycle_constraints, cycle_constraints)                                     \
+  F(curve_stop_policy_t, curve_stop_policy, curve_stop_policy)                                     \
   F(decide_exactly_t, decide_exactly, decide_exactly)                                              \
   F(edge_is_cut_t, edge_is_cut, edge_is_cut_map)                                                   \
   F(face_direction_t, face_direction, face_direction_map)                                          \
@@ -59,12 +59,13 @@
   F(least_cone_distance_t, least_cone_distance, least_cone_distance)                               \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
+  F(minimize_number_of_quads_t, minimize_number_of_quads, minimize_number_of_quads)                \
+  F(near_distance_t, near_distance, near_distance)                                                 \
   F(needs_face_graph_t, needs_face_graph, needs_face_graph)                                        \
   F(release_alignment_t, release_alignment, release_alignment)                                     \
   F(repair_flips_t, repair_flips, repair_flips)                                                    \
   F(rotational_symmetry_t, rotational_symmetry, rotational_symmetry)                               \
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
-  F(stop_policy_t, stop_policy, stop_policy)                                                       \
   F(symmetry_plane_t, symmetry_plane, symmetry_plane)                                              \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
   F(target_number_of_quads_t, target_number_of_quads, target_number_of_quads)                      \
@@ -73,7 +74,7 @@
   F(value_weights_t, value_weights, value_weights)                                                 \
   F(vertex_location_t, vertex_location, vertex_location_map)                                       \
   F(vertex_sizing_t, vertex_sizing, vertex_sizing_map)                                             \
-  F(weld_t, weld, weld)
+  F(weld_borders_t, weld_borders, weld_borders)
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
 #define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
@@ -81,6 +82,7 @@
   F(face_patch_t, face_patch, face_patch_map)                                                      \
   F(maximum_number_t, maximum_number, maximum_number)                                              \
   F(number_of_iterations_t, number_of_iterations, number_of_iterations)                            \
+  F(number_of_relaxation_steps_t, number_of_relaxation_steps, number_of_relaxation_steps)          \
   F(random_seed_t, random_seed, random_seed)                                                       \
   F(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)                            \
   F(verbose_t, verbose, verbose)                                                                   \
@@ -215,7 +217,6 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   coordinates (`bool`)
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
  * - `cell_neighbors`: the neighbors of the cells of a volume, where they are known
- * - `coarsest`: whether a quantization has as few quads as are found (`bool`)
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
  *   parametrization
@@ -223,6 +224,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   snapping, relative to the extent of the coordinates (`double`)
  * - `curvature_adaptivity`: how many times larger quads may be where a surface is flat (`double`)
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
+ * - `curve_stop_policy`: where curves of a layout end that meet others
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: which edges are cuts, where this is known
  * - `face_direction_map`: the direction that the field of crosses is to have in each face
@@ -237,6 +239,9 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `least_cone_distance`: the distance up to which opposite cones of a field cancel (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
+ * - `minimize_number_of_quads`: whether a quantization has as few quads as are found (`bool`)
+ * - `near_distance`: where isocurves are traced in floating point, the distance below which a curve
+ *   is taken to have missed what it passes by, relative to the extent of the coordinates (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
  *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
@@ -246,23 +251,22 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   repaired (`bool` or `Flip_repair`)
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
- * - `stop_policy`: where curves of a layout end that meet others
  * - `symmetry_plane`: the plane by which a quad mesh is to be its own mirror image
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
  * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
- * - `tolerance`: the largest violation that is taken for numerical noise; where isocurves are
- *   traced in floating point, the distance below which a curve is taken to have missed what it
- *   passes by; both relative to the extent of the coordinates (`double`)
+ * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of
+ *   the coordinates (`double`)
  * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
  *   small
  * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
  * - `vertex_sizing_map`: the length that edges of quads are to have at each vertex of the input
- * - `weld`: whether a reader joins border edges that coincide in space
+ * - `weld_borders`: whether a reader joins border edges that coincide in space
  *
  * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
- * `number_of_iterations`, `random_seed`, `sparse_linear_solver`, `verbose`, `vertex_index_map`,
- * `vertex_is_constrained_map`, `vertex_point_map`.
+ * `number_of_iterations`, `number_of_relaxation_steps`, `random_seed`, `sparse_linear_solver`,
+ * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`.
+ * `maximum_number` is the number of things made or visited above which a function gives up.
  *
  * Which of them a function reads is listed with the function; it ignores the others.
  *

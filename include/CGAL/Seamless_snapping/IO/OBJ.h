@@ -53,12 +53,12 @@ faces around a vertex form several fans, which no halfedge data structure can ho
 comes first in the file keeps the vertex and each other fan gets a copy, after all other vertices.
 
 Many programs write the mesh cut open along the seams, with vertices doubled: a vertex then has one
-pair of coordinates. Such seams are borders, and nothing makes them match, unless `weld` is `true`:
-then two border edges between the same points (their numbers agree exactly) that run in opposite
-directions become one. The vertices at their ends become one too: the first of them in the file; the
-others get no vertex. Vertices that lie in one place without such an edge stay apart, as do three
-border edges or more between the same points, and two that run in the same direction: what belongs
-together is then unknown. The result counts the edges that were welded, and those that still
+pair of coordinates. Such seams are borders, and nothing makes them match, unless `weld_borders` is
+`true`: then two border edges between the same points (their numbers agree exactly) that run in
+opposite directions become one. The vertices at their ends become one too: the first of them in the
+file; the others get no vertex. Vertices that lie in one place without such an edge stay apart, as
+do three border edges or more between the same points, and two that run in the same direction: what
+belongs together is then unknown. The result counts the edges that were welded, and those that still
 coincide.
 
 A file is refused, with the line and the reason, if it has a statement of the above kinds that is
@@ -100,7 +100,7 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
-  \cgalParamNBegin{weld}
+  \cgalParamNBegin{weld_borders}
     \cgalParamDescription{whether border edges between the same points are made one, for meshes
                           that were cut open along their seams}
     \cgalParamType{Boolean}
@@ -115,8 +115,8 @@ Runs in \f$ O(n \log n) \f$ time where the degrees of vertices are bounded (for 
 added, the faces around its vertices are visited), and needs the memory for the whole text.
 
 \par Complexity
-Linear in the size of the file, but for a logarithmic factor where edges, and with `weld` points,
-are sorted.
+Linear in the size of the file, but for a logarithmic factor where edges, and with `weld_borders`
+points, are sorted.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -254,7 +254,7 @@ bit for bit, as with `write_OBJ()`.
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
-  \cgalParamNBegin{weld}
+  \cgalParamNBegin{weld_borders}
     \cgalParamDescription{whether the faces of the file that is written share the vertices that
                           `read_OBJ()` makes one if asked to; the statements of the other vertices
                           stay, but no face uses them}

@@ -65,7 +65,7 @@ struct File_status
   /*!
   The number of border edges of the mesh that was read that lie between the same two points as
   another one. If there are any, the mesh may have been cut open along its seams, which are borders
-  then: the parameter `weld` closes them.
+  then: the parameter `weld_borders` closes them.
   */
   std::size_t number_of_coinciding_border_edges = 0;
 

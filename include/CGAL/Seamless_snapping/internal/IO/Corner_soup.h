@@ -18,6 +18,8 @@
 // What a file holds, in any format: points, coordinates, faces, and polylines, with the lines they
 // come from.
 
+#include <CGAL/Seamless_snapping/types/Polygon_soup.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -37,11 +39,7 @@ struct Corner_soup
     std::size_t line; // 0 in files that are not made of lines
   };
 
-  struct Segment // one of a polyline
-  {
-    std::array<std::size_t, 2> vertices;
-    std::size_t line;
-  };
+  using Segment = IO::Polygon_soup::Segment;
 
   std::vector<std::array<PointNumber, 3> > points;
   std::vector<std::array<UVNumber, 2> > uvs;
@@ -51,21 +49,9 @@ struct Corner_soup
 };
 
 // Without coordinates, and with faces of any number of corners: plain meshes.
-template <typename PointNumber>
-struct Corner_soup<PointNumber, void>
-{
-  struct Polygon
-  {
-    std::vector<std::size_t> vertices;
-    std::size_t line = 0;
-  };
-
-  using Segment = typename Corner_soup<PointNumber, PointNumber>::Segment;
-
-  std::vector<std::array<PointNumber, 3> > points;
-  std::vector<Polygon> polygons;
-  std::vector<Segment> segments;
-};
+template <>
+struct Corner_soup<double, void> : IO::Polygon_soup
+{ };
 
 } // namespace internal
 } // namespace Seamless_snapping

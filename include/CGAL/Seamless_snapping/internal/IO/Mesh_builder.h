@@ -179,7 +179,7 @@ Vertex_changes build_mesh(Soup& soup, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
     is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>;
 
   Vertex_changes changes;
-  const bool weld = choose_parameter(get_parameter(np, CGAL::internal_np::weld), false);
+  const bool weld = choose_parameter(get_parameter(np, CGAL::internal_np::weld_borders), false);
   const auto edges = connect_soup(weld, soup, changes);
   std::vector<Side_index> features;
   if(wants_features)

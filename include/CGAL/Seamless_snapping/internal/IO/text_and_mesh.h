@@ -101,7 +101,7 @@ std::string rewritten_text(const std::string_view text, const TriangleMesh& tmes
 
   auto soup = Parser<File_number<VPM>, double>(text).parse();
   const std::vector<std::array<double, 2> > uvs = uvs_of_mesh(soup, tmesh, uv_map, vpm);
-  if(choose_parameter(get_parameter(np, CGAL::internal_np::weld), false)) {
+  if(choose_parameter(get_parameter(np, CGAL::internal_np::weld_borders), false)) {
     const Soup_edges edges(soup.triangles);
     const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
     replace_vertices(welded_vertices(soup, coinciding.seams), soup);

@@ -1,0 +1,298 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Seamless_snapping package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_SEAMLESS_SNAPPING_IO_MESH_TEXT_H
+#define CGAL_SEAMLESS_SNAPPING_IO_MESH_TEXT_H
+
+#include <CGAL/license/Seamless_snapping.h>
+
+// The text of a file with coordinates per corner: read once, and written again with other
+// coordinates and all else as it is.
+
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
+#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+#include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
+#include <CGAL/Seamless_snapping/types/File_status.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Seamless_snapping {
+
+namespace internal {
+
+inline bool is_same_number(const double x, const double y)
+{
+  return x == y && std::signbit(x) == std::signbit(y);
+}
+
+// Whether the faces of the soup are those of the mesh, in the same order: vertices by `number(v)`,
+// points, and, to the bit, coordinates.
+template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap,
+          typename NumberOf>
+bool has_faces_of(const Soup& soup, const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                  const VertexPointMap& points, const NumberOf& number)
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  if(faces(tmesh).size() != soup.triangles.size())
+    return false;
+  auto triangle = soup.triangles.begin();
+  for(const auto f : faces(tmesh)) {
+    auto h = halfedge(f, tmesh);
+    for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh)) {
+      const auto& p = soup.points[triangle->vertices[i]];
+      const auto& uv = soup.uvs[triangle->uvs[i]];
+      const auto& of_mesh = get(uv_map, h);
+      if(triangle->vertices[i] != number(target(h, tmesh)) ||
+         get(points, target(h, tmesh)) != Point(p[0], p[1], p[2]) ||
+         !is_same_number(uv[0], of_mesh.x()) || !is_same_number(uv[1], of_mesh.y()))
+        return false;
+    }
+    ++triangle;
+  }
+  return true;
+}
+
+template <typename Soup, typename TriangleMesh, typename EdgeMap, typename NumberOf>
+bool has_features_of(const Soup& soup, const TriangleMesh& tmesh, const EdgeMap& is_feature,
+                     const NumberOf& number)
+{
+  std::set<std::pair<std::size_t, std::size_t> > features, segments;
+  for(const auto e : edges(tmesh))
+    if(get(is_feature, e))
+      features.insert(std::minmax({number(source(e, tmesh)), number(target(e, tmesh))}));
+  for(const auto& segment : soup.segments)
+    segments.insert(std::minmax({segment.vertices[0], segment.vertices[1]}));
+  return features == segments;
+}
+
+} // namespace internal
+
+namespace IO {
+
+/*!
+\ingroup PkgSeamlessSnappingIO
+
+The text of a file with coordinates per corner, in the format OBJ or PLY: for programs that read a
+mesh, change its coordinates, and write the file again. It is parsed once, where `read_OBJ()` and
+`rewrite_OBJ()` parse the file twice; the vertices know their numbers in the file; and what is to be
+written can be compared with the mesh before it is.
+*/
+class Mesh_text
+{
+  using Soup = internal::Corner_soup<double, double>;
+
+public:
+  Mesh_text() = default; ///< of no file
+
+  /// takes a text in a format: `"obj"` or `"ply"`; if it is another one, the text tells it.
+  explicit Mesh_text(std::string text, const std::string& format = std::string())
+    : m_text(std::move(text)),
+      m_is_ply(format == "ply" || (format != "obj" && m_text.compare(0, 3, "ply") == 0))
+  { }
+
+  /// returns the text as it was given.
+  const std::string& text() const { return m_text; }
+
+  /// returns the format: `"obj"` or `"ply"`.
+  std::string format() const { return m_is_ply ? "ply" : "obj"; }
+
+  /*!
+  adds the mesh to another one, as `read_OBJ()` and `read_PLY()` do. Parameters, named parameters,
+  and result are those of `read_OBJ()`.
+
+  \tparam UVNumber the type that coordinates are rounded to: `double`, or `float` to read what
+          programs see that hold coordinates as these
+
+  \par Complexity
+  That of `read_OBJ()`.
+  */
+  template <typename UVNumber = double, typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  File_status read(TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    const auto& plain_np = internal::strip(np);
+    m_is_welded = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::weld_borders), false);
+    return internal::status_of_reading([&] {
+      const internal::Vertex_changes changes =
+        m_is_ply ? build<internal::PLY_parser<double, UVNumber> >(tmesh, uv_map, plain_np)
+                 : build<internal::OBJ_parser<double, UVNumber> >(tmesh, uv_map, plain_np);
+      m_vertex_numbers = changes.file_vertices;
+      return changes;
+    });
+  }
+
+  /// returns the number of points in the text, after `read()`.
+  std::size_t number_of_points() const { return m_number_of_points; }
+
+  /// returns for each vertex that `read()` has added the number of its point in the text, from 0.
+  const std::vector<std::size_t>& vertex_numbers() const { return m_vertex_numbers; }
+
+  /*!
+  writes the text with other coordinates to `result`, as `rewrite_OBJ()` and `rewrite_PLY()` do.
+  Where `read()` has welded the mesh, the faces share the vertices that became one.
+
+  \param result receives the new text
+  \param tmesh the mesh that `read()` has made, of an empty one
+  \param uv_map the coordinates of each corner
+
+  \return what `rewrite_OBJ()` returns
+
+  \par Complexity
+  Linear in the size of the text, as long as each vertex has few different coordinates.
+  */
+  template <typename TriangleMesh, typename HalfedgeUVMap>
+  File_status rewrite(std::string& result, const TriangleMesh& tmesh, HalfedgeUVMap uv_map) const
+  {
+    return internal::status_of_writing([&] {
+      result = m_is_ply
+        ? rewritten<internal::PLY_parser, internal::PLY_rewriter>(tmesh, uv_map)
+        : rewritten<internal::OBJ_parser, internal::OBJ_rewriter>(tmesh, uv_map);
+    });
+  }
+
+  /*!
+  returns whether the text has exactly the faces of a mesh, in its order: vertices, points, and, to
+  the bit, coordinates; and, if `edge_is_constrained_map` is given, its features.
+
+  \tparam UVNumber as for `read()`
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_index_map}
+      \cgalParamDescription{the number of each vertex in the text, from 0}
+      \cgalParamType{a class model of `ReadablePropertyMap` with
+                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                     `std::size_t` as value type}
+      \cgalParamDefault{an automatically indexed internal map}
+    \cgalParamNEnd
+    \cgalParamNBegin{edge_is_constrained_map}
+      \cgalParamDescription{the feature edges}
+      \cgalParamType{a class model of `ReadablePropertyMap` with
+                     `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
+                     value type}
+      \cgalParamDefault{features are not compared}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{the points of the vertices}
+      \cgalParamType{a class model of `ReadablePropertyMap` with
+                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
+                     three-dimensional point as value type}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \par Complexity
+  Linear in the size of the text, but for a logarithmic factor where features are sorted.
+  */
+  template <typename UVNumber = double, typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool holds(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+             const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    const auto& plain_np = internal::strip(np);
+    try {
+      return m_is_ply ? is_same(internal::PLY_parser<double, UVNumber>(m_text).parse(), tmesh,
+                                uv_map, plain_np)
+                      : is_same(internal::OBJ_parser<double, UVNumber>(m_text).parse(), tmesh,
+                                uv_map, plain_np);
+    } catch(const internal::File_refusal&) {
+      return false;
+    }
+  }
+
+private:
+  // Keeps what was parsed, with vertices as in the file but for those that were welded.
+  template <typename Parser, typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters>
+  internal::Vertex_changes build(TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                                 const NamedParameters& np)
+  {
+    auto soup = Parser(m_text).parse();
+    const std::size_t n = m_number_of_points = soup.points.size();
+    const internal::Vertex_changes changes = internal::build_mesh(soup, tmesh, uv_map, np);
+    if constexpr(std::is_same_v<decltype(soup), Soup>) {
+      const auto first_copy = changes.file_vertices.end() - std::ptrdiff_t(soup.points.size() - n);
+      for(auto& triangle : soup.triangles)
+        for(std::size_t& v : triangle.vertices)
+          if(v >= n)
+            v = first_copy[std::ptrdiff_t(v - n)];
+      m_soup = std::move(soup);
+    }
+    return changes;
+  }
+
+  template <template <typename, typename> class Parser, template <typename> class Rewriter,
+            typename TriangleMesh, typename HalfedgeUVMap>
+  std::string rewritten(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map) const
+  {
+    if(!m_soup)
+      return internal::rewritten_text<Parser, Rewriter>(
+        m_text, tmesh, uv_map, internal::strip(parameters::weld_borders(m_is_welded)));
+    const auto uvs = internal::uvs_of_mesh(*m_soup, tmesh, uv_map,
+                                           CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    return Rewriter<Soup>(m_text, *m_soup, uvs).rewrite();
+  }
+
+  template <typename ParsedSoup, typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters>
+  static bool is_same(const ParsedSoup& soup, const TriangleMesh& tmesh,
+                      const HalfedgeUVMap& uv_map, const NamedParameters& np)
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                         CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto numbers = CGAL::get_initialized_vertex_index_map(tmesh, np);
+    const auto number = [&](const auto v) { return static_cast<std::size_t>(get(numbers, v)); };
+    if(!internal::has_faces_of(soup, tmesh, uv_map, points, number))
+      return false;
+    const auto features = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    if constexpr(internal::is_given<decltype(features)>)
+      return internal::has_features_of(soup, tmesh, features, number);
+    return true;
+  }
+
+  std::string m_text;
+  bool m_is_ply = false;
+  bool m_is_welded = false;
+  std::optional<Soup> m_soup; // of the last `read()`, unless it read floats
+  std::size_t m_number_of_points = 0;
+  std::vector<std::size_t> m_vertex_numbers;
+};
+
+} // namespace IO
+
+} // namespace Seamless_snapping
+} // namespace CGAL
+
+#endif // CGAL_SEAMLESS_SNAPPING_IO_MESH_TEXT_H
