@@ -275,6 +275,9 @@ not exactly seamless, it is empty.
 \param direction its direction in the chart of `face(start.halfedge)`
 \pre `start` is as `Isocurve_start` asks for
 
+\par Complexity
+Constant for each segment that is iterated over, apart from the faces around vertices that are met.
+
 \sa `Isocurve_walker`
 */
 template <typename TriangleMesh, int D>
@@ -294,6 +297,9 @@ returns the segments of a curve that was traced exactly, as many as it has betwe
 
 \param tracer the tracer of the curve
 \param curve a curve with its points
+
+\par Complexity
+As for a curve from its start.
 */
 template <typename TriangleMesh, int D>
 CGAL::Iterator_range<Isocurve_segment_iterator<TriangleMesh, D> >

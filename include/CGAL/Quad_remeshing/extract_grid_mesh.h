@@ -199,6 +199,9 @@ edges are no obstacle here.
 
 \return the outcome
 
+\par Complexity
+That of `extract_quad_mesh()`.
+
 \sa `extract_quad_mesh()`
 */
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
@@ -335,6 +338,9 @@ double edges are no obstacle here.
        `extract_triangle_mesh()` for `np1`
 
 \return the outcome
+
+\par Complexity
+That of `extract_triangle_mesh()`.
 
 \sa `extract_triangle_mesh()`
 */

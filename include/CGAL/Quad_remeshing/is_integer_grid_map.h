@@ -222,6 +222,11 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 returns `true` if and only if a parametrization is an integer-grid map, exactly; see
 `measure_integer_grid()`, whose parameters it has. Then whole cells of the grid cover the surface:
 the extraction leaves out none of them. Orientations are not looked at.
+
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+\par Complexity
+That of `measure_integer_grid()`.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

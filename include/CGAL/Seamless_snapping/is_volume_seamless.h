@@ -247,7 +247,8 @@ Nothing of what is used here finds such maps; transitions are read off the coord
 Parameters and exceptions are those of `measure_volume_seamlessness()`.
 
 \par Complexity
-Linear in the number of cells.
+Linear in the number of cells, all of which are copied; but for a logarithmic factor where corners
+at nodes are sorted.
 
 \sa `snap_volume_to_seamless()`
 */
@@ -268,6 +269,11 @@ measure_volume_integer_grid(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
 returns `true` if and only if a parametrization of a tetrahedral mesh is an integer-grid map,
 exactly; see `measure_volume_integer_grid()`, whose parameters it has. Orientations are not looked
 at.
+
+\throws std::invalid_argument and `std::runtime_error` as `measure_volume_integer_grid()` does
+
+\par Complexity
+That of `measure_volume_integer_grid()`.
 */
 template <typename TetrahedronRange, typename CornerUVWMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

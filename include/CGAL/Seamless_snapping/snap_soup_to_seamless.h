@@ -112,6 +112,9 @@ decides whether a parametrization of a triangle soup is exactly seamless and ali
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \pre all coordinates are finite
+
+\par Complexity
+That of `is_seamless()`, and that of making a face graph first, as for `snap_soup_to_seamless()`.
 */
 template <typename TriangleRange, typename CornerUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

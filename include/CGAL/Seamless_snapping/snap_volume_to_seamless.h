@@ -329,9 +329,15 @@ private:
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-returns the finite cells of a triangulation. \pre there are at most \f$ 2^{27} \f$ of them
+returns the finite cells of a triangulation.
 
 \tparam Triangulation a class derived from `CGAL::Triangulation_3`
+\param triangulation the triangulation, to which the handles of the result refer
+
+\pre there are at most \f$ 2^{27} \f$ finite cells
+
+\par Complexity
+Linear in the number of cells, in expectation: cells and vertices are hashed.
 */
 template <typename Triangulation>
 Triangulation_cells<Triangulation> cells_of_triangulation(const Triangulation& triangulation)
@@ -346,10 +352,16 @@ Triangulation_cells<Triangulation> cells_of_triangulation(const Triangulation& t
 \ingroup PkgSeamlessSnappingRef
 
 returns the cells of a complex in a triangulation, the facets of the complex between them, and its
-edges. \pre there are at most \f$ 2^{27} \f$ cells
+edges.
 
 \tparam C3t3 a model of `MeshComplexWithFeatures_3InTriangulation_3`, such as
         `CGAL::Mesh_complex_3_in_triangulation_3`
+\param c3t3 the complex, to whose triangulation the handles of the result refer
+
+\pre there are at most \f$ 2^{27} \f$ cells
+
+\par Complexity
+Linear in the number of cells of the triangulation, in expectation: cells and vertices are hashed.
 */
 template <typename C3t3>
 Triangulation_cells<typename C3t3::Triangulation> cells_of_c3t3(const C3t3& c3t3)

@@ -57,6 +57,9 @@ refused; but messages name faces and vertices by their indices, which count from
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `read_OBJ()`
 
 \returns an object that converts to `true` if the mesh was read, and that holds the reason otherwise
+
+\par Complexity
+That of `read_OBJ()`.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -90,6 +93,9 @@ Numbers are `double`s, so that what is written reads back bit for bit. Template 
 parameters, named parameters, and result are those of `write_OBJ()`.
 
 \pre All faces are triangles.
+
+\par Complexity
+Linear in the size of the mesh.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -128,6 +134,9 @@ File_status write_PLY(const std::string& filename, const TriangleMesh& tmesh, Ha
 Replaced are the numbers of the lists `texcoord` that differ from those of the mesh, and the type of
 these lists if it is `float` and does not hold the numbers: then it becomes `double`. Template
 parameters, parameters, named parameters, and result are those of `rewrite_OBJ()`.
+
+\par Complexity
+Linear in the size of the file.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
