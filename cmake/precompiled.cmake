@@ -49,8 +49,11 @@ endfunction()
 
 # What only a few programs share.
 set(parts "")
+if(SEAMLESS_SNAPPING_WITH_SEAMLESS_SNAPPING)
+  set(parts symmetries)
+endif()
 if(SEAMLESS_SNAPPING_WITH_QUAD_REMESHING)
-  set(parts remeshing symmetries)
+  list(APPEND parts remeshing)
 endif()
 foreach(part IN LISTS parts)
   add_library(seamless_snapping_${part} OBJECT

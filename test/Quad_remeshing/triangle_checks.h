@@ -12,7 +12,6 @@
 
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/repair_integer_grid.h>
-#include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -37,12 +36,6 @@ using namespace hexagonal_maps;
 using quad_reference::are_isomorphic;
 using Face = Mesh::Face_index;
 using Status = SS::Outcome;
-
-template <int N>
-auto symmetry()
-{
-  return SS::parameters::rotational_symmetry(SS::Rotational_symmetry<N>());
-}
 
 // --- surfaces whose triangles are known ----------------------------------------------------------
 

@@ -8,6 +8,9 @@
 
 #include "random_complexes.h"
 
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -346,6 +349,43 @@ inline std::vector<int> signs(const Mesh& mesh, const UV_map uv)
     result.push_back(area > 0 ? 1 : area < 0 ? -1 : 0);
   }
   return result;
+}
+
+// --- what the tests share ------------------------------------------------------------------------
+
+template <int N>
+auto symmetry()
+{
+  namespace SS = CGAL::Seamless_snapping;
+  return SS::parameters::rotational_symmetry(SS::Rotational_symmetry<N>());
+}
+
+inline std::vector<Kernel::Point_2> all_points(const Mesh& mesh, const UV_map uv)
+{
+  std::vector<Kernel::Point_2> result;
+  for(const Halfedge h : mesh.halfedges())
+    result.push_back(uv[h]);
+  return result;
+}
+
+struct Case
+{
+  std::string name;
+  Mesh mesh;
+};
+
+inline std::vector<Case> meshes_of_three_directions()
+{
+  return {{"octahedron", octahedron()}, {"sphere with six cones", subdivided(octahedron(), 3)}};
+}
+
+inline std::vector<Case> meshes_of_six_directions()
+{
+  return {{"icosahedron", icosahedron()},
+          {"sphere with twelve cones", subdivided(icosahedron(), 2)},
+          {"torus", torus(9, 7)},
+          {"genus 2", subdivided(genus_2(), 1)},
+          {"triangle with border", triangle(6)}};
 }
 
 } // namespace hexagonal_maps
