@@ -507,7 +507,8 @@ expect("${text}" number_of_faces EQUAL 16)
 seamless(0 remesh sheet.ply square_quads.ply --number 16)
 file(READ "${WORK_DIR}/square_quads.ply" text)
 foreach(line IN ITEMS "property uchar red" "property float quality" "property int mark"
-    "property int part" "\n1 1 0 7 0.25 200 100 9 " "\n0.5 0.5 0 7 0.25 100 50 9 " "\n4 [0-9 ]* 4 ?\n"
+    "property int part" "\n1 1 0 7 0.25 200 100 9 " "\n0.5 0.5 0 7 0.25 100 50 9 "
+    "\n4 [0-9 ]* 4 ?\n"
     "\n4 [0-9 ]* 5 ?\n")
   expect("${text}" text MATCHES "${line}")
 endforeach()
