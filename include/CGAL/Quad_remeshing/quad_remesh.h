@@ -300,8 +300,9 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
 field that are less than two edges of the wanted quads apart cancel, unless sizes vary, or
-`minimize_number_of_quads` or `curvature_alignment` is given. Borders are aligned, and so are feature
-edges: they become chains of edges of quads, whose vertices lie on them and are not smoothed. After some rounds of smoothing, the
+`minimize_number_of_quads` or `curvature_alignment` is given. Borders are aligned, and so are
+feature edges: they become chains of edges of quads, whose vertices lie on them and are not
+smoothed. After some rounds of smoothing, the
 others move to where their quads are near to rectangles and, of up to 6,600 quads, near to the
 surface: at most four times as many rounds, and of about 100,000 quads in all. What this leaves
 inverted or thin is improved: vertices near by move along the surface or along their feature, unless
