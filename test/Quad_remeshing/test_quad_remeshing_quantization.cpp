@@ -842,8 +842,8 @@ void test_place_of_step()
   CHECK_IN(quantization.message, quantization.number_of_quads == 16);
   Mesh quads;
   CHECK(bool(SS::extract_quad_mesh(quantization, mesh, quads)));
-  CHECK(std::any_of(quads.vertices().begin(), quads.vertices().end(), [&](const auto v) {
-    return CGAL::squared_distance(quads.point(v), Point_3(4 - 4. / 17, 3 + 1. / 17, 0)) < 1e-24;
+  CHECK(std::any_of(quads.vertices().begin(), quads.vertices().end(), [&](const auto w) {
+    return CGAL::squared_distance(quads.point(w), Point_3(4 - 4. / 17, 3 + 1. / 17, 0)) < 1e-24;
   }));
 }
 
@@ -1168,8 +1168,8 @@ void test_symmetry()
         CHECK_EQUAL(euler_characteristic(quads), 0);
         CHECK_EQUAL(report.number_of_quads, std::size_t(quads.number_of_faces()));
         CHECK_IN(context + ": " + std::to_string(report.number_of_quads),
-                 report.number_of_quads > 0.8 * double(number) &&
-                   report.number_of_quads < 1.4 * double(number));
+                 double(report.number_of_quads) > 0.8 * double(number) &&
+                   double(report.number_of_quads) < 1.4 * double(number));
         CHECK_IN(context, report.number_of_inverted_quads == 0);
       }
     }
