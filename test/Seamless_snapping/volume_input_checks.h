@@ -99,6 +99,17 @@ inline void test_neighbors()
   check_refusal(Outcome::INVALID_ARGUMENT, map, "size",
                 parameters::cell_neighbors(neighbors));
 
+  // neighbors that would hide the boundary, which is to be aligned
+  Tet_map apart = map;
+  apart.cells = {{{0, 1, 2, 3}}, {{4, 5, 6, 7}}};
+  apart.corners.resize(8);
+  neighbors = {{{1, 1, 1, 1}}, {{0, 0, 0, 0}}};
+  check_refusal(Outcome::INVALID_ARGUMENT, apart, "is no cell with the facet",
+                parameters::cell_neighbors(neighbors));
+  neighbors = {{{0, 0, 0, 0}}, {{1, 1, 1, 1}}};
+  check_refusal(Outcome::INVALID_ARGUMENT, apart, "is no other cell",
+                parameters::cell_neighbors(neighbors));
+
   // three cells at a facet, two of which are neighbors, say
   map.cells = {{{0, 1, 2, 3}}, {{4, 1, 2, 3}}, {{5, 1, 2, 3}}};
   map.corners.resize(12);
@@ -162,6 +173,9 @@ inline void test_large_names()
   const auto& d = other.cells[0];
   CHECK(bool(snap(other, parameters::feature_facets(Facets{{{d[1], d[2], d[3]}}})
                            .feature_edges(Edges{{{d[2], d[3]}}}))));
+  CHECK(map.corners == other.corners);
+  CHECK(bool(snap(map, parameters::grid_scale(3.))));
+  CHECK(bool(snap(other, parameters::grid_scale(3.))));
   CHECK(map.corners == other.corners);
   other.corners[41][1] = std::numeric_limits<double>::infinity();
   check_refusal(Outcome::NOT_FINITE, other,

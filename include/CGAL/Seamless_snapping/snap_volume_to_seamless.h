@@ -107,8 +107,8 @@ and at vertices.
   \cgalParamNBegin{cell_neighbors}
     \cgalParamDescription{for each cell, the 4 cells on the other sides of the facets opposite to
                           its vertices, or negative numbers where there is none; saves searching
-                          them. Whether cells name each other is checked where the result depends
-                          on it. Pass `std::cref(neighbors)` to save copies of them, too.}
+                          them. Whether cells name each other is checked. Pass
+                          `std::cref(neighbors)` to save copies of them, too.}
     \cgalParamType{a range of ranges of 4 integers, each with a member function `size()`}
     \cgalParamDefault{found by common vertices}
   \cgalParamNEnd

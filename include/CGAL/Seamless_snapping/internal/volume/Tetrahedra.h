@@ -38,6 +38,7 @@ struct Tetrahedra
   std::vector<std::int32_t> neighbors; // per facet: the cell on the other side, or -1
   std::size_t number_of_vertices = 0;  // 1 + the largest index
   std::vector<std::int32_t> names;     // per vertex, ascending; none where they are the indices
+  bool has_given_neighbors = false;    // which may be wrong
 
   std::size_t number_of_cells() const { return vertices.size() / 4; }
 
@@ -149,14 +150,15 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
   return std::nullopt;
 }
 
-// The neighbors as the caller gives them: for each cell, those opposite to its vertices. Whether
-// they fit is seen where they are used.
+// The neighbors as the caller gives them: for each cell, those opposite to its vertices. The survey
+// checks that they fit.
 template <typename NeighborRange>
 std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra& tetrahedra)
 {
   const std::size_t size = tetrahedra.number_of_cells();
   if(static_cast<std::size_t>(neighbors.size()) != size)
     return invalid_cells("cell_neighbors is not of the size of the range of cells");
+  tetrahedra.has_given_neighbors = true;
   tetrahedra.neighbors.resize(4 * size);
   std::size_t facet = 0;
   for(const auto& cell : neighbors) {
@@ -164,8 +166,9 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
     if(cell.size() != 4)
       return invalid_cells(name() + "there must be 4");
     for(const auto d : cell) {
-      if(!(d < 0) && !is_index_below(d, size))
-        return invalid_cells(name() + std::to_string(d) + " is no cell");
+      if(!(d < 0) && (!is_index_below(d, size) || static_cast<std::size_t>(d) == facet / 4))
+        return invalid_cells(name() + std::to_string(d) + " is no other cell; where there is "
+                             "none, the number must be negative");
       tetrahedra.neighbors[facet++] = d < 0 ? -1 : static_cast<std::int32_t>(d);
     }
   }

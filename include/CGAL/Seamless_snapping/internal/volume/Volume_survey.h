@@ -93,8 +93,7 @@ public:
   { }
 
   // Fills in the cells at facets whose sides differ and at aligned facets and edges, and those at
-  // some further vertices, but for their coordinates. Returns what is wrong with the input, if so;
-  // of neighbors, only those are looked at on which the result depends.
+  // some further vertices, but for their coordinates. Returns what is wrong with the input, if so.
   std::optional<Refusal> run(const bool align_boundary, const Volume_features& features,
                              const std::vector<std::int64_t>& further_vertices,
                              Flat_volume& volume)
@@ -119,7 +118,8 @@ private:
     if(auto refusal = find_split_vertices())
       return refusal;
     for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
-      const bool may_differ = is_at_vertex(c, m_is_split);
+      // Given neighbors are all looked at: a wrong one would hide a facet of the boundary.
+      const bool may_differ = m_tetrahedra.has_given_neighbors || is_at_vertex(c, m_is_split);
       for(Corner_index facet = Corner_index(4 * c); facet < Corner_index(4 * c + 4); ++facet)
         if(m_tetrahedra.neighbors[std::size_t(facet)] < 0) {
           if(align_boundary)

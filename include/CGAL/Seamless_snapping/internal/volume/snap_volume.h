@@ -31,7 +31,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -98,8 +97,9 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
     return refusal;
   features.sort();
   if(cells == Cells_to_read::ALL) {
-    further_vertices.resize(tetrahedra.number_of_vertices);
-    std::iota(further_vertices.begin(), further_vertices.end(), std::int64_t(0));
+    further_vertices.clear();
+    for(std::size_t v = 0; v < tetrahedra.number_of_vertices; ++v)
+      further_vertices.push_back(tetrahedra.name(std::int32_t(v)));
   }
   const bool align_boundary =
     choose_parameter(get_parameter(np, CGAL::internal_np::align_boundary), true);
