@@ -361,6 +361,9 @@ void test_shared_places()
   const auto np = SS::parameters::default_values();
   CHECK(SS::snap_to_seamless(mesh, map, np).status == SS::Outcome::INTERNAL_ERROR);
   CHECK(all_bits(mesh, map) == before);
+  CHECK(SS::snap_to_seamless(mesh, map, SS::parameters::grid_scale(2.)).status ==
+        SS::Outcome::INTERNAL_ERROR);
+  CHECK(all_bits(mesh, map) == before);
 
   // nothing remains of what was written before something is thrown
   map.places = places;

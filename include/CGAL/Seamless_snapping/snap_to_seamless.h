@@ -169,7 +169,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDescription{the largest number of iterations over all faces that the search for
                           repairs takes: of Newton's method, where it untangles; quadratic programs
                           take 250 multiplications each for an iteration and a face, as for 1000
-                          faces at least. With 0, only single vertices move.}
+                          faces at least. With 0, only single vertices move. Without
+                          `repair_flips` and `integer_grid`, it is an error of compilation.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400; of what has been repaired, the most that was needed is told at
                       `Flip_repair`}
@@ -198,7 +199,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{rounding_tolerance}
     \cgalParamDescription{the largest distance of a translation, a cone, or a level from the integer
                           that it becomes. A larger one is an error, since the map is not meant to
-                          be an integer-grid map then; raise it, to 10 for instance, where it is.}
+                          be an integer-grid map then; raise it, to 10 for instance, where it is.
+                          Without `integer_grid`, it is an error of compilation.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
     \cgalParamExtra{Large roundings may turn faces: `Snapping_report::lost_faces` tells. The end of

@@ -268,7 +268,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`.
  * `maximum_number` is the number of things made or visited above which a function gives up.
  *
- * Which of them a function reads is listed with the function; it ignores the others.
+ * Which of them a function reads is listed with the function; it ignores the others, unless the
+ * list says that one is an error of compilation without another.
  *
  * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
  *       `parameters` alone is ambiguous: write an alias as above.

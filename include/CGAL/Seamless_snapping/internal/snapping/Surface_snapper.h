@@ -201,9 +201,7 @@ private:
     Corner_changes figures;
     Coordinate_writer<Group, Surface, Mesh_stars<Group, Surface> > writer(cuts, stars, m_surface);
     if(!writer.write(snapped.coordinates, figures))
-      return Refusal(Outcome::INTERNAL_ERROR, "the uv map does not keep what is written to "
-                     "it, so that what it had was written back; each corner needs a place of its "
-                     "own, and the full precision of the points' number type");
+      return map_does_not_keep_coordinates();
     figures.fill_in(m_report, snapped.optimal_changes);
     m_report.grid_step = snapped.unit;
     m_report.status = Outcome::SNAPPED;

@@ -19,6 +19,7 @@
 // throws, or does not keep what is written, which would void the verification.
 
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
@@ -30,6 +31,13 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+inline Refusal map_does_not_keep_coordinates()
+{
+  return {Outcome::INTERNAL_ERROR, "the uv map does not keep what is written to it, so that what "
+          "it had was written back; each corner needs a place of its own, and the full precision "
+          "of the points' number type"};
+}
 
 // Figures of the changes of all Cartesian coordinates.
 class Corner_changes
