@@ -272,6 +272,8 @@ void test_polygons()
   CHECK_EQUAL(soup.points[3][2], 1e-3);
   CHECK(soup.polygons[0].vertices == std::vector<std::size_t>({0, 1, 2, 3}));
   CHECK_EQUAL(soup.polygons[1].line, 8u);
+  CHECK_EQUAL(message("# a comment\n" + off + "4 0 1 2 3\n3 2 1 0\n", ""), "");
+  CHECK_EQUAL(message("#OFFICE\nv 0 0 0\n", ""), "the file has no face");
   CHECK_EQUAL(message(off + "3 0 1 4\n3 2 1 0\n", "off"),
               "line 7: vertex index 4 is out of range: the file has 4");
   CHECK_EQUAL(message(off, "off"), "line 6: the file ends before face 0");

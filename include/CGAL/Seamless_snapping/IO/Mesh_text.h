@@ -237,6 +237,8 @@ private:
   internal::Vertex_changes build(TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                                  const NamedParameters& np)
   {
+    m_soup.reset();
+    m_vertex_numbers.clear();
     auto soup = Parser(m_text).parse();
     const std::size_t n = m_number_of_points = soup.points.size();
     const internal::Vertex_changes changes = internal::build_mesh(soup, tmesh, uv_map, np);

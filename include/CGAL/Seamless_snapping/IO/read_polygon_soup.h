@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/OFF_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/STL_parser.h>
@@ -50,7 +51,8 @@ inline std::string format_of_polygons(const std::string_view text)
     return "ply";
   if(text.substr(0, 5) == "solid")
     return "stl";
-  return text.substr(0, text.find_first_of(" \t\r\n")).find("OFF") == text.npos ? "obj" : "off";
+  // OFF files may begin with comments of the same form as those of OBJ files
+  return OBJ_scanner(text).next_statement().find("OFF") == text.npos ? "obj" : "off";
 }
 
 inline bool is_format_of_polygons(const std::string& format)
