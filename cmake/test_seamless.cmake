@@ -470,6 +470,7 @@ foreach(arguments IN ITEMS "64;sheet.off;--sizes;sizes.txt"
   expect_message("${out}" "${number} quads,")
 endforeach()
 file(WRITE "${WORK_DIR}/few.txt" "0.1 0.1 0.1")
+seamless(2 remesh sheet.off sized.off --sizes few.txt --report few.txt)
 seamless(3 remesh sheet.off sized.off --sizes few.txt)
 expect_message("${err}" "a number for each of 4 vertices")
 file(WRITE "${WORK_DIR}/zero.txt" "0.1 0 0.1 0.1")
@@ -504,6 +505,8 @@ expect("${text}" inside)
 string(REGEX MATCHALL "f [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+" faces "${text}")
 list(LENGTH faces number_of_faces)
 expect("${text}" number_of_faces EQUAL 16)
+file(WRITE "${WORK_DIR}/few_vt.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0\nf 1/1 2/7 3/9\n")
+seamless(0 remesh few_vt.obj square_quads.obj --number 16) # coordinates that are not there
 seamless(0 remesh sheet.ply square_quads.ply --number 16)
 file(READ "${WORK_DIR}/square_quads.ply" text)
 foreach(line IN ITEMS "property uchar red" "property float quality" "property int mark"

@@ -192,11 +192,11 @@ std::string in_words_of_user(const std::string& message, const Model& model)
   std::istringstream words(with_options(message));
   for(std::string word; words >> word; ) {
     const std::size_t digits = (std::min)(word.find_first_not_of("0123456789"), word.size());
-    const std::string rest = word.substr(digits);
+    const std::string rest = word.substr(digits), noun = word.substr(word[0] == '(' ? 1 : 0);
     if(!kind.empty() && digits > 0 && rest.find_first_not_of(",;:.)") == rest.npos)
       word = std::to_string(number_in_file(kind, std::stoul(word))) + rest;
-    else if(word == "vertex" || word == "vertices" || word == "face")
-      kind = word;
+    else if(noun == "vertex" || noun == "vertices" || noun == "face")
+      kind = noun;
     else if(!(kind == "vertices" && word == "and")) // as in "vertices 1 and 2"
       kind.clear();
     result += (result.empty() ? "" : " ") + word;

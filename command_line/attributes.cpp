@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iostream>
 #include <locale>
 #include <map>
 #include <optional>
@@ -166,8 +167,8 @@ private:
         const std::size_t i = tokens.size() - 3;
         colors.push_back({number(tokens[i]), number(tokens[i + 1]), number(tokens[i + 2])});
       }
-    } else if(name == "vt" && tokens.size() >= 2) {
-      coordinates.push_back({number(tokens[0]), number(tokens[1])});
+    } else if(name == "vt" && !tokens.empty()) {
+      coordinates.push_back({number(tokens[0]), tokens.size() > 1 ? number(tokens[1]) : 0.});
     } else if(name == "mtllib") {
       libraries += line(name, tokens);
     } else if(name == "o" || name == "g" || name == "usemtl") {
@@ -293,7 +294,8 @@ private:
   {
     const std::size_t v = m_model.file_vertices[mesh().target(h)];
     for(const auto& [w, vt] : file.corners[file_face(m_model, f)])
-      if(vt > 0 && (w == v + 1 || file.points[w - 1] == file.points[v]))
+      if(vt > 0 && vt <= file.coordinates.size() &&
+         (w == v + 1 || file.points[w - 1] == file.points[v]))
         return file.coordinates[vt - 1];
     return std::nullopt;
   }
@@ -384,7 +386,12 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
     return OBJ_text(model, read_file(input), quads);
   Mesh file;
-  if(format == "ply" && read_PLY_mesh(input, file)) {
+  const bool has_properties =
+    format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
+  if(has_properties && !read_PLY_mesh(input, file)) {
+    std::cerr << "note: " << input << " is no mesh before repairs: what hangs on it is not carried "
+              << "over" << std::endl;
+  } else if(has_properties) {
     carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
                    std::uint32_t, float, double>(model, file, quads);
     carry_over_colors(model, file, quads);

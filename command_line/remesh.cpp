@@ -119,7 +119,7 @@ struct Remesh_options
       named_plane(symmetry);
     check_direction_file(field);
     check_picture(picture);
-    check_outputs({input, field}, {output, picture, report});
+    check_outputs({input, field, sizes}, {output, picture, report});
     return true;
   }
 };
