@@ -74,14 +74,12 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     const std::size_t flips = number_of_flips(surface, complex, uv);
     if(round < number_of_rounds && flips > 0)
       stiffen(surface, complex, uv, weights);
+    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
     if(round == 0 || flips < report.number_of_flipped_faces) {
       best.swap(unknowns);
       report.number_of_flipped_faces = flips;
-    }
-    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
-    if(flips == report.number_of_flipped_faces && flips > 0 && flips <= few_flips) {
       unknowns = best;
-      if(untangle(unknowns))
+      if(flips > 0 && flips <= few_flips && untangle(unknowns))
         return unknowns;
     }
     if(round == number_of_rounds || flips == 0)
@@ -165,18 +163,21 @@ public:
       make_complex();
       while(m_options.may_release && release(degenerate_faces()))
         make_complex();
+      const Coordinates reached = m_uv; // in the last round, before attempts close by
+      bool is_untangled = false;
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
         [&](std::vector<double>& u) {
-          return m_options.may_release && m_iterations_left > 0 &&
-                 untangle(u, Untangling::CLOSE_BY).empty();
+          is_untangled = m_options.may_release && m_iterations_left > 0 &&
+                         untangle(u, Untangling::CLOSE_BY).empty();
+          return is_untangled;
         },
         m_solver, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
-      else
-        keep_better(unknowns);
+      else if(!is_untangled)
+        keep_better(reached, unknowns);
       std::vector<std::size_t> stuck;
       m_uv = m_rows->evaluate(unknowns);
       m_solver.solver = Solver(); // frees memory
@@ -207,10 +208,9 @@ private:
 
   // What untangling reached before edges were released meets the constraints that are left: goes
   // on from there if it has fewer flips.
-  void keep_better(std::vector<double>& unknowns)
+  void keep_better(const Coordinates& uv, std::vector<double>& unknowns)
   {
-    std::vector<double> reached =
-      unknowns_of(m_surface, m_uv, *m_complex, *m_rows, m_solver);
+    std::vector<double> reached = unknowns_of(m_surface, uv, *m_complex, *m_rows, m_solver);
     const std::size_t flips =
       number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
     if(flips < m_report.number_of_flipped_faces) {
