@@ -38,7 +38,8 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Twice the coordinate of the plane across an axis by which the points are symmetric, if each has
-// an image among them, exactly. It lies in the middle between the outermost points.
+// an image among them, exactly. It lies in the middle between the outermost points. Points that all
+// lie on a plane are not taken for images of themselves.
 inline std::optional<double>
 find_doubled_offset(const std::vector<std::array<double, 3> >& sorted, const std::size_t axis)
 {
@@ -46,7 +47,7 @@ find_doubled_offset(const std::vector<std::array<double, 3> >& sorted, const std
     std::minmax_element(sorted.begin(), sorted.end(),
                         [&](const auto& p, const auto& q) { return p[axis] < q[axis]; });
   const Exact_difference sum((*highest)[axis], -(*lowest)[axis]);
-  if(!sum.is_valid() || sum.error != 0)
+  if(!sum.is_valid() || sum.error != 0 || (*lowest)[axis] == (*highest)[axis])
     return std::nullopt;
   std::vector<std::array<double, 3> > images(sorted);
   for(std::array<double, 3>& p : images) {
@@ -65,8 +66,8 @@ find_doubled_offset(const std::vector<std::array<double, 3> >& sorted, const std
 \ingroup PkgQuadRemeshingQuads
 
 finds a plane by which the vertices of a mesh are symmetric: each has an image among them, exactly.
-Planes perpendicular to a coordinate axis are looked for, first to the x-axis. Whether the faces are
-symmetric does not matter.
+A plane that all vertices lie on is not meant. Planes perpendicular to a coordinate axis are looked
+for, first to the x-axis. Whether the faces are symmetric does not matter.
 
 \tparam TriangleMesh a model of `VertexListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -113,7 +114,8 @@ auto find_symmetry_plane(const TriangleMesh& tmesh,
   std::sort(points.begin(), points.end());
   std::optional<typename Kernel::Plane_3> result;
   for(std::size_t axis = 0; axis < 3 && !points.empty() && !result; ++axis)
-    if(const auto doubled = internal::find_doubled_offset(points, axis)) {
+    if(const auto doubled = internal::find_doubled_offset(points, axis);
+       doubled && CGAL::to_double(FT(*doubled / 2)) == *doubled / 2) {
       const auto unit = [&](const std::size_t i) { return FT(i == axis ? 1 : 0); };
       result = typename Kernel::Plane_3(unit(0), unit(1), unit(2), FT(-*doubled / 2));
     }

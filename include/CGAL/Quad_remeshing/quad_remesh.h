@@ -304,7 +304,8 @@ field that are less than two edges of the wanted quads apart cancel, unless size
 feature edges: they become chains of edges of quads, whose vertices lie on them and are not
 smoothed. After some rounds of smoothing, the
 others move to where their quads are near to rectangles and, of up to 6,600 quads, near to the
-surface: at most four times as many rounds, and of about 100,000 quads in all. What this leaves
+surface: at most four times as many rounds, and of about 100,000 quads in all, or one
+round. What this leaves
 inverted or thin is improved: vertices near by move along the surface or along their feature, unless
 it turns or ends there, and two quads around a vertex of two edges become one. What is inverted or
 flat even then, as between two features that are a straight line in space, becomes five quads, one
@@ -409,7 +410,8 @@ around a vertex of one edge is left out.
   \cgalParamNBegin{symmetry_plane}
     \cgalParamDescription{a plane by which the result is its own mirror image: the part of the
                           surface on its positive side is remeshed, aligned to the cut, and
-                          mirrored. What is on its negative side is not read. See
+                          mirrored. Of what is on its negative side, only the area counts, where
+                          a length tells how many quads there are to be. See
                           `find_symmetry_plane()`.}
     \cgalParamType{`%Plane_3` or `std::optional<%Plane_3>`}
     \cgalParamDefault{none}

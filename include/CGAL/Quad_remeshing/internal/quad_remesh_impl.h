@@ -106,8 +106,12 @@ private:
       if(!extract())
         return false;
       const double number_in_half = double(m_quads.number_of_faces());
-      if(smooth())
+      if(smooth()) {
+        if(round > 0)
+          m_report.message += (m_report.message.empty() ? "" : "; ") +
+                              std::string("of fewer quads, one half would meet its image twice");
         return true;
+      }
       m_options.quantization.is_coarsest = false;
       m_options.quantization.number_of_quads = 1.5 * number_in_half;
     }

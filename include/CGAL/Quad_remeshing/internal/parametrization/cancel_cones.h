@@ -116,20 +116,23 @@ private:
 };
 
 // Changes the rotations such that opposite cones of up to that distance cancel, the closest first.
-// The deviations of the field are not small after that. Returns the number of pairs.
+// The deviations of the field are not small after that. Of each cone, the nearest ones are
+// considered: where cones are dense, what lies behind these is hardly ever left. Returns the number
+// of pairs.
 inline std::size_t cancel_rotations(const Triangle_surface& surface,
                                     const std::vector<double>& angles,
                                     const std::vector<char>& is_fixed, const double distance,
                                     std::vector<int> index, Matching& matching)
 {
+  constexpr std::size_t most_partners = 8;
   Cone_paths paths(surface, is_fixed, distance);
   std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // the positive one first
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     if(index[v] > 0)
-      paths.run(v, [&](const std::size_t w, const double d) {
+      paths.run(v, [&, most = pairs.size() + most_partners](const std::size_t w, const double d) {
         if(index[w] < 0)
           pairs.emplace_back(d, v, w);
-        return true;
+        return pairs.size() < most;
       });
   std::sort(pairs.begin(), pairs.end());
   std::size_t count = 0;

@@ -32,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -111,6 +112,9 @@ inline void adapt_to_curvature(const Triangle_surface& surface,
     mean[c] += surface.area[surface.face(h)] * size(surface.vertex(h));
     area[c] += surface.area[surface.face(h)];
   }
+  const double three_areas = std::accumulate(area.begin(), area.end(), 0.);
+  if(!(largest * std::sqrt(three_areas) > 1e-6))
+    return; // flat but for rounding
   const double most = std::log(ratio) / 2;
   log_size.resize(surface.number_of_vertices(), 0);
   for(std::size_t v = 0; v < log_size.size(); ++v) {

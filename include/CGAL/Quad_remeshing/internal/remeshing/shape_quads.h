@@ -81,8 +81,8 @@ public:
       m_samples(surface, number_of_samples(quads.number_of_faces()))
   { }
 
-  // Until little is gained, and at most about 100,000 quads in all. is_held(vertex) tells which
-  // vertices stay.
+  // Until little is gained, and at most about 100,000 quads in all, or one round.
+  // is_held(vertex) tells which vertices stay.
   template <typename Is_held>
   void run(const std::size_t most_rounds, const Is_held& is_held)
   {

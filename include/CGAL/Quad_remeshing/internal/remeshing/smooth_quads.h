@@ -72,12 +72,13 @@ inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_
 }
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on
-// sharp edges, is not to turn from where it does.
+// sharp edges, is not to turn from where it does; one without area faces nowhere.
 inline Space_vector upper_side_or_own(const std::array<Space_vector, 4>& q,
                                       const Space_vector& normal_of_surface)
 {
   const Space_vector own = quad_normal(q);
-  return inner_product(own, normal_of_surface) > 0 ? normal_of_surface : own;
+  return own == Space_vector{} || inner_product(own, normal_of_surface) > 0 ? normal_of_surface
+                                                                            : own;
 }
 
 // Invariant: vertices that are held stay where they are, all others on the surface.
