@@ -117,21 +117,41 @@ private:
   {
     if(auto refusal = find_split_vertices())
       return refusal;
+    // A wrong neighbor would hide a facet of the boundary. Given ones of larger number are all
+    // looked at; if those of smaller number are as many, each is the other side of one of them.
+    const bool are_given = m_tetrahedra.has_given_neighbors;
+    std::ptrdiff_t balance = 0;
     for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
-      // Given neighbors are all looked at: a wrong one would hide a facet of the boundary.
-      const bool may_differ = m_tetrahedra.has_given_neighbors || is_at_vertex(c, m_is_split);
-      for(Corner_index facet = Corner_index(4 * c); facet < Corner_index(4 * c + 4); ++facet)
-        if(m_tetrahedra.neighbors[std::size_t(facet)] < 0) {
+      const bool may_differ = is_at_vertex(c, m_is_split);
+      for(Corner_index facet = Corner_index(4 * c); facet < Corner_index(4 * c + 4); ++facet) {
+        const std::int32_t d = m_tetrahedra.neighbors[std::size_t(facet)];
+        if(d < 0) {
           if(align_boundary)
             add(facet, m_aligned_facets);
-        } else if(may_differ) {
-          const Corner_index other = m_tetrahedra.opposite(facet);
-          if(!m_tetrahedra.is_mutual(facet, other))
-            return wrong_neighbor(m_tetrahedra, facet, other);
-          if(facet < other && !are_identical(facet, other))
-            add(facet, m_open_facets);
+          continue;
         }
+        const bool is_larger = std::size_t(d) > c;
+        balance += is_larger ? 1 : -1;
+        if(!may_differ && !(are_given && is_larger))
+          continue;
+        const Corner_index other = m_tetrahedra.opposite(facet);
+        if(!m_tetrahedra.is_mutual(facet, other))
+          return wrong_neighbor(m_tetrahedra, facet, other);
+        if(may_differ && facet < other && !are_identical(facet, other))
+          add(facet, m_open_facets);
+      }
     }
+    return balance == 0 ? std::nullopt : find_wrong_neighbor();
+  }
+
+  std::optional<Refusal> find_wrong_neighbor() const
+  {
+    for(std::size_t f = 0; f < m_tetrahedra.neighbors.size(); ++f)
+      if(const auto facet = Corner_index(f); m_tetrahedra.neighbors[f] >= 0) {
+        const Corner_index other = m_tetrahedra.opposite(facet);
+        if(!m_tetrahedra.is_mutual(facet, other))
+          return wrong_neighbor(m_tetrahedra, facet, other);
+      }
     return std::nullopt;
   }
 
