@@ -446,8 +446,8 @@ does not change indices that are given.
 The cost is that of sparse Cholesky factorizations with twice as many rows as `tmesh` has vertices:
 one, and one for each stiffening round. The field takes three, with twice as many rows as `tmesh`
 has faces, but for at most 50,000 faces or clusters of them; beyond, it is smoothed on finer and
-finer clusters in linear time. On surface meshes this is somewhat more than linear: with
-SuiteSparse, 1 to 3 seconds per 100,000 faces, and up to 1.6 kB of memory for each.
+finer clusters in linear time. On surface meshes this is somewhat more than linear; the benchmark
+`parametrization_table` measures it, with `--subdivide` for larger meshes.
 
 \par Complexity
 Some sparse factorizations with an unknown or two for each face or vertex; in addition at most
