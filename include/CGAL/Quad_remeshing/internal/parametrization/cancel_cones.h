@@ -116,37 +116,38 @@ private:
 };
 
 // Changes the rotations such that opposite cones of up to that distance cancel, the closest first.
-// The deviations of the field are not small after that. Of each cone, the nearest ones are
-// considered: where cones are dense, what lies behind these is hardly ever left. Returns the number
-// of pairs.
+// The deviations of the field are not small after that. Returns the number of pairs.
 inline std::size_t cancel_rotations(const Triangle_surface& surface,
                                     const std::vector<double>& angles,
                                     const std::vector<char>& is_fixed, const double distance,
                                     std::vector<int> index, Matching& matching)
 {
-  constexpr std::size_t most_partners = 8;
+  constexpr std::size_t most_partners = 8; // in a round: where cones are dense, few are enough
   Cone_paths paths(surface, is_fixed, distance);
-  std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // the positive one first
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    if(index[v] > 0)
-      paths.run(v, [&, most = pairs.size() + most_partners](const std::size_t w, const double d) {
-        if(index[w] < 0)
-          pairs.emplace_back(d, v, w);
-        return pairs.size() < most;
+  std::size_t count = 0, before = 0;
+  do {
+    before = count;
+    std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // the positive one first
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+      if(index[v] > 0)
+        paths.run(v, [&, most = pairs.size() + most_partners](const std::size_t w, const double d) {
+          if(index[w] < 0)
+            pairs.emplace_back(d, v, w);
+          return pairs.size() < most;
+        });
+    std::sort(pairs.begin(), pairs.end());
+    for(const auto& [d, from, to] : pairs) {
+      if(index[from] <= 0 || index[to] >= 0)
+        continue;
+      paths.run(from, [&, end = to](const std::size_t v, double) { return v != end; });
+      paths.for_each_edge_to(to, [&](const Corner_index h) {
+        set_turns(surface, angles, h, matching.turns[h] - 1, matching);
       });
-  std::sort(pairs.begin(), pairs.end());
-  std::size_t count = 0;
-  for(const auto& [d, from, to] : pairs) {
-    if(index[from] <= 0 || index[to] >= 0)
-      continue;
-    paths.run(from, [&, end = to](const std::size_t v, double) { return v != end; });
-    paths.for_each_edge_to(to, [&](const Corner_index h) {
-      set_turns(surface, angles, h, matching.turns[h] - 1, matching);
-    });
-    --index[from];
-    ++index[to];
-    ++count;
-  }
+      --index[from];
+      ++index[to];
+      ++count;
+    }
+  } while(count > before);
   return count;
 }
 
