@@ -19,6 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/IO/HEXEX_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <algorithm>
@@ -132,18 +133,14 @@ inline std::string rewritten_HEXEX(const std::string& original,
   if(uvw.size() != content.coordinates.size())
     throw File_refusal(0, "the original has " + std::to_string(content.coordinates.size()) +
                        " corners, and there are coordinates for " + std::to_string(uvw.size()));
-  std::string text;
-  text.reserve(original.size() + original.size() / 8);
-  std::size_t end = 0; // of what is copied
-  for(std::size_t i = 0; i < content.tokens.size(); ++i) {
-    if(content.coordinates[i / 3][i % 3] == uvw[i / 3][i % 3] && content.is_rounded[i] == 0)
-      continue;
-    const std::size_t begin = std::size_t(content.tokens[i].data() - original.data());
-    text.append(original, end, begin - end);
-    append_number(uvw[i / 3][i % 3], text);
-    end = begin + content.tokens[i].size();
-  }
-  return text.append(original, end, std::string::npos);
+  Text_copy copy(original);
+  for(std::size_t i = 0; i < content.tokens.size(); ++i)
+    if(content.coordinates[i / 3][i % 3] != uvw[i / 3][i % 3] || content.is_rounded[i] != 0) {
+      std::string decimal;
+      append_number(uvw[i / 3][i % 3], decimal);
+      copy.replace(content.tokens[i], decimal);
+    }
+  return copy.take();
 }
 
 } // namespace internal
@@ -154,7 +151,8 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief reads a tetrahedral mesh with coordinates per corner from a stream in the HEXEX format.
+\brief reads a tetrahedral mesh with coordinates per corner from a stream or a file in the HEXEX
+format.
 
 The file holds words that blanks and line ends separate: the number of vertices and three
 coordinates for each; the number of cells and for each four vertices, which count from 0, and twelve
@@ -163,7 +161,9 @@ be the number of walls alone in a line, followed by three vertices and a distanc
 are not kept; and a line with the numbers of feature vertices, feature edges, and feature facets,
 followed by their vertices.
 
-\param is the input stream
+\tparam Source a class derived from `std::istream`, or one that converts to `std::string`
+
+\param source the input stream, or the name of the file
 \param mesh receives the content; as it was if the function fails
 
 \returns an object that converts to `true` if the mesh was read, and that holds the reason and the
@@ -172,10 +172,11 @@ followed by their vertices.
 \par Complexity
 Linear in the size of the file.
 */
-inline File_status read_HEXEX(std::istream& is, HEXEX_mesh& mesh)
+template <typename Source>
+File_status read_HEXEX(Source&& source, HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
-    const std::string text = internal::text_of(is);
+    const std::string text = internal::text_of(source);
     internal::move_to(internal::HEXEX_parser(text).parse(), mesh);
   });
 }
@@ -183,45 +184,22 @@ inline File_status read_HEXEX(std::istream& is, HEXEX_mesh& mesh)
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief reads a tetrahedral mesh with coordinates per corner from a file in the HEXEX format.
+\brief writes a tetrahedral mesh with coordinates per corner to a stream or a file in the HEXEX
+format, with as many digits as it takes to read the numbers back bit for bit.
 
-Parameters and result are those of the function that reads from a stream.
-*/
-inline File_status read_HEXEX(const std::string& filename, HEXEX_mesh& mesh)
-{
-  return internal::status_of_writing([&] {
-    const std::string text = internal::text_of(filename);
-    internal::move_to(internal::HEXEX_parser(text).parse(), mesh);
-  });
-}
+\tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
 
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief writes a tetrahedral mesh with coordinates per corner to a stream in the HEXEX format, with
-as many digits as it takes to read the numbers back bit for bit.
+\param output the output stream, or the name of the file
+\param mesh the mesh
 
 \par Complexity
 Linear in the size of the mesh.
 */
-inline File_status write_HEXEX(std::ostream& os, const HEXEX_mesh& mesh)
+template <typename Target>
+File_status write_HEXEX(Target&& output, const HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
-    internal::write_text(os, internal::text_of_mesh(mesh));
-  });
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief writes a tetrahedral mesh with coordinates per corner to a file in the HEXEX format.
-
-Parameters and result are those of the function that writes to a stream.
-*/
-inline File_status write_HEXEX(const std::string& filename, const HEXEX_mesh& mesh)
-{
-  return internal::status_of_writing([&] {
-    internal::write_text(filename, internal::text_of_mesh(mesh));
+    internal::write_text(output, internal::text_of_mesh(mesh));
   });
 }
 

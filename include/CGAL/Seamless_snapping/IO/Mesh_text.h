@@ -35,7 +35,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -48,11 +47,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 
 namespace internal {
-
-inline bool is_same_number(const double x, const double y)
-{
-  return x == y && std::signbit(x) == std::signbit(y);
-}
 
 // Whether the faces of the soup are those of the mesh, in the same order: vertices by `number(v)`,
 // points, and, to the bit, coordinates.

@@ -21,12 +21,10 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_text_builder.h>
+#include <CGAL/Seamless_snapping/internal/IO/mesh_texts.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
-#include <istream>
-#include <ostream>
 #include <string>
 #include <type_traits>
 
@@ -37,7 +35,7 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief reads a triangle mesh with coordinates per corner from a stream in the OBJ format.
+\brief reads a triangle mesh with coordinates per corner from a stream or a file in the OBJ format.
 
 The statements `v` (points), `vt` (coordinates), and `f` (triangles whose corners are `v/vt` or
 `v/vt/vn`) are read; `l` (polylines along edges of the mesh) are the feature edges. Other statements
@@ -74,11 +72,12 @@ thrown, if reading fails.
 
 As with other readers of \cgal, the data are added to what is in `tmesh`.
 
+\tparam Source a class derived from `std::istream`, or one that converts to `std::string`
 \tparam TriangleMesh a model of `MutableFaceGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param is the input stream
+\param source the input stream, or the name of the file
 \param tmesh the mesh that the triangles are added to
 \param uv_map receives for each halfedge of the new faces the coordinates of the corner at its
        target
@@ -118,33 +117,18 @@ added, the faces around its vertices are visited), and needs the memory for the 
 Linear in the size of the file, but for a logarithmic factor where edges, and with `weld_borders`
 points, are sorted.
 */
-template <typename TriangleMesh, typename HalfedgeUVMap,
+template <typename Source, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status read_OBJ(std::istream& is, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status read_OBJ(Source&& source, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::read_mesh<internal::OBJ_parser>(is, tmesh, uv_map, np);
+  return internal::read_mesh<internal::OBJ_parser>(source, tmesh, uv_map, np);
 }
 
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief reads a triangle mesh with coordinates per corner from a file in the OBJ format.
-
-Parameters, named parameters, and result are those of the function that reads from a stream.
-*/
-template <typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status read_OBJ(const std::string& filename, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
-                    const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return internal::read_mesh<internal::OBJ_parser>(filename, tmesh, uv_map, np);
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief writes a triangle mesh with coordinates per corner to a stream in the OBJ format.
+\brief writes a triangle mesh with coordinates per corner to a stream or a file in the OBJ format.
 
 What is written reads back bit for bit: each number is the shortest decimal that, taken for a
 `double`, gives the number again; this holds for negative zero and subnormal numbers as well. A
@@ -156,11 +140,13 @@ Vertices and faces are written in the order of `vertices(tmesh)` and `faces(tmes
 a face starting at `target(halfedge(f, tmesh), tmesh)`. If a coordinate is not finite, nothing is
 written.
 
+\tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
 \tparam TriangleMesh a model of `FaceListGraph`, `VertexListGraph`, and `EdgeListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param os the output stream
+\param output the output stream, or the name of the file. If the status says that the file cannot be
+       written to, for example as there is no space left, it may hold a part of the text.
 \param tmesh the mesh
 \param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
 \param comments text for the head of the file, of one or more lines; this argument can be left out
@@ -192,34 +178,16 @@ written.
 \par Complexity
 Linear in the size of the mesh, as long as each vertex has few different coordinates.
 */
-template <typename TriangleMesh, typename HalfedgeUVMap,
+template <typename Target, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status write_OBJ(std::ostream& os, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status write_OBJ(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const std::string& comments,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::write_mesh(os, [&] {
-      return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
-    });
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-\brief writes a triangle mesh with coordinates per corner to a file in the OBJ format.
-Parameters, named parameters, and result are those of the function that writes to a stream. If the
-status says that the file cannot be written to, for example as there is no space left, it may hold a
-part of the text.
-*/
-template <typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status write_OBJ(const std::string& filename, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
-                     const std::string& comments,
-                     const NamedParameters& np = CGAL::parameters::default_values())
-{
-  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::write_mesh(filename, [&] {
-      return internal::build_OBJ_text(tmesh, uv_map, comments, internal::strip(np));
+    return internal::write_mesh(output, [&] {
+      return internal::text_of_surface<internal::OBJ_text>(tmesh, uv_map, comments,
+                                                          internal::strip(np));
     });
 }
 
@@ -235,12 +203,14 @@ corners that shared a statement have different coordinates now, the indices of `
 statements: further `vt` statements then follow the one that was shared. What is written reads back
 bit for bit, as with `write_OBJ()`.
 
+\tparam Source,Target as for `read_OBJ()` and `write_OBJ()`
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param original the file, from which the mesh was read by `read_OBJ()`, into an empty mesh
-\param os the output stream
+\param original a stream, or the name of the file, from which the mesh was read by `read_OBJ()`,
+       into an empty mesh
+\param output the output stream, or the name of the file, which may be that of the original
 \param tmesh the mesh, with the faces and points of the file
 \param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -270,41 +240,25 @@ bit for bit, as with `write_OBJ()`.
 \par Complexity
 Linear in the size of the file, as long as each vertex has few different coordinates.
 */
-template <typename TriangleMesh, typename HalfedgeUVMap,
+template <typename Source, typename Target, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status rewrite_OBJ(std::istream& original, std::ostream& os, const TriangleMesh& tmesh,
+File_status rewrite_OBJ(Source&& original, Target&& output, const TriangleMesh& tmesh,
                         HalfedgeUVMap uv_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::rewrite_mesh<internal::OBJ_parser, internal::OBJ_rewriter>(
-    original, os, tmesh, uv_map, np);
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-\brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
-Parameters, named parameters, and result are those of the function on streams. The two names may be
-the same.
-*/
-template <typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status rewrite_OBJ(const std::string& original, const std::string& filename,
-                        const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
-                        const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return internal::rewrite_mesh<internal::OBJ_parser, internal::OBJ_rewriter>(
-    original, filename, tmesh, uv_map, np);
+    original, output, tmesh, uv_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL
-// Without comments; `File` is a stream or the name of a file.
-template <typename File, typename TriangleMesh, typename HalfedgeUVMap,
+// Without comments.
+template <typename Target, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<!std::is_convertible_v<const NamedParameters&, std::string>, int> = 0>
-File_status write_OBJ(File&& file, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+File_status write_OBJ(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return write_OBJ(file, tmesh, uv_map, std::string(), np);
+  return write_OBJ(output, tmesh, uv_map, std::string(), np);
 }
 /// \endcond
 

@@ -22,12 +22,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -68,8 +66,7 @@ public:
     if(token.empty())
       refuse(std::string("the file ends where ") + what + " should be");
     Number value = 0;
-    const auto result = std::from_chars(token.data(), token.data() + token.size(), value);
-    if(result.ec != std::errc() || result.ptr != token.data() + token.size())
+    if(!parse_integer(token, value))
       refuse(quoted(token) + " should be " + what);
     return value;
   }
@@ -143,11 +140,8 @@ private:
     const std::string_view token = m_scanner.next();
     if(token.empty())
       m_scanner.refuse("the file ends where a coordinate should be");
-    bool is_rounded;
-    const double value = parse_number_or_fraction(m_scanner, token, is_rounded);
     m_token = token;
-    m_is_rounded = is_rounded;
-    return value;
+    return parse_number_or_fraction(m_scanner, token, m_is_rounded);
   }
 
   void read_points()
@@ -194,8 +188,7 @@ private:
     for(std::string_view token = m_scanner.next(); !token.empty();
         token = m_scanner.next_in_line()) {
       std::size_t value = 0;
-      const auto parsed = std::from_chars(token.data(), token.data() + token.size(), value);
-      if(parsed.ec != std::errc() || parsed.ptr != token.data() + token.size())
+      if(!parse_integer(token, value))
         return {0, 0}; // neither walls nor features
       result.push_back(value);
     }

@@ -21,16 +21,14 @@
 // one are to have different coordinates, further statements follow it; later ones then have higher
 // indices.
 
-#include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 
 #include <charconv>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -100,13 +98,12 @@ public:
   // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
   // coordinates of its corners.
   OBJ_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
-    : m_text(text), m_soup(soup), m_layout(soup.uvs.size(), old_indices(soup), uvs), m_scanner(text)
+    : m_soup(soup), m_layout(soup.uvs.size(), old_indices(soup), uvs), m_scanner(text), m_copy(text)
   { }
 
   // To be called once. Throws if a coordinate is not finite.
   std::string rewrite()
   {
-    m_result.reserve(m_text.size() + m_text.size() / 8);
     const bool keeps_indices = m_layout.keeps_indices() && !m_soup.is_welded;
     for(std::string_view keyword = m_scanner.next_statement();
         !keyword.empty() && !(keeps_indices && m_number_of_uvs == m_soup.uvs.size());
@@ -120,8 +117,7 @@ public:
       else if(is_keyword(keyword, "l"))
         rewrite_polyline();
     }
-    m_result.append(m_text.substr(m_copied));
-    return std::move(m_result);
+    return m_copy.take();
   }
 
 private:
@@ -132,15 +128,6 @@ private:
     for(const typename Soup::Triangle& triangle : soup.triangles)
       result.insert(result.end(), triangle.uvs.begin(), triangle.uvs.end());
     return result;
-  }
-
-  // Copies what is in front of `old`, a part of the text, and puts `replacement` in its place.
-  void replace(const std::string_view old, const std::string& replacement)
-  {
-    const std::size_t begin = static_cast<std::size_t>(old.data() - m_text.data());
-    m_result.append(m_text.substr(m_copied, begin - m_copied));
-    m_result += replacement;
-    m_copied = begin + old.size();
   }
 
   void rewrite_uv()
@@ -160,27 +147,26 @@ private:
       return;
 
     const std::string_view end = m_scanner.finish_statement();
-    const std::size_t next = static_cast<std::size_t>(end.data() + end.size() - m_text.data());
-    m_result.append(m_text.substr(m_copied, next - m_copied));
-    m_copied = next;
+    std::string statements(end);
     for(std::size_t i = m_layout.first(k) + 1; i < m_layout.first(k + 1); ++i) {
       if(end.empty()) // of the text
-        m_result += '\n';
-      m_result += "vt ";
-      append_number(m_layout.uv(i)[0], m_result);
-      m_result += ' ';
-      append_number(m_layout.uv(i)[1], m_result);
-      m_result.append(further_numbers).append(end);
+        statements += '\n';
+      statements += "vt ";
+      append_number(m_layout.uv(i)[0], statements);
+      statements += ' ';
+      append_number(m_layout.uv(i)[1], statements);
+      statements.append(further_numbers).append(end);
     }
+    m_copy.replace(end, statements);
   }
 
   void rewrite_number(const std::string_view token, const double old_number, const double number)
   {
-    if(std::memcmp(&old_number, &number, sizeof(double)) == 0) // tells 0 from -0
+    if(is_same_number(old_number, number))
       return;
     std::string decimal;
     append_number(number, decimal);
-    replace(token, decimal);
+    m_copy.replace(token, decimal);
   }
 
   void rewrite_face()
@@ -240,15 +226,13 @@ private:
     if(old < 0)
       written -= static_cast<long long>(number_so_far) + 1;
     if(written != old)
-      replace(token, std::to_string(written));
+      m_copy.replace(token, std::to_string(written));
   }
 
-  std::string_view m_text;
   const Soup& m_soup;
   OBJ_uv_layout m_layout;
   OBJ_scanner m_scanner;
-  std::string m_result;
-  std::size_t m_copied = 0; // up to this position
+  Text_copy m_copy;
   std::size_t m_number_of_points = 0, m_number_of_uvs = 0, m_number_of_triangles = 0,
               m_number_of_segments = 0; // so far
 };

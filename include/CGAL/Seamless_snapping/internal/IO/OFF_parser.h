@@ -23,11 +23,9 @@
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -49,9 +47,7 @@ inline std::size_t parse_count(const OBJ_scanner& scanner, const std::string_vie
                                const char* const of)
 {
   std::size_t count = 0;
-  const char* const end = token.data() + token.size();
-  const std::from_chars_result result = std::from_chars(token.data(), end, count);
-  if(token.empty() || result.ptr != end || result.ec != std::errc())
+  if(!parse_integer(token, count))
     scanner.refuse(quoted(token) + " is not " + of);
   return count;
 }

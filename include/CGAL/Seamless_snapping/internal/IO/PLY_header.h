@@ -18,10 +18,10 @@
 // The head of a PLY file: which elements with which properties follow, and how they are written.
 
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -163,9 +163,7 @@ private:
       if(other.name == tokens[1])
         refuse("there are two elements " + quoted(tokens[1]));
     PLY_element element{tokens[1], 0, {}};
-    const char* const end = tokens[2].data() + tokens[2].size();
-    const auto result = std::from_chars(tokens[2].data(), end, element.count);
-    if(result.ptr != end || result.ec != std::errc())
+    if(!parse_integer(tokens[2], element.count))
       refuse(quoted(tokens[2]) + " is not a number of elements");
     m_header.elements.push_back(element);
   }

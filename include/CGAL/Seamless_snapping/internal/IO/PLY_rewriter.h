@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,6 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,14 +47,13 @@ public:
   // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
   // coordinates of its corners.
   PLY_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
-    : m_text(text), m_header(PLY_header_parser(text).parse()), m_values(text, m_header),
-      m_soup(soup), m_uvs(uvs)
+    : m_header(PLY_header_parser(text).parse()), m_values(text, m_header), m_soup(soup), m_uvs(uvs),
+      m_copy(text)
   { }
 
   // To be called once. Throws if a coordinate is not finite.
   std::string rewrite()
   {
-    m_result.reserve(m_text.size() + m_text.size() / 4);
     for(const PLY_element& element : m_header.elements)
       if(element.name == "face")
         change_type(element.properties[PLY_face_layout(element).uvs]);
@@ -73,25 +72,10 @@ public:
           else
             m_values.skip(element.properties[i]);
     }
-    m_result.append(m_text.substr(m_copied));
-    return std::move(m_result);
+    return m_copy.take();
   }
 
 private:
-  // Copies what is in front of `old`, a part of the text, and puts `replacement` in its place.
-  void replace(const std::string_view old, const std::string& replacement)
-  {
-    const std::size_t begin = static_cast<std::size_t>(old.data() - m_text.data());
-    m_result.append(m_text.substr(m_copied, begin - m_copied));
-    m_result += replacement;
-    m_copied = begin + old.size();
-  }
-
-  static bool is_same_number(const double a, const double b)
-  {
-    return a == b && std::signbit(a) == std::signbit(b);
-  }
-
   static bool are_same(const UV& a, const UV& b)
   {
     return is_same_number(a[0], b[0]) && is_same_number(a[1], b[1]);
@@ -113,7 +97,7 @@ private:
                           && std::all_of(m_uvs.begin(), m_uvs.end(), is_float));
     if(changes && !fits) {
       m_uv_type = PLY_type::DOUBLE;
-      replace(uvs.type_name, "double");
+      m_copy.replace(uvs.type_name, "double");
     }
   }
 
@@ -130,7 +114,7 @@ private:
   {
     const std::string_view old = m_values.next(property.type);
     if(m_values.integer(old, property.type) != static_cast<long long>(v))
-      replace(old, text_of_index(v, property.type));
+      m_copy.replace(old, text_of_index(v, property.type));
   }
 
   void rewrite_uvs(const PLY_property& property, const std::size_t triangle)
@@ -141,7 +125,7 @@ private:
       for(std::size_t c = 0; c < 2; ++c) {
         const std::string_view old = m_values.next(property.type);
         if(changes_all || !is_same_number(m_uvs[corner][c], m_soup.uvs[corner][c]))
-          replace(old, text_of_number(m_uvs[corner][c]));
+          m_copy.replace(old, text_of_number(m_uvs[corner][c]));
       }
   }
 
@@ -173,14 +157,12 @@ private:
     return text;
   }
 
-  std::string_view m_text;
   PLY_header m_header;
   PLY_values m_values;
   const Soup& m_soup;
   const std::vector<UV>& m_uvs;
   PLY_type m_uv_type = PLY_type::DOUBLE;
-  std::string m_result;
-  std::size_t m_copied = 0; // up to this position
+  Text_copy m_copy;
 };
 
 } // namespace internal

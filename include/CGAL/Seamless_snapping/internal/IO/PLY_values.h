@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +30,6 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -102,9 +100,7 @@ public:
   {
     if(m_format == PLY_format::ASCII) {
       long long result = 0;
-      const char* const end = value.data() + value.size();
-      const std::from_chars_result parsed = std::from_chars(value.data(), end, result);
-      if(parsed.ptr != end || parsed.ec != std::errc())
+      if(!parse_integer(value, result))
         refuse(quoted(value) + " is not an integer");
       return result;
     }

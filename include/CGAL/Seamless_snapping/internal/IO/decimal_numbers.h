@@ -54,6 +54,15 @@ inline bool is_at_least_one(std::string_view number)
   return leading + (negative ? -exponent : exponent) >= 0;
 }
 
+// Whether a token is an integer that its type holds; if so, sets the value.
+template <typename Integer>
+bool parse_integer(const std::string_view token, Integer& value)
+{
+  const char* const end = token.data() + token.size();
+  const std::from_chars_result result = std::from_chars(token.data(), end, value);
+  return result.ptr == end && result.ec == std::errc();
+}
+
 // Returns the number of type `Number` (`float` or `double`) that is nearest to the decimal `token`;
 // 0, with the token's sign, if it is smaller than the smallest one. Independent of the locale.
 // `scanner.refuse(reason)` throws.
