@@ -174,18 +174,12 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
 inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_measure& measure)
 {
   std::size_t positive = 0, negative = 0;
-  for(std::size_t i = 0; i < volume.coordinates.size(); i += 4) {
-    const Uvw* const u = &volume.coordinates[i];
-    const CGAL::Orientation sign = orientation({u[0], u[1], u[2], u[3]});
+  for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
+    const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
+    const CGAL::Orientation sign = orientation(u);
     positive += std::size_t(sign == CGAL::POSITIVE);
     negative += std::size_t(sign == CGAL::NEGATIVE);
-    Uvw e[3];
-    for(std::size_t k = 0; k < 3; ++k)
-      for(std::size_t c = 0; c < 3; ++c)
-        e[k][c] = u[k + 1][c] - u[0][c];
-    measure.volume += (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-                       e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                       e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) / 6;
+    measure.volume += six_times_volume(u) / 6;
   }
   measure.number_of_nonpositive_cells =
     volume.number_of_cells() - (std::max)(positive, negative);

@@ -198,11 +198,14 @@ private:
   std::optional<Refusal> write(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
                                const Snapped_coordinates<Group>& snapped)
   {
-    Corner_changes figures;
     Coordinate_writer<Group, Surface, Mesh_stars<Group, Surface> > writer(cuts, stars, m_surface);
-    if(!writer.write(snapped.coordinates, figures))
-      return map_does_not_keep_coordinates();
-    figures.fill_in(m_report, snapped.optimal_changes);
+    if(auto refusal = writer.write(snapped.coordinates))
+      return refusal;
+    m_report.largest_change = writer.changes().largest();
+    m_report.mean_change = writer.changes().mean();
+    m_report.rms_change = writer.changes().root_mean_square();
+    // no exact solution can undercut that sum of squares
+    m_report.optimal_rms_change = snapped.optimal_changes.root(writer.changes().sum_of_weights());
     m_report.grid_step = snapped.unit;
     m_report.status = Outcome::SNAPPED;
     m_timer.finish("writing");

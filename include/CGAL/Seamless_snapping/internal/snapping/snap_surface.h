@@ -20,6 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
@@ -149,32 +150,6 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   return report;
 }
 
-// Writes the coordinates of a copy, or none: what was there is written back if the map does not
-// keep them, or throws.
-template <typename Surface, typename Halfedges>
-void write_back(const Flat_surface& copy, const Halfedges& originals, const std::vector<Uv>& before,
-                Surface& surface, Snapping_report& report)
-{
-  const auto take_back = [&] {
-    for(std::size_t i = before.size(); i-- > 0;) // the last first, as corners may share a place
-      surface.set_uv(originals[i], before[i]);
-  };
-  bool is_kept = true;
-  try {
-    for(std::size_t i = 0; i < before.size(); ++i)
-      surface.set_uv(originals[i], copy.uv(Corner_index(i)));
-    for(std::size_t i = 0; i < before.size(); ++i)
-      is_kept = is_kept && surface.uv(originals[i]) == copy.uv(Corner_index(i));
-  } catch(...) { // by the map
-    take_back();
-    throw;
-  }
-  if(is_kept)
-    return;
-  take_back();
-  refuse(report, map_does_not_keep_coordinates());
-}
-
 // The same for the map times a number, to an integer-grid map if that is asked for: in a copy,
 // which is written back if all succeeds.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -215,7 +190,13 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_m
     return report;
   }
   report.status = Outcome::SNAPPED;
-  write_back(surface, originals, before, input, report);
+  using Change = Corner_change<typename decltype(input)::Halfedge, Uv>;
+  if(const auto refusal = write_all_or_nothing(
+       before.size(), [&](const std::size_t i)
+       { return Change{originals[i], before[i], surface.uv(Corner_index(i))}; },
+       [&](const auto h) { return input.uv(h); },
+       [&](const Change& change, const Uv& to) { input.set_uv(change.corner, to); }))
+    refuse(report, *refusal);
   return report;
 }
 

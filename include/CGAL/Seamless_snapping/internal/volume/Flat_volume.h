@@ -52,6 +52,18 @@ inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t 
   return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
 }
 
+// Six times the volume of a cell, in floating point.
+inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
+{
+  std::array<Uvw, 3> e;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      e[i][c] = scale * (u[i + 1][c] - u[0][c]);
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
 // Where a problem is, for messages: "facet 3, 4, 7".
 inline std::string name_of(const char* const what, const std::vector<std::int64_t>& vertices)
 {

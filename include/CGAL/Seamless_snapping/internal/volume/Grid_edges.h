@@ -61,15 +61,10 @@ class Grid_edge_finder
 
 public:
   Grid_edge_finder(const Flat_volume& volume, const Volume_transitions& transitions)
-    : m_volume(volume), m_element(volume.opposite.size(), 0),
+    : m_volume(volume),
+      m_element(elements_of_facets(volume, transitions, false, Group::identity())),
       m_is_aligned(volume.opposite.size(), 0), m_is_done(6 * volume.number_of_cells(), 0)
   {
-    for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
-      const std::size_t facet = std::size_t(volume.open_facets[i]);
-      m_element[facet] = static_cast<signed char>(transitions.element[i]);
-      m_element[std::size_t(volume.opposite[facet])] =
-        static_cast<signed char>(Group::inverse(transitions.element[i]));
-    }
     for(const Corner_index facet : volume.aligned_facets)
       m_is_aligned[std::size_t(facet)] = 1;
   }
@@ -109,7 +104,8 @@ private:
       const Corner_index former = ring.facet();
       ring.turn();
       is_done(former, ring.facet()) = 1;
-      const CGAL::Orientation now = orientation_of_cell(former / 4);
+      const CGAL::Orientation now =
+        orientation(uvw_of_cell(m_volume.coordinates, std::size_t(former / 4)));
       is_folded = is_folded || now == CGAL::ZERO || (sign != CGAL::ZERO && now != sign);
       sign = now;
       angle += angle_between(former, ring.facet());
@@ -136,12 +132,6 @@ private:
         ends[ends[0] < 0 ? 0 : 1] = corner;
     m_result.push_back({{ends[0], ends[1], axis_of(g)}, is_interior,
                         g != Group::identity() && axis_of(g) == no_axis});
-  }
-
-  CGAL::Orientation orientation_of_cell(const std::int32_t c) const
-  {
-    return orientation({m_volume.uvw(4 * c), m_volume.uvw(4 * c + 1), m_volume.uvw(4 * c + 2),
-                        m_volume.uvw(4 * c + 3)});
   }
 
   // In a cell, between the facets opposite to two corners.

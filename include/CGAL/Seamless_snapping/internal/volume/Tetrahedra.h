@@ -59,12 +59,6 @@ struct Tetrahedra
     return result;
   }
 
-  // Whether the cells on both sides name each other.
-  bool is_mutual(const Corner_index facet, const Corner_index other) const
-  {
-    return other >= 0 && neighbors[std::size_t(other)] == facet / 4;
-  }
-
   std::int32_t name(const std::int32_t v) const
   {
     return names.empty() ? v : names[std::size_t(v)];
@@ -175,11 +169,13 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
   return std::nullopt;
 }
 
-// What is wrong with the neighbor at a facet, where the facet on its other side, `other`, is not
-// there or names another cell.
-inline Refusal wrong_neighbor(const Tetrahedra& tetrahedra, const Corner_index facet,
-                              const Corner_index other)
+// Sets the other side of a facet that has a neighbor. Returns what is wrong with that, if so.
+inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const Corner_index facet,
+                                            Corner_index& other)
 {
+  other = tetrahedra.opposite(facet);
+  if(other >= 0 && tetrahedra.neighbors[std::size_t(other)] == facet / 4)
+    return std::nullopt;
   const std::string c = std::to_string(facet / 4),
                     d = std::to_string(tetrahedra.neighbors[std::size_t(facet)]);
   if(other < 0)

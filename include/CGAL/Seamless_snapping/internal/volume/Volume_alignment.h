@@ -47,16 +47,10 @@ class Facet_alignment_reader
 
 public:
   Facet_alignment_reader(const Flat_volume& volume, const Volume_transitions& transitions)
-    : m_volume(volume), m_transitions(transitions), m_element(volume.opposite.size(), 0),
+    : m_volume(volume),
+      m_element(elements_of_facets(volume, transitions, false, Group::identity())),
       m_place(volume.opposite.size(), -1), m_noise(transitions.noise)
-  {
-    for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
-      const Corner_index facet = volume.open_facets[i];
-      m_element[std::size_t(facet)] = static_cast<signed char>(transitions.element[i]);
-      m_element[std::size_t(volume.opposite[std::size_t(facet)])] =
-        static_cast<signed char>(Group::inverse(transitions.element[i]));
-    }
-  }
+  { }
 
   Volume_alignment read()
   {
@@ -213,7 +207,6 @@ private:
   }
 
   const Flat_volume& m_volume;
-  const Volume_transitions& m_transitions;
   std::vector<signed char> m_element; // per facet: to the other side
   std::vector<std::int32_t> m_place;  // per facet: among the aligned ones, or -1
   std::vector<double> m_noise;        // per vertex

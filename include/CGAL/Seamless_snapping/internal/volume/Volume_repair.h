@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
 #include <CGAL/Linear_snapping/internal/linear/nonnegative_program.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
 #include <Eigen/Core>
 
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -75,25 +77,16 @@ public:
   // \param largest_change of a coordinate, against the input
   void run(const std::vector<std::size_t>& lost, const double largest_change)
   {
+    if(!m_members)
+      m_members.emplace(m_sectors, m_places);
     m_largest_change = largest_change;
-    m_place.resize(m_sectors.number_of_sectors());
-    for(std::size_t p = 0; p < m_places.places.size(); ++p) {
-      const Place& place = m_places.places[p];
-      for(std::size_t i = 0; i < place.members.size(); ++i)
-        m_place[std::size_t(place.members[i])] = {p, i / place.number_of_slots};
-    }
     for(const std::size_t c : lost)
       for(std::size_t i = 4 * c; i < 4 * c + 4 && is_lost(c); ++i)
         if(m_sectors.sector[i] >= 0)
-          improve(m_place[std::size_t(m_sectors.sector[i])]);
+          improve(m_members->member_of_corner(Corner_index(i)));
   }
 
 private:
-  struct Member
-  {
-    std::size_t place, index;
-  };
-
   bool is_lost(const std::size_t c) const
   {
     const Uvw_tetrahedron before = uvw_of_cell(m_volume.coordinates, c);
@@ -103,20 +96,16 @@ private:
     return orientation(now) != m_orientation && orientation(before) == m_orientation;
   }
 
-  const Place& place_of(const Member& member) const { return m_places.places[member.place]; }
-
+  // Calls f(slot, corner).
   template <typename F>
-  void for_each_corner(const Member& member, const F& f) const
+  void for_each_corner(const Member_index member, const F& f) const
   {
-    const Place& place = place_of(member);
-    for(std::size_t slot = 0; slot < place.number_of_slots; ++slot) {
-      const Sector_number s = place.sector(member.index, slot);
-      for(auto i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
-        f(slot, std::size_t(*i));
-    }
+    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index i) {
+      f(slot, std::size_t(i));
+    });
   }
 
-  std::size_t number_of_lost_cells(const Member& member) const
+  std::size_t number_of_lost_cells(const Member_index member) const
   {
     std::size_t result = 0;
     for_each_corner(member, [&](std::size_t, const std::size_t i) {
@@ -127,14 +116,14 @@ private:
 
   // Tries moves that leave the cells more of their volumes or less; keeps the first one that helps
   // and costs no other cell its orientation.
-  void improve(const Member& member)
+  void improve(const Member_index member)
   {
-    const Place& place = place_of(member);
+    const Place& place = m_members->place(member);
     std::size_t number_of_cells = 0;
     for_each_corner(member, [&](std::size_t, std::size_t) { ++number_of_cells; });
     if(number_of_cells > largest_number_of_cells_at_moved_vertex)
       return;
-    const Place_freedom freedom = freedom_of(place, m_places, m_sectors.sheet_element);
+    const Place_freedom& freedom = m_members->freedom(member);
     std::vector<std::size_t> directions;
     const bool is_free = place.first_arc == place.end_of_arcs &&
                          place.first_level == place.end_of_levels; // also off the grid
@@ -171,9 +160,9 @@ private:
 
   // Moves the corners of a member. Returns false if the number type does not hold the result, or it
   // is far from the input.
-  bool apply(const Member& member, const Place_freedom& freedom, const Move& move)
+  bool apply(const Member_index member, const Place_freedom& freedom, const Move& move)
   {
-    const Place& place = place_of(member);
+    const Place& place = m_members->place(member);
     bool is_good = true;
     for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
       const Move turned = Group::apply(element(freedom, slot, i), move);
@@ -219,18 +208,12 @@ private:
 
   double volume(const std::vector<Uvw>& u, const std::size_t c) const
   {
-    std::array<Uvw, 3> e;
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t k = 0; k < 3; ++k)
-        e[i][k] = m_scale * (u[4 * c + i + 1][k] - u[4 * c][k]);
-    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-           e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+    return six_times_volume(uvw_of_cell(u, c), m_scale);
   }
 
   // The shortest move after which all cells have at least a part of their former volumes, by the
   // dual of that quadratic program.
-  Move proposed_move(const Member& member, const Place_freedom& freedom,
+  Move proposed_move(const Member_index member, const Place_freedom& freedom,
                      const std::vector<std::size_t>& directions, const double part)
   {
     const Eigen::Index dimension = Eigen::Index(directions.size());
@@ -268,7 +251,7 @@ private:
                                                        m_multiplications));
     for(Eigen::Index d = 0; d < dimension; ++d) {
       const std::size_t first = directions[std::size_t(d)];
-      const double steps = m_solver.grid(3 * place_of(member).first_slot + first)
+      const double steps = m_solver.grid(3 * m_members->place(member).first_slot + first)
                              .in_steps(y[d] / m_scale);
       if(!(std::abs(steps) < machine_integer_bound / 4))
         return Move{};
@@ -287,7 +270,7 @@ private:
   double m_largest_change = 0;
   CGAL::Orientation m_orientation = CGAL::POSITIVE; // that of most cells
   std::vector<Uvw>& m_coordinates; // per corner
-  std::vector<Member> m_place;     // per sector
+  std::optional<Volume_members> m_members; // where some cell was lost
   double m_scale = 1;
   double m_multiplications = 1e9; // that programs may still take
 };

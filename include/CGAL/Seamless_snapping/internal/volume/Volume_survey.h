@@ -134,9 +134,9 @@ private:
         balance += is_larger ? 1 : -1;
         if(!may_differ && !(are_given && is_larger))
           continue;
-        const Corner_index other = m_tetrahedra.opposite(facet);
-        if(!m_tetrahedra.is_mutual(facet, other))
-          return wrong_neighbor(m_tetrahedra, facet, other);
+        Corner_index other;
+        if(auto refusal = find_opposite(m_tetrahedra, facet, other))
+          return refusal;
         if(may_differ && facet < other && !are_identical(facet, other))
           add(facet, m_open_facets);
       }
@@ -147,11 +147,9 @@ private:
   std::optional<Refusal> find_wrong_neighbor() const
   {
     for(std::size_t f = 0; f < m_tetrahedra.neighbors.size(); ++f)
-      if(const auto facet = Corner_index(f); m_tetrahedra.neighbors[f] >= 0) {
-        const Corner_index other = m_tetrahedra.opposite(facet);
-        if(!m_tetrahedra.is_mutual(facet, other))
-          return wrong_neighbor(m_tetrahedra, facet, other);
-      }
+      if(Corner_index other; m_tetrahedra.neighbors[f] >= 0)
+        if(auto refusal = find_opposite(m_tetrahedra, Corner_index(f), other))
+          return refusal;
     return std::nullopt;
   }
 
@@ -338,9 +336,8 @@ private:
         volume.vertices.push_back(v);
         Corner_index other = no_facet;
         if(m_tetrahedra.neighbors[i] >= 0) {
-          other = m_tetrahedra.opposite(Corner_index(i));
-          if(!m_tetrahedra.is_mutual(Corner_index(i), other))
-            return wrong_neighbor(m_tetrahedra, Corner_index(i), other);
+          if(auto refusal = find_opposite(m_tetrahedra, Corner_index(i), other))
+            return refusal;
           other = moved(other, place);
         }
         volume.opposite.push_back(other);

@@ -47,6 +47,25 @@ struct Volume_transitions
   std::size_t number_decided_by_surroundings = 0;
 };
 
+// Per facet, the rotation to its other side; `of_others` where a facet is not open or, if only cuts
+// are asked for, is no cut.
+inline std::vector<signed char> elements_of_facets(const Flat_volume& volume,
+                                                   const Volume_transitions& transitions,
+                                                   const bool of_cuts_only, const int of_others)
+{
+  std::vector<signed char> result(volume.opposite.size(), static_cast<signed char>(of_others));
+  for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
+    if(of_cuts_only && transitions.is_cut[i] == 0)
+      continue;
+    const std::size_t facet = std::size_t(volume.open_facets[i]);
+    const int g = transitions.element[i];
+    result[facet] = static_cast<signed char>(g);
+    result[std::size_t(volume.opposite[facet])] =
+      static_cast<signed char>(Cube_rotations::inverse(g));
+  }
+  return result;
+}
+
 // Reads rotations off the coordinates of each facet. Where a facet is so thin that several fit, the
 // facets around its edges decide: around a regular edge, rotations multiply to the identity.
 class Facet_transition_reader

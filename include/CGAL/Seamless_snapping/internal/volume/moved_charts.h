@@ -41,18 +41,11 @@ class Volume_chart_mover
 public:
   Volume_chart_mover(const Flat_volume& volume, const Volume_transitions& transitions,
               const Volume_alignment& alignment)
-    : m_volume(volume), m_alignment(alignment), m_element(volume.opposite.size(), -1),
+    : m_volume(volume), m_alignment(alignment),
+      m_element(elements_of_facets(volume, transitions, true, -1)),
       m_is_reached(volume.number_of_cells(), 0), m_rotation(volume.number_of_cells()),
       m_shift(volume.number_of_cells()), m_component(volume.number_of_cells())
-  {
-    for(std::size_t i = 0; i < volume.open_facets.size(); ++i)
-      if(transitions.is_cut[i] != 0) {
-        const std::size_t facet = std::size_t(volume.open_facets[i]);
-        m_element[facet] = static_cast<signed char>(transitions.element[i]);
-        m_element[std::size_t(volume.opposite[facet])] =
-          static_cast<signed char>(Group::inverse(transitions.element[i]));
-      }
-  }
+  { }
 
   // The coordinates of all corners, moved.
   std::vector<Uvw> run()

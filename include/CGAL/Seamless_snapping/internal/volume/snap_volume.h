@@ -18,6 +18,7 @@
 // The part of the functions on volumes that knows the caller's types: reads them, and writes.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_survey.h>
@@ -27,8 +28,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -107,67 +106,25 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
     .run(align_boundary, features, further_vertices, volume);
 }
 
-// Writes, reads back, and takes back.
 template <typename CornerUVWMap>
-class Corner_writer
+std::optional<Refusal> write_corners(const Flat_volume& volume, const std::vector<Uvw>& u,
+                                     CornerUVWMap& uvw_map)
 {
   using Point = typename boost::property_traits<CornerUVWMap>::value_type;
   using Number = typename Uvw_number<CornerUVWMap>::type;
-
-public:
-  Corner_writer(const Flat_volume& volume, CornerUVWMap& uvw_map)
-    : m_volume(volume), m_uvw_map(uvw_map)
-  { }
-
-  // Returns false if the map does not keep what is written to it. Then, and if the map throws, what
-  // was read from it is written back.
-  bool write(const std::vector<Uvw>& u)
-  {
-    try {
-      for(m_end = 0; m_end < u.size(); ++m_end)
-        if(is_changed(u, m_end))
-          put(m_uvw_map, key(m_end), point(u[m_end]));
-      bool is_kept = true;
-      for(std::size_t i = 0; i < u.size(); ++i)
-        is_kept = is_kept && get_uvw(m_uvw_map, key(i)) == u[i];
-      if(is_kept)
-        return true;
-    } catch(...) { // by the map
-      take_back(u);
-      throw;
-    }
-    take_back(u);
-    return false;
-  }
-
-private:
-  // To the bit: the sign of a zero is kept where the value is.
-  bool is_changed(const std::vector<Uvw>& u, const std::size_t i) const
-  {
-    return u[i] != m_volume.coordinates[i];
-  }
-
-  std::size_t key(const std::size_t i) const
-  {
-    return 4 * std::size_t(m_volume.cell_names[i / 4]) + i % 4;
-  }
-
-  static Point point(const Uvw& u)
-  {
-    return Point(static_cast<Number>(u[0]), static_cast<Number>(u[1]), static_cast<Number>(u[2]));
-  }
-
-  void take_back(const std::vector<Uvw>& u)
-  {
-    for(std::size_t i = (std::min)(m_end + 1, u.size()); i-- > 0;)
-      if(is_changed(u, i))
-        put(m_uvw_map, key(i), point(m_volume.coordinates[i]));
-  }
-
-  const Flat_volume& m_volume;
-  CornerUVWMap& m_uvw_map;
-  std::size_t m_end = 0; // of what has been written
-};
+  using Change = Corner_change<std::size_t, Uvw>;
+  return write_all_or_nothing(
+    u.size(),
+    [&](const std::size_t i) {
+      return Change{4 * std::size_t(volume.cell_names[i / 4]) + i % 4, volume.coordinates[i], u[i]};
+    },
+    [&](const std::size_t corner) { return get_uvw(uvw_map, corner); },
+    [&](const Change& change, const Uvw& to) {
+      if(change.before != change.after) // a zero that stays one keeps its sign
+        put(uvw_map, change.corner, Point(static_cast<Number>(to[0]), static_cast<Number>(to[1]),
+                                          static_cast<Number>(to[2])));
+    });
+}
 
 // The vertices of cells that have lost their orientation, though a move of one that no constraint
 // concerns may give it back.
@@ -278,12 +235,8 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
     refusal = find_whole_map(range, uvw_map, np, options, timer, report, volume, snapped);
   else
     refusal = find_exact_map(range, uvw_map, np, options.tolerance, timer, report, volume, snapped);
-  if(!refusal && report.status != Outcome::ALREADY_EXACT &&
-     !Corner_writer<CornerUVWMap>(volume, uvw_map).write(snapped))
-    refusal = Refusal(Outcome::INTERNAL_ERROR,
-                      "the map does not keep what is written to it, so that what it had was "
-                      "written back; each corner needs a place of its own, and the full precision "
-                      "of the points' number type");
+  if(!refusal && report.status != Outcome::ALREADY_EXACT)
+    refusal = write_corners(volume, snapped, uvw_map);
   timer.finish("writing");
   if(refusal)
     refuse(report, *refusal);
