@@ -62,8 +62,7 @@ public:
                             { return surface.is_aligned[h] != 0; });
     find_nodes(cuts, aligned);
     anchor_components();
-    add_branches(cuts);
-    add_chains(aligned);
+    add_branches_and_chains(cuts, aligned);
   }
 
   const Complex& complex() const { return m_complex; }
@@ -71,9 +70,6 @@ public:
   std::size_t sector(const Corner_index h) const { return std::size_t(m_sector[h]); }
 
 private:
-  // Whether a directed edge has the direction of the halfedge that stands for the edge.
-  static bool is_along(const Directed_edge d) { return d < opposite_edge(d); }
-
   // One halfedge of each edge of a set, and which of them meet at each vertex.
   struct Edge_list
   {
@@ -168,48 +164,27 @@ private:
     }
   }
 
-  void add_branches(const Edge_list& cuts)
+  void add_branches_and_chains(const Edge_list& cuts, const Edge_list& aligned)
   {
-    const Branch_list branches =
-      Branch_tracer(cuts.incidences, cuts.ends).trace(m_complex.is_node);
-    for(std::size_t b = 0; b < branches.size(); ++b) {
-      const auto halfedge = [&](const Directed_edge d) {
-        const Corner_index h = cuts.halfedges[std::size_t(d / 2)];
-        return is_along(d) ? h : m_surface.opposite(h);
-      };
-      const Corner_index first = halfedge(*branches.begin(b));
-      m_complex.element.push_back(m_rotation[first]);
-      m_complex.pairs.push_back({m_sector[m_surface.prev(first)],
-                                 m_sector[m_surface.opposite(first)]});
-      for(auto d = branches.begin(b); d != branches.end(b); ++d) {
-        const Corner_index h = halfedge(*d);
-        m_complex.pairs.push_back({m_sector[h],
-                                   m_sector[m_surface.prev(m_surface.opposite(h))]});
-      }
-      m_complex.first_pair.push_back(m_complex.pairs.size());
-    }
-  }
-
-  void add_chains(const Edge_list& aligned)
-  {
-    const Branch_list chains =
-      Branch_tracer(aligned.incidences, aligned.ends).trace(m_complex.is_node);
-    for(std::size_t c = 0; c < chains.size(); ++c) {
-      const Directed_edge first = *chains.begin(c);
-      m_complex.functional.push_back(
-        constant_functional(m_surface, m_angles, aligned.halfedges[std::size_t(first / 2)]));
-      m_complex.links.push_back(link_before(aligned, first));
-      for(auto d = chains.begin(c); d != chains.end(c); ++d)
-        m_complex.links.push_back(link_before(aligned, opposite_edge(*d)));
-      m_complex.first_link.push_back(m_complex.links.size());
-    }
-  }
-
-  // The sector at the source of a directed edge, in the face of the halfedge that stands for it.
-  Sector_index link_before(const Edge_list& edges, const Directed_edge d) const
-  {
-    const Corner_index h = edges.halfedges[std::size_t(d / 2)];
-    return m_sector[is_along(d) ? m_surface.prev(h) : h];
+    const auto halfedge = [&](const Directed_edge d) {
+      const Corner_index h = cuts.halfedges[std::size_t(d / 2)];
+      return d % 2 == 0 ? h : m_surface.opposite(h);
+    };
+    add_branches(cuts.incidences, cuts.ends,
+                 [&](const Directed_edge d) { return m_rotation[halfedge(d)]; },
+                 [&](const Directed_edge d, const bool at_target) {
+                   return m_sector[at_target ? halfedge(d) : m_surface.prev(halfedge(d))];
+                 },
+                 m_complex);
+    add_chains(aligned.incidences, aligned.ends,
+               [&](const Edge_index e) {
+                 return constant_functional(m_surface, m_angles, aligned.halfedges[std::size_t(e)]);
+               },
+               [&](const Directed_edge d, const bool at_target) {
+                 const Corner_index h = aligned.halfedges[std::size_t(d / 2)];
+                 return m_sector[at_target == (d % 2 == 0) ? h : m_surface.prev(h)];
+               },
+               m_complex);
   }
 
   const Triangle_surface& m_surface;

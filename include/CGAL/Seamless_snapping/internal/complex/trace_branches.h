@@ -16,7 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The branches of [MC19] Sec. 5.3: the chains into which nodes divide a set of edges, cut or
-// aligned.
+// aligned; and how a complex gets those of a mesh.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 
@@ -165,6 +165,47 @@ private:
   const std::vector<Edge_ends>& m_ends;
   std::vector<bool> m_is_done;
 };
+
+// Adds the branches of cut edges to a complex.
+// \param element(d) of the transition across a directed edge, from its left
+// \param sector(d, at_target) at its left
+template <typename Group, typename ElementOf, typename SectorAt>
+Branch_list add_branches(const Vertex_incidences& cuts, const std::vector<Edge_ends>& ends,
+                         const ElementOf& element, const SectorAt& sector,
+                         Cut_complex<Group>& complex)
+{
+  const Branch_list branches = Branch_tracer(cuts, ends).trace(complex.is_node);
+  complex.pairs.reserve(ends.size() + branches.size());
+  for(std::size_t b = 0; b < branches.size(); ++b) {
+    const Directed_edge first = *branches.begin(b);
+    complex.element.push_back(element(first));
+    complex.pairs.push_back({sector(first, false), sector(opposite_edge(first), true)});
+    for(const Directed_edge* d = branches.begin(b); d != branches.end(b); ++d)
+      complex.pairs.push_back({sector(*d, true), sector(opposite_edge(*d), false)});
+    complex.first_pair.push_back(complex.pairs.size());
+  }
+  return branches;
+}
+
+// Adds the chains of aligned edges.
+// \param functional(edge) that is constant along an edge
+// \param sector(d, at_target) of a directed edge, at that side of the edge
+template <typename Group, typename FunctionalOf, typename SectorAt>
+Branch_list add_chains(const Vertex_incidences& aligned, const std::vector<Edge_ends>& ends,
+                       const FunctionalOf& functional, const SectorAt& sector,
+                       Cut_complex<Group>& complex)
+{
+  const Branch_list chains = Branch_tracer(aligned, ends).trace(complex.is_node);
+  for(std::size_t c = 0; c < chains.size(); ++c) {
+    const Directed_edge first = *chains.begin(c);
+    complex.functional.push_back(functional(first / 2));
+    complex.links.push_back(sector(first, false));
+    for(const Directed_edge* d = chains.begin(c); d != chains.end(c); ++d)
+      complex.links.push_back(sector(*d, true));
+    complex.first_link.push_back(complex.links.size());
+  }
+  return chains;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -374,50 +374,38 @@ private:
     }
   }
 
-  void add_branches()
+  void add_branches_and_chains()
   {
-    Complex& complex = m_result.complex;
-    m_branches = Branch_tracer(m_vertices.cuts, m_vertices.cut_ends).trace(complex.is_node);
-    complex.pairs.reserve(m_vertices.cut_ends.size() + m_branches.size());
-    for(std::size_t b = 0; b < m_branches.size(); ++b) {
-      const Directed_edge* const first = m_branches.begin(b);
-      const Directed_edge* const last = m_branches.end(b);
-      const auto g = m_transitions.edges[std::size_t(*first / 2)].rotation;
-      complex.element.push_back(*first % 2 == 0 ? g : Group::inverse(g));
-      complex.pairs.push_back({m_source_sector[std::size_t(*first)],
-                               m_target_sector[std::size_t(opposite_edge(*first))]});
-      for(const Directed_edge* d = first; d != last; ++d)
-        complex.pairs.push_back({m_target_sector[std::size_t(*d)],
-                                 m_source_sector[std::size_t(opposite_edge(*d))]});
-      complex.first_pair.push_back(complex.pairs.size());
-      m_result.branch_ends.push_back({m_transitions.edges[std::size_t(*first / 2)].halfedge,
-                                      m_transitions.edges[std::size_t(*(last - 1) / 2)].halfedge});
-    }
-  }
-
-  void add_chains()
-  {
-    Complex& complex = m_result.complex;
-    const Branch_list chains =
-      Branch_tracer(m_vertices.aligned, m_vertices.aligned_ends).trace(complex.is_node);
-    for(std::size_t c = 0; c < chains.size(); ++c) {
-      const Directed_edge* const first = chains.begin(c);
-      const Directed_edge* const last = chains.end(c);
-      complex.functional.push_back(m_aligned_edges.functional(*first / 2));
-      complex.links.push_back(aligned_sector(*first, false));
-      for(const Directed_edge* d = first; d != last; ++d)
-        complex.links.push_back(aligned_sector(*d, true));
-      complex.first_link.push_back(complex.links.size());
-      m_result.chain_ends.push_back({m_aligned_edges.halfedge(*first / 2),
-                                     m_aligned_edges.halfedge(*(last - 1) / 2)});
-    }
-  }
-
-  // The sector at one end of an aligned edge that is walked along in one direction.
-  Sector_index aligned_sector(const Directed_edge d, const bool at_target) const
-  {
-    return at_target == (d % 2 == 0) ? m_aligned_target_sector[std::size_t(d / 2)]
-                                     : m_aligned_source_sector[std::size_t(d / 2)];
+    m_branches = add_branches(
+      m_vertices.cuts, m_vertices.cut_ends,
+      [&](const Directed_edge d) {
+        const auto g = m_transitions.edges[std::size_t(d / 2)].rotation;
+        return d % 2 == 0 ? g : Group::inverse(g);
+      },
+      [&](const Directed_edge d, const bool at_target) {
+        return (at_target ? m_target_sector : m_source_sector)[std::size_t(d)];
+      },
+      m_result.complex);
+    const Branch_list chains = add_chains(
+      m_vertices.aligned, m_vertices.aligned_ends,
+      [&](const Edge_index a) { return m_aligned_edges.functional(a); },
+      [&](const Directed_edge d, const bool at_target) {
+        return (at_target == (d % 2 == 0) ? m_aligned_target_sector
+                                          : m_aligned_source_sector)[std::size_t(d / 2)];
+      },
+      m_result.complex);
+    const auto ends = [](const Branch_list& list, const std::size_t b, const auto& halfedge) {
+      return std::array<Halfedge, 2>{{halfedge(*list.begin(b) / 2),
+                                      halfedge(*(list.end(b) - 1) / 2)}};
+    };
+    for(std::size_t b = 0; b < m_branches.size(); ++b)
+      m_result.branch_ends.push_back(ends(m_branches, b, [&](const Edge_index i) {
+        return m_transitions.edges[std::size_t(i)].halfedge;
+      }));
+    for(std::size_t c = 0; c < chains.size(); ++c)
+      m_result.chain_ends.push_back(ends(chains, c, [&](const Edge_index a) {
+        return m_aligned_edges.halfedge(a);
+      }));
   }
 
   void add_further_constraints()
@@ -494,8 +482,7 @@ Surface_cuts<Group, typename Surface::Halfedge> Cut_complex_reader<Group, Surfac
   form_sectors(start_halfedges());
   m_result.first_corner.push_back(m_result.corners.size());
   measure_mixed_sectors();
-  add_branches();
-  add_chains();
+  add_branches_and_chains();
   add_further_constraints();
   return std::move(m_result);
 }
