@@ -304,18 +304,8 @@ group `arcs`.
 
 \param os the stream
 \param graph the layout
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of the mesh of the layout}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
-                   three-dimensional point as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+       among `np1` of `copy_to_face_graph()`
 
 \return `false` if there is no layout, or if writing fails
 

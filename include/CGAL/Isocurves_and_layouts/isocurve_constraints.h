@@ -290,20 +290,8 @@ Where faces are flipped in the domain, an isocurve can turn back, and the result
 
 \param tracer of the map that was snapped with the connections
 \param connections the constraints
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-        below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of the mesh a unique index
-                          between `0` and the number of vertices minus 1; the indices appear in
-                          messages}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-                   `std::size_t` as value type}
-    \cgalParamDefault{an automatically indexed internal map}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_index_map` of
+        `snap_to_seamless()`
 
 \pre `snap_to_seamless()` has taken the connections, and the map is as it left it
 

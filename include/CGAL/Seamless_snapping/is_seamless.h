@@ -217,60 +217,12 @@ coordinates do not tell which is meant: pass `halfedge_rotation_map` as well.
 \param tmesh the mesh
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-        below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the edges that are to lie on isocurves}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
-                   value type}
-    \cgalParamDefault{no edge is}
-  \cgalParamNEnd
-  \cgalParamNBegin{align_border}
-    \cgalParamDescription{whether all border edges are to lie on isocurves}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges; along all others, both sides must have the same
-                          coordinates}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
-                   value type}
-    \cgalParamDefault{every edge may be a cut}
-  \cgalParamNEnd
-  \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
-                          turns by default, of the transition across each halfedge}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
-                   integer type as value type}
-    \cgalParamDefault{any rotation will do}
-  \cgalParamNEnd
-  \cgalParamNBegin{rotational_symmetry}
-    \cgalParamDescription{the angles by which charts may be turned across cuts: multiples of
-                          \f$ 360 / N \f$ degrees}
-    \cgalParamType{`Rotational_symmetry<N>`}
-    \cgalParamDefault{`Rotational_symmetry<4>()`}
-  \cgalParamNEnd
-  \cgalParamNBegin{connection_constraints}
-    \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
-    \cgalParamType{a range of `Connection_constraint<TriangleMesh>`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{cycle_constraints}
-    \cgalParamDescription{isocurves that are to close}
-    \cgalParamType{a range of `Cycle_constraint<TriangleMesh>`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{corner_constraints}
-    \cgalParamDescription{linear equations on the coordinates of corners}
-    \cgalParamType{a range of `Corner_constraint<TriangleMesh>`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+       `snap_to_seamless()` that say what is to hold, `edge_is_constrained_map`, `align_border`,
+       `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, `connection_constraints`,
+       `cycle_constraints`, and `corner_constraints`. Without `edge_is_cut_map`, every edge may be a
+       cut; with it, both sides of all others must have the same coordinates. Without
+       `halfedge_rotation_map`, any rotation will do.
 
 \return `false` also if a coordinate of an interior edge or of a further constraint is NaN or
         infinite, (with connection or cycle constraints also if one is beyond 1e300), or if given

@@ -88,15 +88,7 @@ converts a parametrization from lattice coordinates \f$ (a, b) \f$ to Cartesian 
 \f$ (a + b / 2, b \sqrt 3 / 2) \f$, rounded. What is exactly seamless in lattice coordinates is not,
 in general, in these: convert for pictures and measurements, not to go on from there.
 
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`,
-        whose corners share no place in memory
-
-\param tmesh the mesh
-\param uv_map the coordinates of each corner
-
-\par Complexity
-Linear in the number of faces.
+Parameters and complexity are those of `convert_to_lattice_coordinates()`.
 
 \sa `convert_to_lattice_coordinates()`
 */

@@ -196,50 +196,9 @@ estimate: the topology that explains the coordinates with the smallest residuals
 \param tmesh the mesh: any number of components, of any genus, with or without border
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-        below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the largest violation of a transition that is taken for inaccuracy,
-                          relative to the extent of the coordinates}
-    \cgalParamType{`double`}
-    \cgalParamDefault{1e-4}
-  \cgalParamNEnd
-  \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are
-                          merged.}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
-                   value type}
-    \cgalParamDefault{read off the uv map}
-  \cgalParamNEnd
-  \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
-                          turns by default, of the transition across each halfedge, where it is
-                          known; modulo \f$ N \f$, and inverse for opposite halfedges}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
-                   integer type as value type}
-    \cgalParamDefault{read off the uv map}
-  \cgalParamNEnd
-  \cgalParamNBegin{rotational_symmetry}
-    \cgalParamDescription{the angles by which charts are turned across cuts: multiples of
-                          \f$ 360 / N \f$ degrees. A smaller \f$ N \f$ leaves less to guess at
-                          short edges.}
-    \cgalParamType{`Rotational_symmetry<N>`}
-    \cgalParamDefault{`Rotational_symmetry<4>()`}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
-                          between `0` and `num_vertices(tmesh) - 1`; the indices appear in messages
-                          and determine the order of processing}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-                   `std::size_t` as value type}
-    \cgalParamDefault{an automatically indexed internal map}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `tolerance`,
+       `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, and `vertex_index_map` of
+       `snap_to_seamless()`. A smaller \f$ N \f$ leaves less to guess at short edges.
 
 \return the transitions, or the reason why they could not be read; test with `operator bool()`
 

@@ -181,29 +181,11 @@ public:
 
   \tparam UVNumber as for `read()`
 
-  \cgalNamedParamsBegin
-    \cgalParamNBegin{vertex_index_map}
-      \cgalParamDescription{the number of each vertex in the text, from 0}
-      \cgalParamType{a class model of `ReadablePropertyMap` with
-                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-                     `std::size_t` as value type}
-      \cgalParamDefault{an automatically indexed internal map}
-    \cgalParamNEnd
-    \cgalParamNBegin{edge_is_constrained_map}
-      \cgalParamDescription{the feature edges}
-      \cgalParamType{a class model of `ReadablePropertyMap` with
-                     `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
-                     value type}
-      \cgalParamDefault{features are not compared}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_point_map}
-      \cgalParamDescription{the points of the vertices}
-      \cgalParamType{a class model of `ReadablePropertyMap` with
-                     `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
-                     three-dimensional point as value type}
-      \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-    \cgalParamNEnd
-  \cgalNamedParamsEnd
+  \param tmesh the mesh
+  \param uv_map the coordinates of each corner
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+         and `edge_is_constrained_map` of `write_OBJ()`, and `vertex_index_map`, which tells the
+         number of each vertex in the text, from 0
 
   \par Complexity
   Linear in the size of the text, but for a logarithmic factor where features are sorted.

@@ -213,17 +213,10 @@ bit for bit, as with `write_OBJ()`.
 \param output the output stream, or the name of the file, which may be that of the original
 \param tmesh the mesh, with the faces and points of the file
 \param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of
+       `write_OBJ()`, and the one listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a
-                   three-dimensional point as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-  \cgalParamNEnd
   \cgalParamNBegin{weld_borders}
     \cgalParamDescription{whether the faces of the file that is written share the vertices that
                           `read_OBJ()` makes one if asked to; the statements of the other vertices
