@@ -58,7 +58,7 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
   const auto& r = s.report;
   return {{"exact", success},
           {"message", message},
-          {"status", s.has_report ? CGAL::Seamless_snapping::to_string(r.status) : "not snapped"},
+          {"status", s.has_report ? CGAL::Linear_snapping::to_string(r.status) : "not snapped"},
           {"mesh", {{"vertices", s.vertices}, {"faces", s.faces}, {"border_edges", s.border_edges},
                     {"feature_edges", s.features}, {"split_vertices", s.split_vertices},
                     {"welded_edges", s.welded_edges},
@@ -144,7 +144,7 @@ void write_snap(std::ostream& os, const Summary& s)
   write_row(os, "degenerate faces", s.before.number_of_degenerate_faces,
             s.after.number_of_degenerate_faces);
   os << "  (in brackets: relative to the extent " << to_text(s.before.extent) << ")\n\n"
-     << CGAL::Seamless_snapping::to_string(r.status) << ": largest change "
+     << CGAL::Linear_snapping::to_string(r.status) << ": largest change "
      << to_text(r.largest_change, r.extent) << ", mean change " << to_text(r.mean_change, r.extent)
      << "\n" << "time: reading " << to_text(s.reading_time) << " s, snapping "
      << to_text(s.snapping_time) << " s, writing and reading back " << to_text(s.writing_time)

@@ -19,7 +19,7 @@
 #include <sstream>
 #include <string>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 
 namespace {
 
@@ -65,8 +65,8 @@ void snap(const Layout_options& options, Model& model, const Alignment& alignmen
 {
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
-  const SS::Snapping_report report = snap_in_double(model, alignment, options.seams);
-  if(!report || report.status == SS::Outcome::FLIPS_REMAIN)
+  const IL::Snapping_report report = snap_in_double(model, alignment, options.seams);
+  if(!report || report.status == IL::Outcome::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
@@ -84,23 +84,23 @@ void layout(const Arguments& arguments)
   const Alignment alignment(model, options.seams);
   snap(options, model, alignment);
   const Progress progress("dividing the surface", options.seams.reading.verbose);
-  const auto np = SS::parameters::edge_is_constrained_map(alignment.is_aligned);
-  const SS::Motorcycle_graph<Mesh> graph =
+  const auto np = IL::parameters::edge_is_constrained_map(alignment.is_aligned);
+  const IL::Motorcycle_graph<Mesh> graph =
     options.base_complex
-      ? SS::motorcycle_graph(model.mesh, model.uv_map, np.curve_stop_policy(SS::Run_to_nodes()))
-      : SS::motorcycle_graph(model.mesh, model.uv_map, np);
+      ? IL::motorcycle_graph(model.mesh, model.uv_map, np.curve_stop_policy(IL::Run_to_nodes()))
+      : IL::motorcycle_graph(model.mesh, model.uv_map, np);
   if(!graph)
     throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
                                 in_words_of_user(graph.message(), model));
   std::ostringstream text;
-  SS::IO::write_layout(text, graph);
+  IL::IO::write_layout(text, graph);
   write_file(options.output, text.str());
   if(!options.picture.empty())
     write_file(options.picture, layout_picture(graph));
   std::size_t junctions = 0;
   const std::size_t cut = graph.number_of_cut_patches();
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
-    junctions += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 1 : 0;
+    junctions += graph.node_kind(n) == IL::Layout_node::JUNCTION ? 1 : 0;
   os << counted(graph.number_of_patches() - cut, "rectangle") << ", "
      << (cut > 0 ? counted(cut, "patch") + " cut by the border, " : "")
      << counted(graph.number_of_arcs(), "arc") << " between "

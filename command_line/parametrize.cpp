@@ -27,7 +27,7 @@
 #include <limits>
 #include <string>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 namespace {
 
@@ -85,8 +85,8 @@ struct Parametrize_options
 struct Outcome
 {
   Repairs repairs;
-  SS::Parametrization_report<Mesh::Vertex_index> made;
-  SS::Snapping_report snapped;
+  QR::Parametrization_report<Mesh::Vertex_index> made;
+  QR::Snapping_report snapped;
   bool is_exact = false;
 
   nlohmann::json json(const std::string& message) const
@@ -124,7 +124,7 @@ void write_made(std::ostream& os, const Outcome& outcome, const Model& model)
 void make_parametrization(const Parametrize_options& options, Model& model, Outcome& outcome,
                           std::ostream& os)
 {
-  const auto alignment = SS::parameters::edge_is_constrained_map(model.is_feature)
+  const auto alignment = QR::parameters::edge_is_constrained_map(model.is_feature)
                                         .align_border(options.align_border)
                                         .verbose(options.verbose);
   const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), model.mesh);
@@ -133,7 +133,7 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   const std::string faces = counted(model.mesh.number_of_faces(), "face");
   {
     const Progress progress("parametrizing " + faces, options.verbose);
-    outcome.made = SS::approximate_seamless_parametrization(
+    outcome.made = QR::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
       transitions.curvature_alignment(options.curvature).release_alignment(true)
         .face_direction_map(read_directions(options.field, outcome.repairs, model.mesh)));
@@ -150,12 +150,12 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   const Uv_map old_uv_map = copy_of_uv_map(model);
   {
     const Progress progress("snapping " + faces, options.verbose);
-    outcome.snapped = SS::snap_to_seamless(model.mesh, model.uv_map, transitions);
+    outcome.snapped = QR::snap_to_seamless(model.mesh, model.uv_map, transitions);
   }
   if(!outcome.snapped)
     throw Failure(NOT_SOLVED,
                   options.input + ": " + in_words_of_user(outcome.snapped.message, model));
-  outcome.is_exact = SS::is_seamless(model.mesh, model.uv_map, alignment);
+  outcome.is_exact = QR::is_seamless(model.mesh, model.uv_map, alignment);
   if(!outcome.is_exact)
     throw Failure(NOT_SOLVED, options.input + ": the result is not exact; please report this");
   write_file(options.output, text_of_model(model, options.output));

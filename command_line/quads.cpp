@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 namespace {
 
@@ -112,20 +112,20 @@ double scale_for_number(const Model& model, const Quad_options& options)
   return std::sqrt(options.number / area);
 }
 
-SS::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
+QR::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
                                      Model& model)
 {
   const Alignment alignment(model, options.seams);
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
-  return SS::snap_to_seamless(
+  return QR::snap_to_seamless(
     model.mesh, model.uv_map,
     snapping_parameters(alignment, options.seams).integer_grid(true).rounding_tolerance(rounding)
       .grid_scale(scale_for_number(model, options)));
 }
 
 void check_snapped(const Quad_options& options, const Model& model,
-                   const SS::Snapping_report& report)
+                   const QR::Snapping_report& report)
 {
   if(!report)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
@@ -134,11 +134,11 @@ void check_snapped(const Quad_options& options, const Model& model,
 // What is written, and how it was made.
 struct Result
 {
-  SS::Extraction_report report;
+  QR::Extraction_report report;
   Quad_soup soup;
   Mesh mesh;
   Edge_bool_map is_feature;
-  SS::Snapping_report snapped; // to integers, unless there is a quantization
+  QR::Snapping_report snapped; // to integers, unless there is a quantization
   std::string integers;        // which they are
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
 };
@@ -159,27 +159,27 @@ bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const d
 
 // With the border aligned where it is nearly. Flips that are noise are repaired without being asked
 // for, and counted in `result`.
-SS::Quantization quantize(const Quad_options& options, Model& model, Result& result)
+QR::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
   Seam_options seams = options.seams;
   seams.align_border = true;
   const Alignment alignment(model, seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  SS::Snapping_report snapped;
+  QR::Snapping_report snapped;
   const auto snap_and_quantize = [&] {
     snapped = snap_in_double(model, alignment, seams);
     check_snapped(options, model, snapped);
-    return SS::quantize(model.mesh, model.uv_map,
-                        SS::parameters::edge_is_constrained_map(model.is_feature)
+    return QR::quantize(model.mesh, model.uv_map,
+                        QR::parameters::edge_is_constrained_map(model.is_feature)
                           .needs_face_graph(!options.soup)
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
-  const SS::Quantization quantization = snap_and_quantize();
+  const QR::Quantization quantization = snap_and_quantize();
   const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
   if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
     return quantization;
   seams.repair_flips = true;
-  const SS::Quantization other = snap_and_quantize();
+  const QR::Quantization other = snap_and_quantize();
   result.number_of_repaired_flips = flips.size() - other.nonpositive_faces.size();
   return other;
 }
@@ -195,11 +195,11 @@ std::string flips_message(const Quad_options& options, const std::vector<std::si
 }
 
 void check_report(const Quad_options& options, const Model& model,
-                  const SS::Extraction_report& report)
+                  const QR::Extraction_report& report)
 {
   if(report)
     return;
-  const bool has_flips = report.status == SS::Outcome::NOT_POSITIVE;
+  const bool has_flips = report.status == QR::Outcome::NOT_POSITIVE;
   const std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
                                     : to_string(report.status) + (": " + report.message);
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
@@ -211,16 +211,16 @@ void extract(const Quad_options& options, const Model& model, Result& result, co
 {
   const Progress progress("extracting quads", options.seams.reading.verbose);
   const auto np =
-    SS::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
+    QR::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
   using Tag = CGAL::Parallel_if_available_tag;
   if(options.soup) {
     result.report =
-      SS::extract_quad_soup<Tag>(input..., result.soup.points, result.soup.polygons, np);
+      QR::extract_quad_soup<Tag>(input..., result.soup.points, result.soup.polygons, np);
     return;
   }
   result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  result.report = SS::extract_quad_mesh<Tag>(
-    input..., result.mesh, np, SS::parameters::edge_is_constrained_map(result.is_feature));
+  result.report = QR::extract_quad_mesh<Tag>(
+    input..., result.mesh, np, QR::parameters::edge_is_constrained_map(result.is_feature));
   result.mesh.collect_garbage();
 }
 
@@ -246,7 +246,7 @@ bool has_aligned_border(Model& model, const Quad_options& options)
 }
 
 void extract_quantized(const Quad_options& options, const Model& model,
-                       const SS::Quantization& quantization, Result& result)
+                       const QR::Quantization& quantization, Result& result)
 {
   result.integers = "of a quantization";
   if(!quantization.message.empty())
@@ -276,7 +276,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;
   restore();
   const bool is_aligned = has_aligned_border(model, options);
-  SS::Quantization quantization;
+  QR::Quantization quantization;
   if(is_aligned)
     quantization = quantize(options, model, result);
   const double least = static_cast<double>(quantization.number_of_quads);
@@ -300,7 +300,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
     return;
   restore();
   Result last;
-  if(const SS::Quantization other = quantize(options, model, last)) {
+  if(const QR::Quantization other = quantize(options, model, last)) {
     extract_quantized(options, model, other, last);
     result = std::move(last);
   }
@@ -308,7 +308,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
 
 void write_summary(std::ostream& os, const Quad_options& options, const Result& result)
 {
-  const SS::Extraction_report& report = result.report;
+  const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
      << counted(report.number_of_cones, "cone") << "\n";
@@ -336,7 +336,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
 
 nlohmann::json json_of(const Result& result)
 {
-  const SS::Extraction_report& report = result.report;
+  const QR::Extraction_report& report = result.report;
   return {{"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
           {"number_of_cones", report.number_of_cones},

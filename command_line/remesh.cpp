@@ -30,7 +30,7 @@
 #include <sstream>
 #include <string>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 namespace {
 
@@ -129,14 +129,14 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
 {
   if(options.symmetry != "auto")
     return named_plane(options.symmetry);
-  const auto plane = SS::find_symmetry_plane(mesh);
+  const auto plane = QR::find_symmetry_plane(mesh);
   if(!plane)
     throw Failure(NOT_SOLVED, options.input + ": the vertices are not symmetric, exactly, by a "
                               "plane across a coordinate axis; name a plane");
   return plane;
 }
 
-SS::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
+QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
                                 const Direction_map& directions, const Sizing_map& sizes,
                                 Located_quads& quads, const Edge_bool_map is_kept)
 {
@@ -144,15 +144,15 @@ SS::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
                           options.verbose);
   const auto parameters =
-    SS::parameters::edge_is_constrained_map(model.is_feature)
+    QR::parameters::edge_is_constrained_map(model.is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
                    .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
                    .verbose(options.verbose)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
-    return SS::quad_remesh(model.mesh, quads.mesh, np,
-                           SS::parameters::edge_is_constrained_map(is_kept)
+    return QR::quad_remesh(model.mesh, quads.mesh, np,
+                           QR::parameters::edge_is_constrained_map(is_kept)
                                           .vertex_location_map(quads.of_vertex)
                                           .face_location_map(quads.of_face));
   };
@@ -171,7 +171,7 @@ double diagonal(const Mesh& mesh)
 }
 
 void write_summary(std::ostream& os, const Remesh_options& options,
-                   const SS::Remeshing_report& report, const double diagonal)
+                   const QR::Remeshing_report& report, const double diagonal)
 {
   os << counted(report.number_of_quads, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
@@ -192,7 +192,7 @@ void write_summary(std::ostream& os, const Remesh_options& options,
        << counted(report.number_of_released_edges, "feature edge") << "\n";
 }
 
-nlohmann::json json_of(const SS::Remeshing_report& report, const std::string& message,
+nlohmann::json json_of(const QR::Remeshing_report& report, const std::string& message,
                        const Repairs& repairs, const double diagonal)
 {
   return {{"status", to_string(report.status)},
@@ -232,7 +232,7 @@ void remesh(const Arguments& arguments)
   const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  const SS::Remeshing_report report =
+  const QR::Remeshing_report report =
     make_quads(options, model, directions, sizes, quads, is_kept);
   const std::string message =
     report ? report.message

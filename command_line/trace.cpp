@@ -139,14 +139,14 @@ std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Trace_opt
 void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_feature,
           const std::vector<Curve>& failures, const Trace_options& options)
 {
-  std::vector<SS::Connection_constraint<Mesh> > connections;
-  std::vector<SS::Cycle_constraint<Mesh> > cycles;
+  std::vector<IL::Connection_constraint<Mesh> > connections;
+  std::vector<IL::Cycle_constraint<Mesh> > cycles;
   for(const Curve& curve : failures)
-    if(curve.status == SS::Isocurve_status::MISSED_TARGET)
-      connections.push_back(SS::connection_along_isocurve(model.mesh, curve));
-    else if(curve.status == SS::Isocurve_status::SPIRALS)
-      cycles.push_back(SS::cycle_along_isocurve(model.mesh, curve));
-  const auto report = SS::snap_to_seamless(
+    if(curve.status == IL::Isocurve_status::MISSED_TARGET)
+      connections.push_back(IL::connection_along_isocurve(model.mesh, curve));
+    else if(curve.status == IL::Isocurve_status::SPIRALS)
+      cycles.push_back(IL::cycle_along_isocurve(model.mesh, curve));
+  const auto report = IL::snap_to_seamless(
     model.mesh, uv_map,
     parameters::edge_is_constrained_map(is_feature).align_border(options.border)
                .tolerance(options.tolerance).connection_constraints(connections)
@@ -165,7 +165,7 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
 
 void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after)
 {
-  std::map<SS::Isocurve_status, std::pair<std::size_t, std::size_t> > counts;
+  std::map<IL::Isocurve_status, std::pair<std::size_t, std::size_t> > counts;
   for(const Curve& curve : before)
     ++counts[curve.status].first;
   for(const Curve& curve : after)
@@ -173,7 +173,7 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
   std::cout << std::left << std::setw(22) << "end of the curve" << std::right << std::setw(10)
             << "inexact" << std::setw(10) << "exact" << "\n";
   for(const auto& [status, count] : counts)
-    std::cout << std::left << std::setw(22) << SS::to_string(status) << std::right << std::setw(10)
+    std::cout << std::left << std::setw(22) << IL::to_string(status) << std::right << std::setw(10)
               << count.first << std::setw(10) << count.second << "\n";
   std::cout << std::flush;
 }

@@ -25,12 +25,12 @@
 #include <vector>
 
 namespace po = benchmark::options;
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Graph = SS::Motorcycle_graph<Mesh>;
+using Graph = IL::Motorcycle_graph<Mesh>;
 
 template <typename Run>
 double seconds(const int runs, const Run& run)
@@ -46,20 +46,20 @@ double seconds(const int runs, const Run& run)
 
 void measure(const Mesh& mesh, const UV_map& uv, const int runs, const std::string& name)
 {
-  const double reading = seconds(runs, [&] { SS::Isocurve_tracer<Mesh>(mesh, uv); });
-  const Graph graph = SS::motorcycle_graph(mesh, uv);
+  const double reading = seconds(runs, [&] { IL::Isocurve_tracer<Mesh>(mesh, uv); });
+  const Graph graph = IL::motorcycle_graph(mesh, uv);
   if(!graph) {
     std::cout << name << ": " << graph.status() << ": " << graph.message() << std::endl;
     return;
   }
-  const double dividing = seconds(runs, [&] { SS::motorcycle_graph(mesh, uv); });
+  const double dividing = seconds(runs, [&] { IL::motorcycle_graph(mesh, uv); });
   const double refining = seconds(runs, [&] {
     Mesh refined;
-    SS::refine_along_arcs(graph, refined);
+    IL::refine_along_arcs(graph, refined);
   });
   std::size_t nodes = 0, segments = 0;
   for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
-    nodes += graph.node_kind(n) == SS::Layout_node::JUNCTION ? 0 : 1;
+    nodes += graph.node_kind(n) == IL::Layout_node::JUNCTION ? 0 : 1;
   for(std::size_t a = 0; a < graph.number_of_arcs(); ++a)
     if(!graph.arc_is_constrained(a))
       segments += graph.arc_path(a).size() - 1;
@@ -95,14 +95,14 @@ int main(int argc, char* argv[])
     height_field_surface::make_surface(wish, mesh);
     measure(mesh, square_complex::uv_map(mesh), runs, "height field");
     height_field_surface::perturb(mesh, 1e-9, 1);
-    if(SS::snap_to_seamless(mesh, square_complex::uv_map(mesh)))
+    if(IL::snap_to_seamless(mesh, square_complex::uv_map(mesh)))
       measure(mesh, square_complex::uv_map(mesh), runs, "height field, with noise, snapped");
   }
   for(const std::string& file : benchmark::files_of(files)) {
     Mesh mesh;
     UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-    if(SS::IO::read_OBJ(file, mesh, uv) &&
-       SS::snap_to_seamless(mesh, uv, SS::parameters::align_border(true).repair_flips(true)))
+    if(IL::IO::read_OBJ(file, mesh, uv) &&
+       IL::snap_to_seamless(mesh, uv, IL::parameters::align_border(true).repair_flips(true)))
       measure(mesh, uv, runs, file.substr(file.find_last_of('/') + 1));
     else
       std::cerr << file << ": can't be read or snapped" << std::endl;

@@ -23,12 +23,12 @@
 #include <vector>
 
 namespace po = benchmark::options;
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
+using Tracer = IL::Isocurve_tracer<Mesh>;
 
 // Walks without keeping anything.
 template <typename MakeDecisions>
@@ -36,17 +36,17 @@ std::size_t walk_all(const Tracer& tracer, const std::size_t maximum_number,
                      const MakeDecisions& make_decisions)
 {
   const auto& mesh = tracer.chart_mesh();
-  SS::internal::Walk_limits limits;
+  IL::internal::Walk_limits limits;
   limits.maximum_number = maximum_number;
   std::size_t crossings = 0;
   for(std::size_t v = 0; v < mesh.is_singular.size(); ++v)
     if(mesh.is_singular[v])
-      for(const auto& ray : SS::internal::rays_from_vertex(mesh, v)) {
+      for(const auto& ray : IL::internal::rays_from_vertex(mesh, v)) {
         const auto decisions = make_decisions();
-        SS::internal::Isocurve_walk<std::decay_t<decltype(decisions)>> walk(mesh, limits,
+        IL::internal::Isocurve_walk<std::decay_t<decltype(decisions)>> walk(mesh, limits,
                                                                             decisions);
         walk.begin_at_vertex(ray);
-        SS::internal::run(walk, [](const auto&) { });
+        IL::internal::run(walk, [](const auto&) { });
         crossings += walk.number_of_crossings();
       }
   return crossings;
@@ -57,7 +57,7 @@ std::size_t keep_all(const Tracer& tracer, const std::size_t maximum_number)
 {
   std::size_t crossings = 0;
   for(const auto& curve : tracer.separatrices<ConcurrencyTag>(
-        SS::parameters::maximum_number(maximum_number)))
+        IL::parameters::maximum_number(maximum_number)))
     crossings += curve.number_of_crossings;
   return crossings;
 }
@@ -79,7 +79,7 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
 {
   Mesh mesh;
   UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  if(!SS::IO::read_OBJ(file, mesh, uv) || !SS::snap_to_seamless(mesh, uv)) {
+  if(!IL::IO::read_OBJ(file, mesh, uv) || !IL::snap_to_seamless(mesh, uv)) {
     std::cerr << file << ": can't be read or snapped" << std::endl;
     return;
   }
@@ -90,14 +90,14 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
   std::size_t crossings = 0, other_crossings = 0;
   const double exact = speed(runs, crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
-      return SS::internal::Exact_decisions(tracer.chart_mesh());
+      return IL::internal::Exact_decisions(tracer.chart_mesh());
     });
   });
-  const SS::internal::Walk_limits nowhere;
+  const IL::internal::Walk_limits nowhere;
   const double naive = speed(runs, other_crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
-      return SS::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,
-                                                    SS::internal::no_index, 0, 0);
+      return IL::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,
+                                                    IL::internal::no_index, 0, 0);
     });
   });
   const double kept = speed(runs, other_crossings, [&] {

@@ -73,7 +73,7 @@ struct Measurement
   std::string name;
   std::size_t rows, columns, entries;
   benchmark::Shortest_times run;
-  CGAL::Seamless_snapping::Linear_report report;
+  CGAL::Linear_snapping::Linear_report report;
   bool exact;
   double largest_change;
 };
@@ -83,7 +83,7 @@ Measurement measure(const Matrix& matrix, const Settings& settings)
   std::mt19937_64 random(settings.seed);
   Values input(std::size_t(matrix.cols()), 0.);
   add_noise(input, 1, random);
-  CGAL::Seamless_snapping::snap_to_linear_constraints(matrix, input);
+  CGAL::Linear_snapping::snap_to_linear_constraints(matrix, input);
   add_noise(input, settings.noise, random);
 
   Measurement result;
@@ -93,7 +93,7 @@ Measurement measure(const Matrix& matrix, const Settings& settings)
   for(int i = 0; i < settings.repeats; ++i) {
     Values x = input;
     const std::clock_t start = std::clock();
-    result.report = CGAL::Seamless_snapping::snap_to_linear_constraints(matrix, x);
+    result.report = CGAL::Linear_snapping::snap_to_linear_constraints(matrix, x);
     result.run.add(result.report.step_times, double(std::clock() - start) / CLOCKS_PER_SEC);
     result.exact = is_exact(matrix, x);
     result.largest_change = largest_difference(input, x);
@@ -123,7 +123,7 @@ void print(const Measurement& m)
               milliseconds(m, "elimination"), milliseconds(m, "least-squares target"),
               milliseconds(m, "evaluation"), milliseconds(m, "verification"),
               1e3 * m.run.total(), m.report.linear_solver.coefficient_bits, m.exact ? "yes" : "NO",
-              m.largest_change, CGAL::Seamless_snapping::to_string(m.report.status));
+              m.largest_change, CGAL::Linear_snapping::to_string(m.report.status));
   std::fflush(stdout);
 }
 

@@ -19,7 +19,7 @@
 
 namespace benchmark {
 
-using Kernel = CGAL::Seamless_snapping::internal::Surface_to_remesh::Kernel;
+using Kernel = CGAL::Quad_remeshing::internal::Surface_to_remesh::Kernel;
 using Triangles = std::vector<Kernel::Triangle_3>;
 
 // All polygons have the same number of corners, 3 or 4.
@@ -95,7 +95,7 @@ struct Shape_of_quads
   // \pre there are quads
   explicit Shape_of_quads(const Polygon_soup& quads)
   {
-    namespace internal = CGAL::Seamless_snapping::internal;
+    namespace internal = CGAL::Quad_remeshing::internal;
     std::vector<double> jacobians;
     for(const auto& f : quads.polygons) {
       internal::Quad_in_space q;
@@ -117,7 +117,7 @@ struct Shape_of_quads
 inline double one_sided_distance(const Triangles& from, const Triangles& to, const double step)
 {
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  CGAL::Seamless_snapping::internal::Search_tree<Primitive> tree(to.begin(), to.end());
+  CGAL::Quad_remeshing::internal::Search_tree<Primitive> tree(to.begin(), to.end());
   tree.accelerate_distance_queries();
   double largest = 0;
   for(const Kernel::Triangle_3& t : from) {

@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace po = benchmark::options;
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -51,7 +51,7 @@ double time_of(const Mesh& mesh, const UV_map& uv, const int runs)
   for(int i = 0; i < runs; ++i) {
     Mesh quads;
     const double start = benchmark::seconds_now();
-    SS::extract_quad_mesh<ConcurrencyTag>(mesh, uv, quads);
+    QR::extract_quad_mesh<ConcurrencyTag>(mesh, uv, quads);
     best = (std::min)(best, benchmark::seconds_now() - start);
   }
   return best;
@@ -71,10 +71,10 @@ double time_of_threads(const Mesh& mesh, const UV_map& uv, const Settings& setti
 void measure(Mesh& mesh, const double unit, const Settings& settings, const std::string& name)
 {
   const UV_map uv = square_complex::uv_map(mesh);
-  const double area = SS::measure_integer_grid(mesh, uv).area;
+  const double area = QR::measure_integer_grid(mesh, uv).area;
   const double steps = (std::max)(1., std::round(unit * std::sqrt(settings.quads / area)));
   const auto snap =
-    SS::snap_to_seamless(mesh, uv, SS::parameters::integer_grid(true).repair_flips(true)
+    QR::snap_to_seamless(mesh, uv, QR::parameters::integer_grid(true).repair_flips(true)
                                      .align_border(true).rounding_tolerance(10.)
                                      .grid_scale(steps / unit));
   if(!snap) {
@@ -84,7 +84,7 @@ void measure(Mesh& mesh, const double unit, const Settings& settings, const std:
   benchmark::reset_memory_peak();
   const double before = benchmark::kilobytes("VmRSS:");
   Mesh quads;
-  const auto report = SS::extract_quad_mesh(mesh, uv, quads);
+  const auto report = QR::extract_quad_mesh(mesh, uv, quads);
   const double peak = benchmark::kilobytes("VmHWM:") - before;
   malloc_trim(0);
   const double output = benchmark::kilobytes("VmRSS:") - before;
@@ -132,7 +132,7 @@ int main(int argc, char* argv[])
   }
   for(const std::string& file : benchmark::files_of(files)) {
     Mesh mesh;
-    if(SS::IO::read_OBJ(file, mesh, square_complex::uv_map(mesh)))
+    if(QR::IO::read_OBJ(file, mesh, square_complex::uv_map(mesh)))
       measure(mesh, 1e-9, settings, file.substr(file.find_last_of('/') + 1));
     else
       std::cerr << file << ": can't be read" << std::endl;

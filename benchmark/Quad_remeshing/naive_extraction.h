@@ -18,7 +18,7 @@
 
 namespace naive_extraction {
 
-namespace I = CGAL::Seamless_snapping::internal;
+namespace I = CGAL::Quad_remeshing::internal;
 using I::Chart_mesh;
 using I::Corner_index;
 using I::Uv;

@@ -29,7 +29,7 @@
 
 namespace po = benchmark::options;
 namespace PMP = CGAL::Polygon_mesh_processing;
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -59,15 +59,15 @@ void print_row(const std::string& filename,
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   CGAL::Real_timer timer;
   timer.start();
-  const auto alignment = SS::parameters::align_border(align_border);
-  const auto report = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  const auto alignment = QR::parameters::align_border(align_border);
+  const auto report = QR::approximate_seamless_parametrization(mesh, uv, alignment);
   const double seconds = timer.time();
   if(!report) {
     std::cout << "| " << name << " | " << report << " |" << std::endl;
     return;
   }
   timer.reset();
-  const bool is_snapped = bool(SS::snap_to_seamless(mesh, uv, alignment));
+  const bool is_snapped = bool(QR::snap_to_seamless(mesh, uv, alignment));
   const double snapping = timer.time();
   std::cout << "| " << name << " | " << report.number_of_faces << " | " << report.genus << " | "
             << report.number_of_border_loops << " | " << report.cones.size() << " | "
@@ -76,7 +76,7 @@ void print_row(const std::string& filename,
             << report.number_of_flipped_faces << " | "
             << std::fixed << std::setprecision(2) << seconds << " | " << report.seconds_in_solvers
             << " | " << std::setprecision(5) << snapping << " | "
-            << (is_snapped && SS::is_seamless(mesh, uv, alignment) ? "yes" : "NO") << " |"
+            << (is_snapped && QR::is_seamless(mesh, uv, alignment) ? "yes" : "NO") << " |"
             << std::endl;
 }
 

@@ -35,7 +35,7 @@
 namespace fs = std::filesystem;
 namespace po = benchmark::options;
 namespace PMP = CGAL::Polygon_mesh_processing;
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = benchmark::Kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -152,9 +152,9 @@ void remesh(const Input& input, const std::size_t number, const fs::path& quads_
   Mesh quads;
   CGAL::Timer timer;
   timer.start();
-  const SS::Remeshing_report report = SS::quad_remesh(
+  const QR::Remeshing_report report = QR::quad_remesh(
     input.mesh, quads,
-    SS::parameters::target_number_of_quads(number).edge_is_constrained_map(input.is_feature));
+    QR::parameters::target_number_of_quads(number).edge_is_constrained_map(input.is_feature));
   timer.stop();
   if(report)
     CGAL::IO::write_OFF(quads_file.string(), quads,

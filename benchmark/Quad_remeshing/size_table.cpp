@@ -32,7 +32,7 @@
 
 namespace po = benchmark::options;
 namespace PMP = CGAL::Polygon_mesh_processing;
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
@@ -71,7 +71,7 @@ void print_row(const std::string& filename, const double number, const std::stri
   const auto sizes = mesh.add_property_map<Mesh::Vertex_index, double>("v:size").first;
   for(const auto v : mesh.vertices())
     sizes[v] = size_at(mesh.point(v));
-  const auto report = SS::quad_remesh(mesh, quads, SS::parameters::vertex_sizing_map(sizes));
+  const auto report = QR::quad_remesh(mesh, quads, QR::parameters::vertex_sizing_map(sizes));
   if(!report) {
     std::cout << report << " |" << std::endl;
     return;

@@ -116,10 +116,10 @@ Result run_ours(const Problem& problem)
 {
   const auto constraints = snap_in_any_form::linear_constraints<std::int64_t>(problem.system);
   Result result;
-  CGAL::Seamless_snapping::Linear_report report;
+  CGAL::Linear_snapping::Linear_report report;
   std::vector<double> x;
   result.seconds = shortest_time(problem.xbar, x, [&](std::vector<double>& values) {
-    report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, values);
+    report = CGAL::Linear_snapping::snap_to_linear_constraints(constraints, values);
   });
   result.bits = report.linear_solver.coefficient_bits;
   measure_solution(problem, exact_reference::to_rationals(x), result);

@@ -11,8 +11,8 @@
 
 namespace seamless_snapping_precompiled {
 
-using Features_of_map = std::decay_t<decltype(CGAL::Seamless_snapping::internal::strip(
-    CGAL::Seamless_snapping::parameters::edge_is_constrained_map(Edge_bool_map())))>;
+using Features_of_map = std::decay_t<decltype(CGAL::Quad_remeshing::internal::strip(
+    CGAL::Quad_remeshing::parameters::edge_is_constrained_map(Edge_bool_map())))>;
 
 } // namespace seamless_snapping_precompiled
 

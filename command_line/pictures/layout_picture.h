@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-using Layout_graph = CGAL::Seamless_snapping::Motorcycle_graph<Mesh>;
+using Layout_graph = CGAL::Isocurves_and_layouts::Motorcycle_graph<Mesh>;
 
 // For each patch one of `n` colors: the first one that no neighbor has, as long as there is one.
 inline std::vector<std::size_t> patch_colors(const Layout_graph& graph, const std::size_t n)
@@ -40,15 +40,15 @@ inline std::vector<std::size_t> patch_colors(const Layout_graph& graph, const st
 // As SVG.
 inline std::string layout_picture(const Layout_graph& graph)
 {
-  namespace SS = CGAL::Seamless_snapping;
+  namespace IL = CGAL::Isocurves_and_layouts;
   static constexpr std::array<Surface_picture::Color, 6> colors = {{
     {{158, 202, 225}}, {{253, 208, 162}}, {{161, 217, 155}}, {{252, 187, 161}},
     {{202, 189, 220}}, {{225, 222, 150}}}};
   Mesh mesh; // refined along the arcs
   const auto patches = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:patch").first;
   const auto is_arc = mesh.add_property_map<Edge, bool>("e:arc").first;
-  SS::refine_along_arcs(graph, mesh, SS::parameters::default_values(),
-                        SS::parameters::face_patch_map(patches).edge_is_constrained_map(is_arc));
+  IL::refine_along_arcs(graph, mesh, IL::parameters::default_values(),
+                        IL::parameters::face_patch_map(patches).edge_is_constrained_map(is_arc));
   const std::vector<std::size_t> color = patch_colors(graph, colors.size());
   const Surface_picture picture(
     mesh, [&](const auto f) { return colors[color[patches[f]]]; },

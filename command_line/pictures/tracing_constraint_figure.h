@@ -25,14 +25,14 @@ class Passes_at_vertex
   using Vector = std::array<double, 2>;
 
 public:
-  Passes_at_vertex(const Mesh& mesh, const Uv_map& uv_map, const SS::Seam_transitions<Mesh>& seams,
+  Passes_at_vertex(const Mesh& mesh, const Uv_map& uv_map, const IL::Seam_transitions<Mesh>& seams,
                    const Curve& curve, const Vertex v)
   {
     const auto& points = curve.points;
     for(std::size_t i = 1; i < points.size(); ++i) {
-      const bool arrives = points[i].place() == SS::Isocurve_place::VERTEX;
+      const bool arrives = points[i].place() == IL::Isocurve_place::VERTEX;
       Halfedge corner = points[i].halfedge();
-      if(!arrives && points[i - 1].place() == SS::Isocurve_place::EDGE)
+      if(!arrives && points[i - 1].place() == IL::Isocurve_place::EDGE)
         corner = mesh.next(mesh.opposite(points[i - 1].halfedge()));
       if(mesh.target(corner) != v)
         continue;
@@ -91,7 +91,7 @@ private:
 
   // All edges that are less than a half turn away, seen from the corner.
   void collect_edges(const Mesh& mesh, const Uv_map& uv_map,
-                     const SS::Seam_transitions<Mesh>& seams, const Halfedge corner,
+                     const IL::Seam_transitions<Mesh>& seams, const Halfedge corner,
                      const int direction)
   {
     int d = direction;
@@ -130,9 +130,9 @@ public:
   Constraint_figure(std::ostream& os, const Pair_of_maps& maps, const Tracer& inexact,
                     const Tracer& exact)
     : m_os(os), m_maps(maps), m_inexact(inexact), m_exact(exact),
-      m_inexact_seams(SS::seam_transitions(maps.mesh, maps.inexact,
+      m_inexact_seams(IL::seam_transitions(maps.mesh, maps.inexact,
                                            parameters::tolerance(maps.tolerance))),
-      m_exact_seams(SS::seam_transitions(maps.mesh, maps.exact))
+      m_exact_seams(IL::seam_transitions(maps.mesh, maps.exact))
   { }
 
   // Of each kind the curve that can be seen best, among those that go right on the exact map.
@@ -143,8 +143,8 @@ public:
     write_text(m_os, 360, 44, "inexact", style + "\"#d55e00\"");
     write_text(m_os, 1040, 44, "exact", style + "\"#009e73\"");
     double y = 90;
-    for(const SS::Isocurve_status status :
-        {SS::Isocurve_status::MISSED_TARGET, SS::Isocurve_status::SPIRALS}) {
+    for(const IL::Isocurve_status status :
+        {IL::Isocurve_status::MISSED_TARGET, IL::Isocurve_status::SPIRALS}) {
       const Curve* best = nullptr;
       std::size_t most = 0;
       for(const Curve& curve : failures)
@@ -192,12 +192,12 @@ private:
     return 2 * at_vertex > points.size() ? 0 : result;
   }
 
-  bool is_at_vertex(const SS::Isocurve_point<Mesh>& point) const
+  bool is_at_vertex(const IL::Isocurve_point<Mesh>& point) const
   {
-    if(point.place() != SS::Isocurve_place::EDGE)
+    if(point.place() != IL::Isocurve_place::EDGE)
       return true;
     const double t =
-      CGAL::to_double(SS::isocurve_parameter(point, m_maps.mesh, m_maps.inexact));
+      CGAL::to_double(IL::isocurve_parameter(point, m_maps.mesh, m_maps.inexact));
     return t < 1e-6 || t > 1 - 1e-6;
   }
 
@@ -205,7 +205,7 @@ private:
   Vertex expected_end(const Curve& curve) const
   {
     const Mesh& mesh = m_maps.mesh;
-    return curve.status == SS::Isocurve_status::SPIRALS
+    return curve.status == IL::Isocurve_status::SPIRALS
              ? mesh.target(curve.points.front().halfedge())
              : mesh.target(mesh.next(mesh.opposite(curve.points.back().halfedge())));
   }
@@ -213,8 +213,8 @@ private:
   bool goes_right(const Curve& curve) const
   {
     const Curve exact = traced(m_exact, curve, true, 4 * curve.points.size());
-    return (exact.status == SS::Isocurve_status::CLOSED ||
-            exact.status == SS::Isocurve_status::SINGULAR_VERTEX) &&
+    return (exact.status == IL::Isocurve_status::CLOSED ||
+            exact.status == IL::Isocurve_status::SINGULAR_VERTEX) &&
            m_maps.mesh.target(exact.points.back().halfedge()) == expected_end(curve);
   }
 
@@ -227,7 +227,7 @@ private:
 
   void write_row(const Curve& curve, const double y)
   {
-    const bool spirals = curve.status == SS::Isocurve_status::SPIRALS;
+    const bool spirals = curve.status == IL::Isocurve_status::SPIRALS;
     const Mesh& mesh = m_maps.mesh;
     const std::size_t n = curve.points.size();
     const Vertex start = mesh.target(curve.points.front().halfedge());
@@ -240,7 +240,7 @@ private:
     rest.status = curve.status;
     rest.points.erase(rest.points.begin(), rest.points.begin() + std::ptrdiff_t(n - 1));
     on.points.resize(n);
-    on.status = SS::Isocurve_status::TARGET;
+    on.status = IL::Isocurve_status::TARGET;
     const double scale = 20 / passes.distance();
     write_surface(m_maps.inexact, {on, rest}, start, end, 360, y);
     passes.write(m_os, 150, y + 370, 90, scale, spirals);
@@ -270,7 +270,7 @@ private:
   std::ostream& m_os;
   const Pair_of_maps& m_maps;
   const Tracer &m_inexact, &m_exact;
-  SS::Seam_transitions<Mesh> m_inexact_seams, m_exact_seams;
+  IL::Seam_transitions<Mesh> m_inexact_seams, m_exact_seams;
 };
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_CONSTRAINT_FIGURE_H

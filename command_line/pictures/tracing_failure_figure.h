@@ -15,20 +15,20 @@
 #include <string>
 #include <vector>
 
-inline const char* explanation(const SS::Isocurve_status status)
+inline const char* explanation(const IL::Isocurve_status status)
 {
   switch(status) {
-  case SS::Isocurve_status::STUCK_AT_CUT:
+  case IL::Isocurve_status::STUCK_AT_CUT:
     return "Stuck at a cut: behind it, the direction points back onto the edge.";
-  case SS::Isocurve_status::FELL_INTO_GAP:
+  case IL::Isocurve_status::FELL_INTO_GAP:
     return "Fallen into the gap: behind the cut, the place lies beside the edge.";
-  case SS::Isocurve_status::NO_WAY_OUT:
+  case IL::Isocurve_status::NO_WAY_OUT:
     return "No way out of a regular vertex on a cut.";
-  case SS::Isocurve_status::SEVERAL_WAYS_OUT:
+  case IL::Isocurve_status::SEVERAL_WAYS_OUT:
     return "Several ways out of a regular vertex on a cut.";
-  case SS::Isocurve_status::FELL_OFF_BORDER:
+  case IL::Isocurve_status::FELL_OFF_BORDER:
     return "Fallen off an aligned border.";
-  case SS::Isocurve_status::MISSED_TARGET:
+  case IL::Isocurve_status::MISSED_TARGET:
     return "Missed connection: the curve passes beside the vertex it should meet.";
   default:
     return "Helix instead of a cycle: the curve returns beside its start.";
@@ -39,12 +39,12 @@ inline const char* explanation(const SS::Isocurve_status status)
 inline void write_failure(std::ostream& os, const Pair_of_maps& maps, const Curve& curve,
                           const Curve& same, const double x, const double y)
 {
-  const auto inexact = SS::seam_transitions(maps.mesh, maps.inexact,
+  const auto inexact = IL::seam_transitions(maps.mesh, maps.inexact,
                                             parameters::tolerance(maps.tolerance));
-  const auto exact = SS::seam_transitions(maps.mesh, maps.exact);
+  const auto exact = IL::seam_transitions(maps.mesh, maps.exact);
   write_text(os, x, y, explanation(curve.status), "");
-  const bool spirals = curve.status == SS::Isocurve_status::SPIRALS;
-  const bool has_expected = spirals || curve.status == SS::Isocurve_status::MISSED_TARGET;
+  const bool spirals = curve.status == IL::Isocurve_status::SPIRALS;
+  const bool has_expected = spirals || curve.status == IL::Isocurve_status::MISSED_TARGET;
   const Halfedge end = curve.points.back().halfedge();
   Vertex expected = maps.mesh.target(curve.start.halfedge);
   if(!spirals && has_expected)
@@ -74,9 +74,9 @@ inline void write_legend(std::ostream& os, const double y)
 inline void write_failures(std::ostream& os, const Pair_of_maps& maps,
                            const std::vector<Curve>& before, const Tracer& exact_tracer)
 {
-  std::map<SS::Isocurve_status, const Curve*> shortest;
+  std::map<IL::Isocurve_status, const Curve*> shortest;
   for(const Curve& curve : before)
-    if(SS::is_failure(curve.status) && curve.points.size() > 1) {
+    if(IL::is_failure(curve.status) && curve.points.size() > 1) {
       const Curve*& best = shortest[curve.status];
       if(best == nullptr || curve.points.size() < best->points.size())
         best = &curve;

@@ -50,8 +50,8 @@ class Tracing_failure_panel
   using Face = typename Graph_traits::face_descriptor;
   using Vertex = typename Graph_traits::vertex_descriptor;
   using Transitions = CGAL::Seamless_snapping::Seam_transitions<TriangleMesh>;
-  using Curve = CGAL::Seamless_snapping::Isocurve<TriangleMesh>;
-  using Point = CGAL::Seamless_snapping::Isocurve_point<TriangleMesh>;
+  using Curve = CGAL::Isocurves_and_layouts::Isocurve<TriangleMesh>;
+  using Point = CGAL::Isocurves_and_layouts::Isocurve_point<TriangleMesh>;
   using Vector = Uv_vector;
 
 public:
@@ -85,7 +85,7 @@ public:
       write_vertex(os, *expected);
     for(std::size_t i = 1; i < curve.points.size(); ++i)
       write_segment(os, curve.points[i - 1], curve.points[i]);
-    if(CGAL::Seamless_snapping::is_failure(curve.status))
+    if(CGAL::Isocurves_and_layouts::is_failure(curve.status))
       write_failure(os, curve.points.back());
     os << "</g><rect x=\"" << x - size << "\" y=\"" << y - size << "\" width=\"" << 2 * size
        << "\" height=\"" << 2 * size << "\" rx=\"6\" fill=\"none\" stroke=\"#999\"/>\n";
@@ -186,7 +186,7 @@ private:
   void write_failure(std::ostream& os, const Point& end) const
   {
     const Placement here = m_placements.at(face(end.halfedge(), m_mesh));
-    const Vector p = CGAL::Seamless_snapping::isocurve_uv(end, m_mesh, m_uv_map);
+    const Vector p = CGAL::Isocurves_and_layouts::isocurve_uv(end, m_mesh, m_uv_map);
     const Vector d = Placement::rotated({{0.45 * m_radius, 0}}, int(end.direction()));
     const Vector tip{{p[0] + d[0], p[1] + d[1]}};
     write_line(os, here(p), here(tip),

@@ -25,7 +25,7 @@ class Tracing_overview
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   using Face = typename boost::graph_traits<Mesh>::face_descriptor;
   using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  using Curve = CGAL::Seamless_snapping::Isocurve<Mesh>;
+  using Curve = CGAL::Isocurves_and_layouts::Isocurve<Mesh>;
   using Vector = Uv_vector;
 
 public:
@@ -55,7 +55,7 @@ public:
     os << "\"/>\n";
     for(const bool failed : {false, true})
       for(const Curve& curve : m_curves)
-        if(CGAL::Seamless_snapping::is_failure(curve.status) == failed)
+        if(CGAL::Isocurves_and_layouts::is_failure(curve.status) == failed)
           write_curve_in_domain(os, curve, failed, place);
   }
 
@@ -82,7 +82,7 @@ public:
     os << "</g>\n";
     for(const bool failed : {false, true})
       for(const Curve& curve : m_curves)
-        if(CGAL::Seamless_snapping::is_failure(curve.status) == failed)
+        if(CGAL::Isocurves_and_layouts::is_failure(curve.status) == failed)
           write_curve_in_space(os, curve, failed, place, buffer);
   }
 
@@ -137,12 +137,12 @@ public:
   }
 
 private:
-  using Point = CGAL::Seamless_snapping::Isocurve_point<Mesh>;
+  using Point = CGAL::Isocurves_and_layouts::Isocurve_point<Mesh>;
 
   auto space(const Point& point) const
   {
-    return CGAL::Seamless_snapping::isocurve_point_3(point, m_mesh, m_uv_map,
-                                                     get(CGAL::vertex_point, m_mesh));
+    return CGAL::Isocurves_and_layouts::isocurve_point_3(point, m_mesh, m_uv_map,
+                                                         get(CGAL::vertex_point, m_mesh));
   }
 
   CGAL::Bbox_2 projected_box() const
@@ -206,7 +206,7 @@ private:
     if(!failed)
       return;
     const Vector end =
-      place(CGAL::Seamless_snapping::isocurve_uv(curve.points.back(), m_mesh, m_uv_map));
+      place(CGAL::Isocurves_and_layouts::isocurve_uv(curve.points.back(), m_mesh, m_uv_map));
     os << "<circle cx=\"" << end[0] << "\" cy=\"" << end[1]
        << "\" r=\"3.5\" fill=\"#fff\" stroke=\"#d55e00\" stroke-width=\"1.6\"/>\n";
   }

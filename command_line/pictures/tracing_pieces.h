@@ -14,23 +14,23 @@ using Uv_vector = std::array<double, 2>;
 using Uv_segment = std::pair<Uv_vector, Uv_vector>;
 
 template <typename Mesh, typename UVMap>
-Uv_segment curve_piece(const CGAL::Seamless_snapping::Isocurve_point<Mesh>& from,
-                       const CGAL::Seamless_snapping::Isocurve_point<Mesh>& to, const Mesh& mesh,
+Uv_segment curve_piece(const CGAL::Isocurves_and_layouts::Isocurve_point<Mesh>& from,
+                       const CGAL::Isocurves_and_layouts::Isocurve_point<Mesh>& to, const Mesh& mesh,
                        const UVMap& uv_map)
 {
-  using Place = CGAL::Seamless_snapping::Isocurve_place;
+  using Place = CGAL::Isocurves_and_layouts::Isocurve_place;
   const auto uv = [&](const auto h) -> Uv_vector {
     return {{get(uv_map, h).x(), get(uv_map, h).y()}};
   };
   const auto f = face(to.halfedge(), mesh);
-  const Uv_vector end = CGAL::Seamless_snapping::isocurve_uv(to, mesh, uv_map);
+  const Uv_vector end = CGAL::Isocurves_and_layouts::isocurve_uv(to, mesh, uv_map);
   if(from.place() == Place::VERTEX)
     for(const auto h : CGAL::halfedges_around_face(to.halfedge(), mesh))
       if(target(h, mesh) == target(from.halfedge(), mesh))
         return {uv(h), end};
   const auto h = opposite(from.halfedge(), mesh);
   if(from.place() != Place::EDGE || face(h, mesh) != f)
-    return {CGAL::Seamless_snapping::isocurve_uv(from, mesh, uv_map), end};
+    return {CGAL::Isocurves_and_layouts::isocurve_uv(from, mesh, uv_map), end};
   // where the isocurve through the end meets the edge, seen from this side
   const std::size_t c = int(to.direction()) % 2 == 0 ? 1 : 0;
   const Uv_vector a = uv(prev(h, mesh)), b = uv(h);

@@ -11,12 +11,12 @@
 #include <ostream>
 #include <string>
 
-namespace SS = CGAL::Seamless_snapping;
-namespace parameters = CGAL::Seamless_snapping::parameters;
+namespace IL = CGAL::Isocurves_and_layouts;
+namespace parameters = CGAL::Isocurves_and_layouts::parameters;
 
 using Vertex = Mesh::Vertex_index;
-using Curve = SS::Isocurve<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
+using Curve = IL::Isocurve<Mesh>;
+using Tracer = IL::Isocurve_tracer<Mesh>;
 
 // The two maps of a comparison.
 struct Pair_of_maps

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <string>
 
+namespace IL = CGAL::Isocurves_and_layouts;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -28,12 +29,12 @@ int main(int argc, char* argv[])
   Mesh mesh;
   auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  const auto features = SS::parameters::edge_is_constrained_map(is_feature);
+  const auto features = IL::parameters::edge_is_constrained_map(is_feature);
   if(!SS::IO::read_OBJ(input, mesh, uv_map, features) ||
      !SS::snap_to_seamless(mesh, uv_map, features.align_border(true)))
     return EXIT_FAILURE;
 
-  const SS::Motorcycle_graph<Mesh> graph = SS::motorcycle_graph(mesh, uv_map, features);
+  const IL::Motorcycle_graph<Mesh> graph = IL::motorcycle_graph(mesh, uv_map, features);
   if(!graph) {
     std::cerr << graph.status() << ": " << graph.message() << std::endl;
     return EXIT_FAILURE;
@@ -45,8 +46,8 @@ int main(int argc, char* argv[])
             << " in all" << std::endl;
 
   Mesh rectangles;
-  if(SS::copy_to_face_graph(graph, rectangles))
+  if(IL::copy_to_face_graph(graph, rectangles))
     CGAL::IO::write_OFF(output + ".off", rectangles);
   std::ofstream os(output);
-  return SS::IO::write_layout(os, graph) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return IL::IO::write_layout(os, graph) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

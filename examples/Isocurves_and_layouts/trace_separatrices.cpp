@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace IL = CGAL::Isocurves_and_layouts;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -29,10 +30,10 @@ int main(int argc, char* argv[])
   if(!SS::IO::read_OBJ(input, mesh, uv_map) || !SS::snap_to_seamless(mesh, uv_map))
     return EXIT_FAILURE;
 
-  std::vector<SS::Isocurve<Mesh> > curves;
-  SS::trace_all_separatrices(mesh, uv_map, std::back_inserter(curves),
-                             SS::parameters::maximum_number(10000));
-  std::map<SS::Isocurve_status, std::size_t> number;
+  std::vector<IL::Isocurve<Mesh> > curves;
+  IL::trace_all_separatrices(mesh, uv_map, std::back_inserter(curves),
+                             IL::parameters::maximum_number(10000));
+  std::map<IL::Isocurve_status, std::size_t> number;
   for(const auto& curve : curves)
     ++number[curve.status];
   for(const auto& [status, n] : number)
@@ -40,7 +41,7 @@ int main(int argc, char* argv[])
 
   if(!curves.empty())
     std::cout << "the first one leads to "
-              << SS::isocurve_point_3(curves.front().points.back(), mesh, uv_map, mesh.points())
+              << IL::isocurve_point_3(curves.front().points.back(), mesh, uv_map, mesh.points())
               << std::endl;
   return EXIT_SUCCESS;
 }

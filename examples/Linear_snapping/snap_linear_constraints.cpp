@@ -9,12 +9,12 @@
 
 int main()
 {
-  CGAL::Seamless_snapping::Linear_constraints<> constraints(3); // three unknowns
+  CGAL::Linear_snapping::Linear_constraints<> constraints(3); // three unknowns
   constraints.add_constraint({{0, 1}, {1, -1}});                // x0 - x1 = 0
   constraints.add_constraint({{1, 3}, {2, 1}}, 5);              // 3 x1 + x2 = 5
 
   std::vector<double> x = {0.1, 0.10000001, 4.7};
-  const auto report = CGAL::Seamless_snapping::snap_to_linear_constraints(constraints, x);
+  const auto report = CGAL::Linear_snapping::snap_to_linear_constraints(constraints, x);
   std::cout << report << ", largest change " << report.largest_change << "\n"
             << std::setprecision(17);
   for(const double value : x)

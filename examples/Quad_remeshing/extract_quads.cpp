@@ -15,6 +15,7 @@
 #include <iostream>
 #include <string>
 
+namespace QR = CGAL::Quad_remeshing;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -31,10 +32,10 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
 
   // Distances from integers are as large as they happen to be after the scaling.
-  const double area = SS::measure_integer_grid(mesh, uv_map).area;
+  const double area = QR::measure_integer_grid(mesh, uv_map).area;
   const auto snapped = SS::snap_to_seamless(
     mesh, uv_map,
-    SS::parameters::integer_grid(true)
+    QR::parameters::integer_grid(true)
       .grid_scale(std::sqrt(number_of_quads / area))
       .rounding_tolerance(10.));
   std::cout << "snapping: " << snapped << std::endl;
@@ -42,7 +43,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
 
   Mesh quads;
-  const auto extracted = SS::extract_quad_mesh(mesh, uv_map, quads);
+  const auto extracted = QR::extract_quad_mesh(mesh, uv_map, quads);
   std::cout << "extraction: " << extracted << "\n"
             << extracted.number_of_faces << " quads around " << extracted.number_of_cones
             << " cones" << std::endl;

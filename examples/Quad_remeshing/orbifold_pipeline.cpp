@@ -31,7 +31,8 @@
 #include <vector>
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace Snapping = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
+namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_2 = Kernel::Point_2;
@@ -105,38 +106,38 @@ bool snap(const Mesh& mesh, UV_map uv_map)
 {
   // Rotations by 120 and by 60 degrees are exact in coordinates of a triangular lattice only.
   if(N == 3 || N == 6)
-    Snapping::convert_to_lattice_coordinates(mesh, uv_map);
-  const auto np = Snapping::parameters::rotational_symmetry(Snapping::Rotational_symmetry<N>());
-  const auto before = Snapping::measure_seamlessness(mesh, uv_map, np);
+    SS::convert_to_lattice_coordinates(mesh, uv_map);
+  const auto np = SS::parameters::rotational_symmetry(SS::Rotational_symmetry<N>());
+  const auto before = SS::measure_seamlessness(mesh, uv_map, np);
   std::cout << "  before: violation " << before.violation << ", "
             << before.number_of_inexact_edges << " inexact edges, "
             << before.number_of_flipped_faces << " flipped faces\n";
 
-  const Snapping::Snapping_report report = Snapping::snap_to_seamless(mesh, uv_map, np);
+  const SS::Snapping_report report = SS::snap_to_seamless(mesh, uv_map, np);
   std::cout << "  " << report << ", largest change " << report.largest_change << "\n";
 
-  const auto after = Snapping::measure_seamlessness(mesh, uv_map, np);
+  const auto after = SS::measure_seamlessness(mesh, uv_map, np);
   std::cout << "  after:  violation " << after.violation << ", "
             << after.number_of_inexact_edges << " inexact edges, "
             << after.number_of_flipped_faces << " flipped faces\n";
 
-  const auto seams = Snapping::seam_transitions(mesh, uv_map, np);
+  const auto seams = SS::seam_transitions(mesh, uv_map, np);
   for(const auto& [cone, index] : seams.singular_vertices())
     std::cout << "  cone at " << cone << ", angle " << 360 * (N - index) / N << " degrees\n";
-  return report && Snapping::is_seamless(mesh, uv_map, np);
+  return report && SS::is_seamless(mesh, uv_map, np);
 }
 
 // The isocurves of integer levels of u, v, and u + v, as a mesh of about so many triangles.
 bool extract_triangles(const Mesh& mesh, UV_map uv_map, double number, Mesh& triangles)
 {
-  Snapping::convert_to_lattice_coordinates(mesh, uv_map);
-  const auto np = Snapping::parameters::rotational_symmetry(Snapping::Rotational_symmetry<6>());
-  const double area = Snapping::measure_integer_grid(mesh, uv_map, np).area;
-  const auto snapped = Snapping::snap_to_seamless(
+  SS::convert_to_lattice_coordinates(mesh, uv_map);
+  const auto np = SS::parameters::rotational_symmetry(SS::Rotational_symmetry<6>());
+  const double area = QR::measure_integer_grid(mesh, uv_map, np).area;
+  const auto snapped = SS::snap_to_seamless(
     mesh, uv_map,
     np.integer_grid(true).grid_scale(std::sqrt(number / (2 * area))).rounding_tolerance(10.));
   std::cout << "  " << snapped << ", rounded by up to " << snapped.largest_rounding << "\n";
-  const auto extracted = Snapping::extract_triangle_mesh(mesh, uv_map, triangles, np);
+  const auto extracted = QR::extract_triangle_mesh(mesh, uv_map, triangles, np);
   std::cout << "  " << extracted << ", " << extracted.number_of_faces << " triangles\n";
   for(Vertex v : vertices(triangles))
     if(degree(v, triangles) != 6)
@@ -158,8 +159,8 @@ int main(int argc, char* argv[])
   const std::vector<Vertex> three{v[0], v[3], v[11]}, four{v[0], v[3], v[7], v[11]};
 
   const auto write = [&](const std::string& name) {
-    return argc < 2 || Snapping::IO::write_OBJ(std::string(argv[1]) + "/" + name + ".obj", mesh,
-                                               uv_map);
+    return argc < 2 || SS::IO::write_OBJ(std::string(argv[1]) + "/" + name + ".obj", mesh,
+                                         uv_map);
   };
 
   std::cout << "Square, with three cones" << std::endl;

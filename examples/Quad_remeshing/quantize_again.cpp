@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+namespace QR = CGAL::Quad_remeshing;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -41,28 +42,28 @@ int main(int argc, char* argv[])
   Mesh mesh;
   const auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  if(!SS::IO::read_OBJ(input, mesh, uv_map, SS::parameters::edge_is_constrained_map(is_feature)))
+  if(!SS::IO::read_OBJ(input, mesh, uv_map, QR::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
-  const auto parameters = SS::parameters::edge_is_constrained_map(is_feature).align_border(true);
+  const auto parameters = QR::parameters::edge_is_constrained_map(is_feature).align_border(true);
   seconds();
-  const auto made = SS::approximate_seamless_parametrization(mesh, uv_map, parameters);
+  const auto made = QR::approximate_seamless_parametrization(mesh, uv_map, parameters);
   std::cout << made << "\nparametrization: " << seconds() << " s\n";
   const auto snapped = SS::snap_to_seamless(mesh, uv_map, parameters);
   std::cout << snapped << "\nsnapping: " << seconds() << " s\n";
   if(!made || !snapped)
     return EXIT_FAILURE;
 
-  SS::Quantization quantization;
+  QR::Quantization quantization;
   for(const std::size_t number : numbers) {
-    quantization = quantization ? SS::quantize_again(quantization, mesh,
+    quantization = quantization ? QR::quantize_again(quantization, mesh,
                                                      parameters.target_number_of_quads(number))
-                                : SS::quantize(mesh, uv_map,
+                                : QR::quantize(mesh, uv_map,
                                                parameters.target_number_of_quads(number));
     std::cout << "quantization to " << number << ": " << seconds() << " s, "
               << quantization.number_of_quads << " quads\n";
     std::vector<Kernel::Point_3> points;
     std::vector<std::vector<std::size_t> > quads;
-    if(!SS::extract_quad_soup(quantization, mesh, points, quads))
+    if(!QR::extract_quad_soup(quantization, mesh, points, quads))
       return EXIT_FAILURE;
     std::cout << "extraction: " << seconds() << " s, " << quads.size() << " quads\n";
   }

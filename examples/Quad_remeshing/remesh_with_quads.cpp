@@ -11,6 +11,7 @@
 #include <iostream>
 #include <string>
 
+namespace QR = CGAL::Quad_remeshing;
 namespace SS = CGAL::Seamless_snapping;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -24,12 +25,12 @@ int main(int argc, char* argv[])
   Mesh mesh;
   auto uv_map = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  if(!SS::IO::read_OBJ(input, mesh, uv_map, SS::parameters::edge_is_constrained_map(is_feature)))
+  if(!SS::IO::read_OBJ(input, mesh, uv_map, QR::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
 
   Mesh quads;
-  const auto report = SS::quad_remesh(mesh, quads,
-                                      SS::parameters::target_number_of_quads(number_of_quads)
+  const auto report = QR::quad_remesh(mesh, quads,
+                                      QR::parameters::target_number_of_quads(number_of_quads)
                                         .edge_is_constrained_map(is_feature));
   std::cout << report << "\n"
             << report.number_of_quads << " quads around " << report.number_of_cones

@@ -18,7 +18,7 @@
 
 namespace lattice_walk {
 
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 using namespace hexagonal_maps;
 
 // Direction k of D, counterclockwise.
@@ -29,9 +29,9 @@ Exact_vector direction_vector(const int k)
 }
 
 template <int D>
-SS::Isocurve_direction direction_name(const int k)
+IL::Isocurve_direction direction_name(const int k)
 {
-  using Direction = SS::Isocurve_direction;
+  using Direction = IL::Isocurve_direction;
   constexpr std::array<Direction, 4> four{
     {Direction::PLUS_U, Direction::PLUS_V, Direction::MINUS_U, Direction::MINUS_V}};
   constexpr std::array<Direction, 6> six{
@@ -41,7 +41,7 @@ SS::Isocurve_direction direction_name(const int k)
 }
 
 template <int D>
-Exact_vector vector_of(const SS::Isocurve_direction direction)
+Exact_vector vector_of(const IL::Isocurve_direction direction)
 {
   for(int k = 0; k < D; ++k)
     if(direction_name<D>(k) == direction)
@@ -211,10 +211,10 @@ private:
 };
 
 // The point of a segment with this other coordinate, in the chart of its face.
-inline Exact_vector segment_point(const SS::Isocurve_direction direction, const Rational& level,
+inline Exact_vector segment_point(const IL::Isocurve_direction direction, const Rational& level,
                                   const Rational& other)
 {
-  using Direction = SS::Isocurve_direction;
+  using Direction = IL::Isocurve_direction;
   switch(direction) {
   case Direction::PLUS_U:
   case Direction::MINUS_U: return {{other, level}};
@@ -227,25 +227,25 @@ inline Exact_vector segment_point(const SS::Isocurve_direction direction, const 
 // Whether the segments of an isocurve are those of a walk that has made its first stop, up to a
 // number of them, and end where that does. Returns how the isocurve ends.
 template <int N, int D>
-SS::Isocurve_status check_segments(const SS::Isocurve_tracer<Mesh, D>& tracer, const Mesh& mesh,
+IL::Isocurve_status check_segments(const IL::Isocurve_tracer<Mesh, D>& tracer, const Mesh& mesh,
                                    const UV_map uv, const Reference_walk<N>& walk,
-                                   const SS::Isocurve_start<Mesh>& start,
-                                   const SS::Isocurve_direction direction,
+                                   const IL::Isocurve_start<Mesh>& start,
+                                   const IL::Isocurve_direction direction,
                                    std::optional<Stop> stop, const std::size_t maximum,
                                    const std::string& context)
 {
-  using Status = SS::Isocurve_status;
-  SS::Isocurve_walker<Mesh, D> walker(tracer, start, direction);
+  using Status = IL::Isocurve_status;
+  IL::Isocurve_walker<Mesh, D> walker(tracer, start, direction);
   for(std::size_t i = 0; i < maximum && walker.advance() == Status::CONTINUES; ++i) {
     const auto segment = walker.segment();
-    if(i > 0 && segment.exit_place() != SS::Isocurve_place::VERTEX &&
-       (segment.exit_place() == SS::Isocurve_place::FACE || segment.is_along_edge()))
+    if(i > 0 && segment.exit_place() != IL::Isocurve_place::VERTEX &&
+       (segment.exit_place() == IL::Isocurve_place::FACE || segment.is_along_edge()))
       continue; // closed inside of a face or along an edge, where the walk does not stop
     CHECK_IN(context, bool(stop));
     if(!stop)
       break;
     const Halfedge exit = segment.exit();
-    CHECK_IN(context, (segment.exit_place() == SS::Isocurve_place::VERTEX) == stop->is_vertex);
+    CHECK_IN(context, (segment.exit_place() == IL::Isocurve_place::VERTEX) == stop->is_vertex);
     CHECK_IN(context, stop->is_vertex ? mesh.target(exit) == mesh.target(stop->halfedge)
                                       : exit == stop->halfedge);
     CHECK_IN(context, segment.length_after() == stop->length);

@@ -29,13 +29,13 @@
 
 namespace layout_checks {
 
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 using CGAL::Exact_rational;
 
 template <typename Mesh, typename UVMap, typename FeatureMap>
 class Checker
 {
-  using Graph = SS::Motorcycle_graph<Mesh>;
+  using Graph = IL::Motorcycle_graph<Mesh>;
   using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
 
 public:
@@ -65,7 +65,7 @@ public:
   {
     for(std::size_t n = 0; n < m_graph.number_of_nodes(); ++n) {
       const auto halves = m_graph.half_arcs_around_node(n);
-      if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION || halves.size() != 3)
+      if(m_graph.node_kind(n) != IL::Layout_node::JUNCTION || halves.size() != 3)
         continue;
       Exact_rational stem(-1), through(-1);
       bool is_clear = true;
@@ -122,7 +122,7 @@ private:
     for(;;) {
       length += m_graph.arc_length(Graph::arc(h));
       const std::size_t n = m_graph.target(h);
-      if(m_graph.node_kind(n) != SS::Layout_node::JUNCTION)
+      if(m_graph.node_kind(n) != IL::Layout_node::JUNCTION)
         return {START, length};
       if(m_graph.half_arcs_around_node(n).size() != 3 ||
          m_graph.arc_is_constrained(Graph::arc(h)) || // which may be closed
@@ -198,7 +198,7 @@ private:
                               m_graph.next(cycle[i]) == cycle[(i + 1) % cycle.size()]);
         touches_border =
           touches_border || !m_graph.arc_is_isocurve(Graph::arc(cycle[i])) ||
-          (m_graph.node_place(m_graph.source(cycle[i])) == SS::Isocurve_place::VERTEX &&
+          (m_graph.node_place(m_graph.source(cycle[i])) == IL::Isocurve_place::VERTEX &&
            has_oblique_border_edge(
              target(m_graph.node_halfedge(m_graph.source(cycle[i])), m_mesh)));
       }
@@ -303,11 +303,11 @@ private:
       for(std::size_t i = 0; i < halves.size(); ++i) // counterclockwise
         CHECK_IN(m_context, m_graph.next(Graph::opposite(halves[(i + 1) % halves.size()])) ==
                               halves[i]);
-      if(m_graph.node_kind(n) == SS::Layout_node::JUNCTION)
+      if(m_graph.node_kind(n) == IL::Layout_node::JUNCTION)
         CHECK_IN(m_context, halves.size() == 3 || halves.size() == 4 ||
                               (halves.size() > 4 && has_oblique_border_edge(target(
                                                       m_graph.node_halfedge(n), m_mesh))));
-      if(m_graph.node_place(n) == SS::Isocurve_place::VERTEX)
+      if(m_graph.node_place(n) == IL::Isocurve_place::VERTEX)
         CHECK_IN(m_context, nodes.emplace(target(m_graph.node_halfedge(n), m_mesh), n).second);
     }
     for(const auto v : vertices(m_mesh)) {
@@ -322,23 +322,23 @@ private:
       const long turns = std::lround(sum);
       const auto node = nodes.find(v);
       if(is_border && has_oblique_border_edge(v)) {
-        if(node != nodes.end() && m_graph.node_kind(node->second) != SS::Layout_node::JUNCTION) {
+        if(node != nodes.end() && m_graph.node_kind(node->second) != IL::Layout_node::JUNCTION) {
           const std::size_t degree = m_graph.half_arcs_around_node(node->second).size();
           CHECK_IN(m_context, degree == expected_degree(v) ||
                                 (degree == 2 &&
-                                 m_graph.node_kind(node->second) == SS::Layout_node::SEED));
+                                 m_graph.node_kind(node->second) == IL::Layout_node::SEED));
         }
         continue;
       }
       CHECK_IN(m_context, std::abs(sum - double(turns)) < 1e-3);
       const bool is_regular = turns == (is_border ? 2 : 4);
       CHECK_IN(m_context, is_regular || node != nodes.end());
-      if(node == nodes.end() || m_graph.node_kind(node->second) == SS::Layout_node::JUNCTION)
+      if(node == nodes.end() || m_graph.node_kind(node->second) == IL::Layout_node::JUNCTION)
         continue;
       const std::size_t degree = m_graph.half_arcs_around_node(node->second).size();
       CHECK_IN(m_context, degree == std::size_t(turns) + (is_border ? 1 : 0) ||
                             (degree == 2 && m_graph.number_of_cut_patches() > 0 &&
-                             m_graph.node_kind(node->second) == SS::Layout_node::SEED));
+                             m_graph.node_kind(node->second) == IL::Layout_node::SEED));
     }
   }
 
@@ -481,14 +481,14 @@ private:
       refined.add_property_map<Refined::Vertex_index, typename Graph::Location>("v:location").first;
     auto is_arc = refined.add_property_map<Refined::Edge_index, bool>("e:arc").first;
     auto patches = refined.add_property_map<Face, std::size_t>("f:patch").first;
-    CHECK_IN(m_context, SS::refine_along_arcs(m_graph, refined, SS::parameters::default_values(),
-                                              SS::parameters::vertex_location_map(locations)
+    CHECK_IN(m_context, IL::refine_along_arcs(m_graph, refined, IL::parameters::default_values(),
+                                              IL::parameters::vertex_location_map(locations)
                                                 .edge_is_constrained_map(is_arc)
                                                 .face_patch_map(patches)));
     CHECK_IN(m_context, CGAL::is_valid_polygon_mesh(refined));
     auto parts = refined.add_property_map<Face, std::size_t>("f:part").first;
     const std::size_t number =
-      PMP::connected_components(refined, parts, SS::parameters::edge_is_constrained_map(is_arc)
+      PMP::connected_components(refined, parts, IL::parameters::edge_is_constrained_map(is_arc)
                                                   .cgal_named_parameters());
     CHECK_EQUAL(number, m_graph.number_of_patches());
     std::map<std::size_t, std::size_t> part_of_patch;
@@ -559,7 +559,7 @@ private:
   {
     using Patches = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
     Patches patches;
-    const bool is_copied = SS::copy_to_face_graph(m_graph, patches);
+    const bool is_copied = IL::copy_to_face_graph(m_graph, patches);
     CHECK_IN(m_context, is_copied == is_simple());
     if(!is_copied) {
       CHECK_IN(m_context, patches.is_empty());
@@ -610,14 +610,14 @@ private:
 
 template <typename Mesh, typename UVMap, typename FeatureMap>
 void check_layout(const Mesh& mesh, const UVMap& uv, const FeatureMap& features,
-                  const SS::Motorcycle_graph<Mesh>& graph, const std::string& context)
+                  const IL::Motorcycle_graph<Mesh>& graph, const std::string& context)
 {
   Checker<Mesh, UVMap, FeatureMap>(mesh, uv, features, graph, context).run();
 }
 
 template <typename Mesh, typename UVMap, typename FeatureMap>
 void check_motorcycle_graph(const Mesh& mesh, const UVMap& uv, const FeatureMap& features,
-                            const SS::Motorcycle_graph<Mesh>& graph, const std::string& context)
+                            const IL::Motorcycle_graph<Mesh>& graph, const std::string& context)
 {
   Checker<Mesh, UVMap, FeatureMap> checker(mesh, uv, features, graph, context);
   checker.run();
@@ -635,7 +635,7 @@ struct Shape
   std::vector<std::tuple<Node_place, Node_place, Exact_rational, bool> > arcs;
   std::vector<std::pair<Exact_rational, Exact_rational> > patches;
   std::vector<std::pair<Exact_rational, std::ptrdiff_t> > cut_patches;
-  std::vector<std::tuple<Node_place, SS::Layout_node, std::size_t> > nodes;
+  std::vector<std::tuple<Node_place, IL::Layout_node, std::size_t> > nodes;
 
   friend bool operator==(const Shape& a, const Shape& b)
   {
@@ -645,7 +645,7 @@ struct Shape
 };
 
 template <typename Mesh>
-Node_place node_place(const SS::Motorcycle_graph<Mesh>& graph, const std::size_t n)
+Node_place node_place(const IL::Motorcycle_graph<Mesh>& graph, const std::size_t n)
 {
   const Mesh& mesh = graph.mesh();
   const auto points = get(CGAL::vertex_point, mesh);
@@ -656,16 +656,16 @@ Node_place node_place(const SS::Motorcycle_graph<Mesh>& graph, const std::size_t
     result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   };
   add(target(h, mesh));
-  if(graph.node_place(n) != SS::Isocurve_place::VERTEX)
+  if(graph.node_place(n) != IL::Isocurve_place::VERTEX)
     add(source(h, mesh));
-  if(graph.node_place(n) == SS::Isocurve_place::FACE)
+  if(graph.node_place(n) == IL::Isocurve_place::FACE)
     add(target(next(h, mesh), mesh));
   std::sort(result.begin(), result.end());
   return result;
 }
 
 template <typename Mesh>
-Shape shape(const SS::Motorcycle_graph<Mesh>& graph)
+Shape shape(const IL::Motorcycle_graph<Mesh>& graph)
 {
   Shape result;
   for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {

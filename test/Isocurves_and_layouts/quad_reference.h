@@ -24,7 +24,7 @@
 
 namespace quad_reference {
 
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_2 = Kernel::Point_2;
@@ -62,7 +62,7 @@ struct Grid_map
   }
 
   // The corner of h by d, and all others at its vertex accordingly. Numbers must have few bits.
-  void move_vertex(const SS::Seam_transitions<Mesh>& seams, const Halfedge h, Kernel::Vector_2 d)
+  void move_vertex(const IL::Seam_transitions<Mesh>& seams, const Halfedge h, Kernel::Vector_2 d)
   {
     Halfedge g = h;
     do {
@@ -85,8 +85,8 @@ struct Grid_map
   // where faces stay positive.
   void perturb(const unsigned seed, const double reach, const int bits)
   {
-    const auto seams = SS::seam_transitions(mesh, uv);
-    const SS::Isocurve_tracer<Mesh> tracer(mesh, uv);
+    const auto seams = IL::seam_transitions(mesh, uv);
+    const IL::Isocurve_tracer<Mesh> tracer(mesh, uv);
     std::mt19937_64 random(seed);
     const auto number = [&] {
       const double x = reach * (double(random() % 2000001) / 1000000 - 1);

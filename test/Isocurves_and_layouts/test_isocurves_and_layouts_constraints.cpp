@@ -28,15 +28,15 @@
 #include <string>
 #include <vector>
 
-namespace CS = CGAL::Seamless_snapping;
-namespace parameters = CGAL::Seamless_snapping::parameters;
+namespace IL = CGAL::Isocurves_and_layouts;
+namespace parameters = CGAL::Isocurves_and_layouts::parameters;
 
 using Kernel = Parametrized_model::Kernel;
 using Mesh = Parametrized_model::Mesh;
 using Halfedge = Mesh::Halfedge_index;
-using Connection = CS::Connection_constraint<Mesh>;
-using Cycle = CS::Cycle_constraint<Mesh>;
-using Corner = CS::Corner_constraint<Mesh>;
+using Connection = IL::Connection_constraint<Mesh>;
+using Cycle = IL::Cycle_constraint<Mesh>;
+using Corner = IL::Corner_constraint<Mesh>;
 using exact_reference::Rational;
 
 // Random paths ask for large changes.
@@ -44,7 +44,7 @@ constexpr double any_distance = std::numeric_limits<double>::infinity();
 
 struct Model : Parametrized_model
 {
-  CS::Seam_transitions<Mesh> transitions = CS::seam_transitions(mesh, uv); // before snapping
+  IL::Seam_transitions<Mesh> transitions = IL::seam_transitions(mesh, uv); // before snapping
   std::vector<Mesh::Vertex_index> singular;
 
   explicit Model(const std::string& filename) : Parametrized_model(filename)
@@ -67,10 +67,10 @@ struct Model : Parametrized_model
 template <typename NamedParameters>
 void check_left_alone(Model& model, const NamedParameters& np)
 {
-  CHECK(CS::is_seamless(model.mesh, model.uv, np));
+  CHECK(IL::is_seamless(model.mesh, model.uv, np));
   const auto values = model.values();
-  CHECK(CS::snap_to_seamless(model.mesh, model.uv, np).status ==
-        CS::Outcome::ALREADY_EXACT);
+  CHECK(IL::snap_to_seamless(model.mesh, model.uv, np).status ==
+        IL::Outcome::ALREADY_EXACT);
   CHECK(model.values() == values);
 }
 
@@ -88,7 +88,7 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
                              .cycle_constraints(cycle_constraints)
                              .connection_tolerance(any_distance)
                              .edge_is_constrained_map(model.is_aligned);
-  const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
+  const IL::Snapping_report report = IL::snap_to_seamless(model.mesh, model.uv, np);
   if(!CHECK(bool(report)))
     std::cerr << name << ", seed " << seed << ": " << report << std::endl;
   const auto check = exact_check::check_edges(
@@ -104,10 +104,10 @@ void test_random_constraints(const std::filesystem::path& path, std::uint64_t se
     rotations[h] = model.transitions.rotation(h);
   check_left_alone(model, np.halfedge_rotation_map(rotations));
   // Constraints may collapse cuts: their rotations are those of the rest of the branch, if any.
-  const bool is_seamless = CS::is_seamless(model.mesh, model.uv, np);
+  const bool is_seamless = IL::is_seamless(model.mesh, model.uv, np);
   CHECK(is_seamless || model.has_cut_of_no_length());
-  CHECK_EQUAL(is_seamless, CS::snap_to_seamless(model.mesh, model.uv, np).status
-                             == CS::Outcome::ALREADY_EXACT);
+  CHECK_EQUAL(is_seamless, IL::snap_to_seamless(model.mesh, model.uv, np).status
+                             == IL::Outcome::ALREADY_EXACT);
   std::cout << name << ", seed " << seed << ": largest change "
             << report.largest_change / report.extent << " of the extent, redundant "
             << report.linear_solver.number_of_redundant_constraints << ", non-unit pivots "
@@ -126,13 +126,13 @@ double rounded_to_sixteenths(double x)
   return std::round(16 * x) / 16;
 }
 
-void check_refused(Model& model, const std::vector<Corner>& constraints, CS::Outcome status,
+void check_refused(Model& model, const std::vector<Corner>& constraints, IL::Outcome status,
                    const std::string& message)
 {
   const auto values = model.values();
-  const CS::Snapping_report report =
-    CS::snap_to_seamless(model.mesh, model.uv, parameters::corner_constraints(constraints));
-  CHECK_EQUAL(CS::to_string(report.status), std::string(CS::to_string(status)));
+  const IL::Snapping_report report =
+    IL::snap_to_seamless(model.mesh, model.uv, parameters::corner_constraints(constraints));
+  CHECK_EQUAL(IL::to_string(report.status), std::string(IL::to_string(status)));
   if(!CHECK(report.message.find(message) != std::string::npos))
     std::cerr << report.message << std::endl;
   CHECK(model.values() == values);
@@ -161,24 +161,24 @@ void test_corner_constraints(const std::string& name)
 
   Corner contradiction = pin_a;
   contradiction.right_hand_side += 1;
-  check_refused(model, { pin_a, spacing, contradiction }, CS::Outcome::INCONSISTENT,
+  check_refused(model, { pin_a, spacing, contradiction }, IL::Outcome::INCONSISTENT,
                 "corner constraint 0, corner constraint 2");
   check_refused(model, {pin(b, 1, Rational(1), Rational(3))},
-                CS::Outcome::NOT_REPRESENTABLE, "right-hand sides");
-  check_refused(model, {pin(a, 2, Rational(0))}, CS::Outcome::INVALID_ARGUMENT,
+                IL::Outcome::NOT_REPRESENTABLE, "right-hand sides");
+  check_refused(model, {pin(a, 2, Rational(0))}, IL::Outcome::INVALID_ARGUMENT,
                 "component 2");
 
   const std::vector<Corner> constraints = { pin_a, spacing, pin_a };
   const auto np = parameters::corner_constraints(constraints);
-  const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
+  const IL::Snapping_report report = IL::snap_to_seamless(model.mesh, model.uv, np);
   if(!CHECK(bool(report)))
     std::cerr << name << ": " << report << std::endl;
   CHECK(exact_check::check_edges(model.mesh, model.uv).is_exact());
   CHECK_EQUAL(model.uv[a].x(), at_a);
   CHECK(Rational(Rational(2) * exact_check::exact_difference(model.uv[b], model.uv[a])[1]) ==
         spacing.right_hand_side);
-  CHECK(CS::is_seamless(model.mesh, model.uv, np));
-  CHECK(!CS::is_seamless(model.mesh, model.uv,
+  CHECK(IL::is_seamless(model.mesh, model.uv, np));
+  CHECK(!IL::is_seamless(model.mesh, model.uv,
                          parameters::corner_constraints(std::vector<Corner>(1, contradiction))));
 }
 
@@ -213,8 +213,8 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
   std::vector<Halfedge> loop;
   for(int i = 0; i < 1000 && std::abs(drift(model, loop, p, component)) < 0.01; ++i) {
     const Cycle cycle = random.cycle();
-    loop = CS::shortest_face_path(model.mesh, p, cycle.corner);
-    const auto back = CS::shortest_face_path(model.mesh, cycle.corner, p);
+    loop = IL::shortest_face_path(model.mesh, p, cycle.corner);
+    const auto back = IL::shortest_face_path(model.mesh, cycle.corner, p);
     loop.insert(loop.end(), cycle.path.begin(), cycle.path.end());
     loop.insert(loop.end(), back.begin(), back.end());
   }
@@ -232,8 +232,8 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
                              .corner_constraints(corners);
   const auto values = model.values();
   const auto reduced = reduced_system::reduced_seamless_system(model.mesh, model.uv, np);
-  const CS::Snapping_report report = CS::snap_to_seamless(model.mesh, model.uv, np);
-  CHECK(report.status == CS::Outcome::INCONSISTENT);
+  const IL::Snapping_report report = IL::snap_to_seamless(model.mesh, model.uv, np);
+  CHECK(report.status == IL::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(reduced.system, report.certificate));
   for(const std::string constraint : { "connection constraint 0", "cycle constraint 0",
                                        "corner constraint 0", "the alignment of " })
@@ -247,7 +247,7 @@ void test_contradiction(const std::string& name, std::uint64_t seed)
     if(left_out == 3)
       for(const Mesh::Edge_index e : three.mesh.edges())
         three.is_aligned[e] = false;
-    CHECK(bool(CS::snap_to_seamless(
+    CHECK(bool(IL::snap_to_seamless(
       three.mesh, three.uv,
       parameters::edge_is_constrained_map(three.is_aligned)
                  .connection_constraints(left_out == 0 ? std::vector<Connection>() : connections)
@@ -275,9 +275,9 @@ void test_invalid_paths(const std::string& name)
   const auto values = model.values();
   for(std::size_t i = 0; i < bad.size(); ++i) {
     const std::vector<Connection> constraints(1, bad[i]);
-    const CS::Snapping_report report =
-      CS::snap_to_seamless(model.mesh, model.uv, parameters::connection_constraints(constraints));
-    CHECK_EQUAL(CS::to_string(report.status), std::string("invalid argument"));
+    const IL::Snapping_report report =
+      IL::snap_to_seamless(model.mesh, model.uv, parameters::connection_constraints(constraints));
+    CHECK_EQUAL(IL::to_string(report.status), std::string("invalid argument"));
     if(!CHECK(report.message.find(messages[i]) != std::string::npos))
       std::cerr << report.message << std::endl;
     CHECK(model.values() == values);
@@ -295,7 +295,7 @@ void test_paths_on_border(const std::string& name)
     const Halfedge inner = model.mesh.opposite(h);
     for(const auto& ends :
         {std::make_pair(h, inner), std::make_pair(inner, h), std::make_pair(h, h)})
-      CHECK(CS::shortest_face_path(model.mesh, ends.first, ends.second).empty());
+      CHECK(IL::shortest_face_path(model.mesh, ends.first, ends.second).empty());
     ++count;
   }
   CHECK(count > 0);
@@ -323,8 +323,8 @@ void test_fine_pin(double value)
   uv[mesh.halfedge(merged)] = Kernel::Point_2(before.x() + 1e-12, before.y());
 
   const std::vector<Corner> constraints = { pin(mesh.halfedge(pinned), 0, Rational(value)) };
-  const CS::Snapping_report report =
-    CS::snap_to_seamless(mesh, uv, parameters::corner_constraints(constraints));
+  const IL::Snapping_report report =
+    IL::snap_to_seamless(mesh, uv, parameters::corner_constraints(constraints));
   if(!CHECK(bool(report)))
     std::cerr << value << ": " << report << std::endl;
   for(const Halfedge h : CGAL::halfedges_around_target(pinned, mesh))
@@ -359,9 +359,9 @@ void test_distances(const std::string& name, std::uint64_t seed)
   const double tolerance = largest / model.transitions.extent();
   const auto np = parameters::connection_constraints(connections);
   const auto values = model.values();
-  const auto check = [&](const CS::Snapping_report& report, const bool is_refused) {
+  const auto check = [&](const IL::Snapping_report& report, const bool is_refused) {
     CHECK(std::abs(report.connection_violation_before - largest) <= 1e-9 * largest);
-    CHECK_EQUAL(report.status == CS::Outcome::NOT_CONNECTED, is_refused);
+    CHECK_EQUAL(report.status == IL::Outcome::NOT_CONNECTED, is_refused);
     CHECK_EQUAL(bool(report), !is_refused);
     if(!is_refused)
       return;
@@ -370,14 +370,14 @@ void test_distances(const std::string& name, std::uint64_t seed)
     if(!CHECK(report.message.find("connection constraint " + worst + " misses by") == 0))
       std::cerr << report << std::endl;
   };
-  check(CS::snap_to_seamless(model.mesh, model.uv, np), true);
-  check(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(0.999 * tolerance)),
+  check(IL::snap_to_seamless(model.mesh, model.uv, np), true);
+  check(IL::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(0.999 * tolerance)),
         true);
-  check(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(1.001 * tolerance)),
+  check(IL::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(1.001 * tolerance)),
         false);
   for(const double invalid : { -1., std::numeric_limits<double>::quiet_NaN() })
-    CHECK(CS::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(invalid)).status ==
-          CS::Outcome::INVALID_ARGUMENT);
+    CHECK(IL::snap_to_seamless(model.mesh, model.uv, np.connection_tolerance(invalid)).status ==
+          IL::Outcome::INVALID_ARGUMENT);
 }
 
 // Five by five vertices on isocurves, with a hole in the middle. Connections from the left to the
@@ -409,16 +409,16 @@ void test_interception(const bool is_inside)
     for(Halfedge& h : ends)
       h = mesh.is_border(h) ? mesh.prev(mesh.opposite(h)) : h;
     connections.push_back({ ends[0], ends[1], 1,
-                            CS::shortest_face_path(mesh, ends[0], ends[1]) });
+                            IL::shortest_face_path(mesh, ends[0], ends[1]) });
     if(y == 2 || !is_inside)
       expected.push_back(std::size_t(y));
   }
   const auto report =
-    CS::snap_to_seamless(mesh, uv, parameters::connection_constraints(connections));
-  CHECK(report.status == CS::Outcome::SNAPPED);
+    IL::snap_to_seamless(mesh, uv, parameters::connection_constraints(connections));
+  CHECK(report.status == IL::Outcome::SNAPPED);
   std::vector<std::size_t> found;
   for(const auto& connection :
-      CS::intercepted_connections(CS::Isocurve_tracer(mesh, uv), connections)) {
+      IL::intercepted_connections(IL::Isocurve_tracer(mesh, uv), connections)) {
     found.push_back(connection.index);
     CHECK_IN(connection.message,
              connection.message == "the isocurve of connection constraint " +

@@ -36,11 +36,11 @@ using quad_reference::Mesh;
 using quad_reference::Point_2;
 using square_complex::Square_complex;
 namespace surfaces = test_meshes;
-namespace parameters = SS::parameters;
-using SS::Layout_node;
-using SS::Outcome;
-using Graph = SS::Motorcycle_graph<Mesh>;
-using Meeting = SS::Curve_meeting<Mesh>;
+namespace parameters = IL::parameters;
+using IL::Layout_node;
+using IL::Outcome;
+using Graph = IL::Motorcycle_graph<Mesh>;
+using Meeting = IL::Curve_meeting<Mesh>;
 using Vertex_set = Mesh::Property_map<Mesh::Vertex_index, bool>;
 
 std::size_t number_of(const Graph& graph, const Layout_node kind)
@@ -66,10 +66,10 @@ void check_other_policies(const Grid_map& map, const NamedParameters& np,
                           const std::string& context)
 {
   check_layout(map.mesh, map.uv, map.is_feature,
-               SS::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(SS::Run_to_nodes())),
+               IL::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(IL::Run_to_nodes())),
                context + ", base complex");
   check_layout(map.mesh, map.uv, map.is_feature,
-               SS::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(&ends_at_random)),
+               IL::motorcycle_graph(map.mesh, map.uv, np.curve_stop_policy(&ends_at_random)),
                context + ", random policy");
 }
 
@@ -77,7 +77,7 @@ void check_all_policies(const Grid_map& map, const std::string& context)
 {
   const auto np = parameters::edge_is_constrained_map(map.is_feature);
   check_motorcycle_graph(map.mesh, map.uv, map.is_feature,
-                         SS::motorcycle_graph(map.mesh, map.uv, np), context);
+                         IL::motorcycle_graph(map.mesh, map.uv, np), context);
   check_other_policies(map, np, context);
 }
 
@@ -150,7 +150,7 @@ void test_rings()
       auto is_given = map.mesh.add_property_map<Mesh::Vertex_index, bool>("v:given", false).first;
       is_given[Mesh::Vertex_index(unsigned(std::mt19937(seed)() % map.mesh.number_of_vertices()))] =
         true;
-      const Graph graph = SS::motorcycle_graph(
+      const Graph graph = IL::motorcycle_graph(
         map.mesh, map.uv,
         parameters::edge_is_constrained_map(map.is_feature).vertex_is_constrained_map(is_given));
       check_motorcycle_graph(map.mesh, map.uv, map.is_feature, graph, "rings");
@@ -177,15 +177,15 @@ void test_several_fans()
   for(const auto h : mesh.halfedges())
     uv[h] = Point_2(mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y());
   const auto np = parameters::vertex_is_constrained_map(is_given);
-  const Graph graph = SS::motorcycle_graph(mesh, uv, np);
+  const Graph graph = IL::motorcycle_graph(mesh, uv, np);
   CHECK_EQUAL(graph.number_of_nodes(), std::size_t(8));
   CHECK_EQUAL(graph.number_of_patches(), std::size_t(2));
   is_given[middle] = true;
-  const Graph second = SS::motorcycle_graph(mesh, uv, np);
+  const Graph second = IL::motorcycle_graph(mesh, uv, np);
   CHECK_EQUAL(second.number_of_nodes(), std::size_t(10)); // one more at the lower side
   CHECK_EQUAL(second.number_of_patches(), std::size_t(3));
   Mesh refined;
-  CHECK(SS::refine_along_arcs(second, refined) && CGAL::is_valid_polygon_mesh(refined));
+  CHECK(IL::refine_along_arcs(second, refined) && CGAL::is_valid_polygon_mesh(refined));
   CHECK_EQUAL(std::size_t(refined.number_of_vertices()), std::size_t(10));
 }
 
@@ -195,7 +195,7 @@ void check_counts(const Square_complex& complex, const std::size_t nodes, const 
 {
   Grid_map map(complex, 10, 8);
   map.perturb(5, 0.3, 20);
-  const Graph graph = SS::motorcycle_graph(map.mesh, map.uv);
+  const Graph graph = IL::motorcycle_graph(map.mesh, map.uv);
   CHECK_EQUAL(graph.number_of_nodes(), nodes);
   CHECK_EQUAL(graph.number_of_arcs(), arcs);
   CHECK_EQUAL(graph.number_of_patches(), patches);
@@ -238,7 +238,7 @@ struct Square_with_nodes
 
   Graph graph() const
   {
-    return SS::motorcycle_graph(map.mesh, map.uv, parameters::vertex_is_constrained_map(is_given));
+    return IL::motorcycle_graph(map.mesh, map.uv, parameters::vertex_is_constrained_map(is_given));
   }
 
   void check(const Graph& graph, const std::string& context) const
@@ -328,7 +328,7 @@ void test_given_nodes()
                         .vertex_is_constrained_map(is_given);
       const std::string context = "given nodes, run " + std::to_string(run);
       check_motorcycle_graph(map.mesh, map.uv, map.is_feature,
-                             SS::motorcycle_graph(map.mesh, map.uv, np), context);
+                             IL::motorcycle_graph(map.mesh, map.uv, np), context);
       check_other_policies(map, np, context);
     }
 }
@@ -359,7 +359,7 @@ struct Flat_mesh
   {
     for(const unsigned v : nodes)
       is_given[Mesh::Vertex_index(v)] = true;
-    const Graph result = SS::motorcycle_graph(
+    const Graph result = IL::motorcycle_graph(
       mesh, uv, parameters::vertex_is_constrained_map(is_given));
     check_motorcycle_graph(mesh, uv, is_feature, result, "flat mesh");
     return result;
@@ -450,7 +450,7 @@ void test_holes()
       make_holes(map, 1 + run, unsigned(run));
       const std::string context = name + std::string(" with holes, run ") + std::to_string(run);
       const auto np = parameters::edge_is_constrained_map(map.is_feature);
-      const Graph graph = SS::motorcycle_graph(map.mesh, map.uv, np);
+      const Graph graph = IL::motorcycle_graph(map.mesh, map.uv, np);
       check_motorcycle_graph(map.mesh, map.uv, map.is_feature, graph, context);
       check_other_policies(map, np, context);
       number += graph.number_of_patches();
@@ -468,8 +468,8 @@ void test_holes()
 void test_integer_lengths()
 {
   Grid_map map(surfaces::notched_cube(), 3, 4); // lengths are odd multiples of 3
-  const Graph graph = SS::motorcycle_graph(map.mesh, map.uv);
-  const SS::Integer_arc_lengths integers = SS::integer_arc_lengths(graph);
+  const Graph graph = IL::motorcycle_graph(map.mesh, map.uv);
+  const IL::Integer_arc_lengths integers = IL::integer_arc_lengths(graph);
   CHECK(integers.unit == 1);
   bool is_any_odd = false;
   for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
@@ -477,14 +477,14 @@ void test_integer_lengths()
     is_any_odd = is_any_odd || integers.lengths[a] % 2 != 0;
   }
   CHECK(is_any_odd);
-  CHECK(SS::are_lengths_consistent(graph, integers.lengths));
+  CHECK(IL::are_lengths_consistent(graph, integers.lengths));
   auto other = integers.lengths;
   other.front() += 1;
-  CHECK(!SS::are_lengths_consistent(graph, other));
+  CHECK(!IL::are_lengths_consistent(graph, other));
 
   for(const auto h : map.mesh.halfedges())
     map.uv[h] = Point_2(map.uv[h].x() / 64, map.uv[h].y() / 64);
-  const auto finer = SS::integer_arc_lengths(SS::motorcycle_graph(map.mesh, map.uv));
+  const auto finer = IL::integer_arc_lengths(IL::motorcycle_graph(map.mesh, map.uv));
   CHECK(finer.unit * 64 == integers.unit);
   CHECK(finer.lengths == integers.lengths);
 }
@@ -494,7 +494,7 @@ void test_integer_lengths()
 void check_integer_lengths(const Graph& graph, const std::string& context)
 {
   using CGAL::Exact_integer;
-  const SS::Integer_arc_lengths integers = SS::integer_arc_lengths(graph);
+  const IL::Integer_arc_lengths integers = IL::integer_arc_lengths(graph);
   bool is_any_odd = false;
   for(std::size_t a = 0; a < graph.number_of_arcs(); ++a) {
     bool bounds_rectangle = false;
@@ -523,7 +523,7 @@ void check_integer_lengths(const Graph& graph, const std::string& context)
     CHECK_IN(context, sides[0] == sides[2] && sides[1] == sides[3] && sides[0] > 0 && sides[1] > 0);
   }
   CHECK_IN(context, is_any_odd || rectangles == 0);
-  CHECK_IN(context, SS::are_lengths_consistent(graph, integers.lengths));
+  CHECK_IN(context, IL::are_lengths_consistent(graph, integers.lengths));
 }
 
 // --- the same graph for any numbering and mesh data structure ------------------------------------
@@ -567,10 +567,10 @@ void check_numbering(const Mesh& mesh, const quad_reference::UV_map& uv,
                      const std::string& context)
 {
   const Graph graph =
-    SS::motorcycle_graph(mesh, uv, parameters::edge_is_constrained_map(features));
+    IL::motorcycle_graph(mesh, uv, parameters::edge_is_constrained_map(features));
   for(const unsigned seed : {1u, 2u}) {
     const Renumbered other(mesh, uv, features, seed);
-    const Graph renumbered = SS::motorcycle_graph(
+    const Graph renumbered = IL::motorcycle_graph(
       other.mesh, other.uv, parameters::edge_is_constrained_map(other.is_feature));
     CHECK_IN(context, bool(renumbered) && shape(graph) == shape(renumbered));
     CHECK_IN(context,
@@ -589,9 +589,9 @@ void test_numbering()
     make_holes(map, 12, 4);
     check_numbering(map.mesh, map.uv, map.is_feature, "with holes");
     const surfaces::Polyhedron_copy<Kernel> copy(map.mesh);
-    const auto graph = SS::motorcycle_graph(
+    const auto graph = IL::motorcycle_graph(
       copy.polyhedron, copy.uv, parameters::edge_is_constrained_map(copy.is_feature));
-    CHECK(shape(graph) == shape(SS::motorcycle_graph(
+    CHECK(shape(graph) == shape(IL::motorcycle_graph(
                             map.mesh, map.uv,
                             parameters::edge_is_constrained_map(map.is_feature))));
   }
@@ -613,20 +613,20 @@ void test_refusals()
   const auto h = *box.mesh.halfedges().begin();
   const Point_2 good = box.uv[h];
   box.uv[h] = Point_2(std::nextafter(good.x(), 100), good.y());
-  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_SEAMLESS,
+  check_refusal(IL::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_SEAMLESS,
                 "snap_to_seamless");
   box.uv[h] = Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
-  check_refusal(SS::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_FINITE, "face");
+  check_refusal(IL::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_FINITE, "face");
   box.uv[h] = good;
-  check_refusal(SS::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20)),
+  check_refusal(IL::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20)),
                 Outcome::TOO_LARGE, "maximum_number");
-  CHECK(bool(SS::motorcycle_graph(box.mesh, box.uv)));
+  CHECK(bool(IL::motorcycle_graph(box.mesh, box.uv)));
 
   Grid_map disc(surfaces::disc(2, 2), 4, 4);
-  const auto seams = SS::seam_transitions(disc.mesh, disc.uv);
+  const auto seams = IL::seam_transitions(disc.mesh, disc.uv);
   const auto inner = disc.mesh.halfedge(vertex_at(disc, 3, 3));
   disc.move_vertex(seams, inner, Kernel::Vector_2(1.5, 0.25));
-  const Graph flipped = SS::motorcycle_graph(disc.mesh, disc.uv);
+  const Graph flipped = IL::motorcycle_graph(disc.mesh, disc.uv);
   check_refusal(flipped, Outcome::NOT_POSITIVE, "repair_flips");
   CHECK(!flipped.nonpositive_faces().empty());
   for(const std::size_t f : flipped.nonpositive_faces()) {
@@ -638,11 +638,11 @@ void test_refusals()
   for(const auto g : bent.mesh.halfedges())
     if(!bent.mesh.is_border(g) && bent.uv[g] == Point_2(8, 3))
       bent.uv[g] = Point_2(8.25, 3);
-  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv, parameters::align_border(true)),
+  check_refusal(IL::motorcycle_graph(bent.mesh, bent.uv, parameters::align_border(true)),
                 Outcome::NOT_ALIGNED, "align_border");
   for(const auto e : bent.mesh.edges())
     bent.is_feature[e] = bent.mesh.is_border(e);
-  check_refusal(SS::motorcycle_graph(bent.mesh, bent.uv,
+  check_refusal(IL::motorcycle_graph(bent.mesh, bent.uv,
                                      parameters::edge_is_constrained_map(bent.is_feature)),
                 Outcome::NOT_ALIGNED, "on the border");
   Grid_map diagonal(surfaces::disc(2, 2), 4, 4);
@@ -655,7 +655,7 @@ void test_refusals()
       break;
     }
   }
-  const Graph misaligned = SS::motorcycle_graph(
+  const Graph misaligned = IL::motorcycle_graph(
     diagonal.mesh, diagonal.uv, parameters::edge_is_constrained_map(diagonal.is_feature));
   check_refusal(misaligned, Outcome::NOT_ALIGNED, "edge_is_constrained_map");
   CHECK(misaligned.message().find("1 border or feature edge does not") == 0);
@@ -666,7 +666,7 @@ void test_refusals()
   for(int i = 0; i < 4; ++i)
     corners.push_back(quad.add_vertex(Kernel::Point_3(i, i * i, 0)));
   quad.add_face(corners);
-  check_refusal(SS::motorcycle_graph(quad, uv), Outcome::NOT_TRIANGULAR, "face 0");
+  check_refusal(IL::motorcycle_graph(quad, uv), Outcome::NOT_TRIANGULAR, "face 0");
 }
 
 // --- parametrizations that solvers made ----------------------------------------------------------
@@ -679,7 +679,7 @@ struct File
 
   explicit File(const std::string& path)
   {
-    CHECK_IN(path, bool(SS::IO::read_OBJ(path, mesh, uv,
+    CHECK_IN(path, bool(IL::IO::read_OBJ(path, mesh, uv,
                                          parameters::edge_is_constrained_map(is_feature))));
   }
   File(const File&) = delete;
@@ -695,15 +695,15 @@ Division test_file(const std::string& path, const bool with_features)
     for(const auto e : file.mesh.edges())
       file.is_feature[e] = false;
   const auto np = parameters::edge_is_constrained_map(file.is_feature);
-  const auto options = np.repair_flips(SS::Flip_repair::UNTANGLE);
-  auto report = SS::snap_to_seamless(file.mesh, file.uv, options.align_border(true));
-  const bool is_aligned = report.status != SS::Outcome::NOT_ALIGNED;
+  const auto options = np.repair_flips(IL::Flip_repair::UNTANGLE);
+  auto report = IL::snap_to_seamless(file.mesh, file.uv, options.align_border(true));
+  const bool is_aligned = report.status != IL::Outcome::NOT_ALIGNED;
   if(!is_aligned)
-    report = SS::snap_to_seamless(file.mesh, file.uv, options);
-  if(report.status == SS::Outcome::NOT_ALIGNED)
+    report = IL::snap_to_seamless(file.mesh, file.uv, options);
+  if(report.status == IL::Outcome::NOT_ALIGNED)
     return Division::REFUSED; // features on that border
   CHECK_IN(path, bool(report));
-  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv, np);
+  const Graph graph = IL::motorcycle_graph(file.mesh, file.uv, np);
   if(!report.remaining_flips.empty()) {
     CHECK_IN(path, graph.status() == Outcome::NOT_POSITIVE);
     CHECK_EQUAL(graph.nonpositive_faces().size(), report.remaining_flips.size());
@@ -745,8 +745,8 @@ void test_cube_file()
   if(folder.empty())
     return;
   File file((folder / "mc_s01c_cube.obj").string());
-  CHECK(bool(SS::snap_to_seamless(file.mesh, file.uv, parameters::integer_grid(true))));
-  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv);
+  CHECK(bool(IL::snap_to_seamless(file.mesh, file.uv, parameters::integer_grid(true))));
+  const Graph graph = IL::motorcycle_graph(file.mesh, file.uv);
   CHECK_EQUAL(graph.number_of_nodes(), std::size_t(8));
   CHECK_EQUAL(graph.number_of_arcs(), std::size_t(12));
   CHECK_EQUAL(graph.number_of_patches(), std::size_t(6));
@@ -765,19 +765,19 @@ std::string all_texts(const std::string& path, const bool is_far)
   const auto h = file.mesh.halfedge(*file.mesh.faces().begin());
   file.uv[h] = Point_2(is_far ? 12345.5 : std::nextafter(file.uv[h].x(), 1e9), file.uv[h].y());
   const auto np = parameters::tolerance(1e-4);
-  os << SS::snap_to_seamless(file.mesh, file.uv, np.integer_grid(true)) << '\n'
-     << SS::snap_to_seamless(file.mesh, file.uv, np.align_border(true)) << '\n'
-     << SS::snap_to_seamless(file.mesh, file.uv, parameters::tolerance(-1.5)) << '\n';
-  const Graph refused = SS::motorcycle_graph(file.mesh, file.uv);
+  os << IL::snap_to_seamless(file.mesh, file.uv, np.integer_grid(true)) << '\n'
+     << IL::snap_to_seamless(file.mesh, file.uv, np.align_border(true)) << '\n'
+     << IL::snap_to_seamless(file.mesh, file.uv, parameters::tolerance(-1.5)) << '\n';
+  const Graph refused = IL::motorcycle_graph(file.mesh, file.uv);
   os << refused.status() << ' ' << refused.message() << '\n'
-     << SS::snap_to_seamless(file.mesh, file.uv, np) << '\n';
-  const Graph graph = SS::motorcycle_graph(file.mesh, file.uv);
+     << IL::snap_to_seamless(file.mesh, file.uv, np) << '\n';
+  const Graph graph = IL::motorcycle_graph(file.mesh, file.uv);
   os << graph.status() << ' ' << graph.message() << '\n'
-     << SS::IO::write_layout(os, graph) << '\n'
-     << SS::IO::write_OBJ(os, file.mesh, file.uv) << '\n'
-     << SS::IO::write_PLY(os, file.mesh, file.uv) << '\n';
+     << IL::IO::write_layout(os, graph) << '\n'
+     << IL::IO::write_OBJ(os, file.mesh, file.uv) << '\n'
+     << IL::IO::write_PLY(os, file.mesh, file.uv) << '\n';
   std::ifstream original(path);
-  os << SS::IO::rewrite_OBJ(original, os, file.mesh, file.uv) << '\n';
+  os << IL::IO::rewrite_OBJ(original, os, file.mesh, file.uv) << '\n';
   return os.str();
 }
 

@@ -45,8 +45,8 @@ void test_threads(const Mesh& mesh, const UV_map& uv)
 {
   const auto np = parameters::maximum_number(200);
   std::vector<Curve> one, many;
-  SS::trace_all_separatrices(mesh, uv, std::back_inserter(one), np);
-  SS::trace_all_separatrices<CGAL::Parallel_if_available_tag>(mesh, uv, std::back_inserter(many),
+  IL::trace_all_separatrices(mesh, uv, std::back_inserter(one), np);
+  IL::trace_all_separatrices<CGAL::Parallel_if_available_tag>(mesh, uv, std::back_inserter(many),
                                                               np);
   if(!CHECK_EQUAL(one.size(), many.size()))
     return;
@@ -62,7 +62,7 @@ void test_threads(const Mesh& mesh, const UV_map& uv)
 void test_numbers_of_directions(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
 {
   std::map<Mesh::Vertex_index, int> index;
-  const auto seams = SS::seam_transitions(mesh, uv);
+  const auto seams = IL::seam_transitions(mesh, uv);
   for(const auto& [v, i] : seams.singular_vertices())
     index[v] = i;
   std::size_t wrong = 0;
@@ -152,7 +152,7 @@ void test_other_starts(const Mesh& mesh, const UV_map& uv, const Tracer& tracer,
 }
 
 // Every vertex of a curve is hit when it is the target, from either end.
-bool hits_its_vertices(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, const Mesh& mesh)
+bool hits_its_vertices(const Tracer& tracer, const IL::Isocurve<Mesh>& curve, const Mesh& mesh)
 {
   for(std::size_t i = 1; i < curve.points.size(); ++i) {
     const auto& point = curve.points[i];
@@ -161,7 +161,7 @@ bool hits_its_vertices(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, co
     const auto v = mesh.target(point.halfedge());
     const auto again = tracer.trace(curve.start, curve.direction, parameters::target_vertex(v));
     const auto back = tracer.trace(Start::at_vertex(point.halfedge()),
-                                   SS::reversed(point.direction()),
+                                   IL::reversed(point.direction()),
                                    parameters::target_vertex(mesh.target(curve.start.halfedge)));
     if(again.status != Status::TARGET || back.status != Status::TARGET)
       return false;
@@ -171,26 +171,26 @@ bool hits_its_vertices(const Tracer& tracer, const SS::Isocurve<Mesh>& curve, co
 
 // A curve that meets a vertex fulfils the connection to it along the edges that it crosses.
 void test_face_paths(const Mesh& mesh, const UV_map& uv,
-                     const std::vector<SS::Isocurve<Mesh> >& curves)
+                     const std::vector<IL::Isocurve<Mesh> >& curves)
 {
-  std::vector<SS::Connection_constraint<Mesh> > connections;
-  std::vector<SS::Cycle_constraint<Mesh> > cycles;
+  std::vector<IL::Connection_constraint<Mesh> > connections;
+  std::vector<IL::Cycle_constraint<Mesh> > cycles;
   for(const auto& curve : curves) {
     if(curve.status == Status::CLOSED)
-      cycles.push_back(SS::cycle_along_isocurve(mesh, curve));
+      cycles.push_back(IL::cycle_along_isocurve(mesh, curve));
     else if(curve.points.back().place() == Place::VERTEX)
-      connections.push_back(SS::connection_along_isocurve(mesh, curve));
+      connections.push_back(IL::connection_along_isocurve(mesh, curve));
   }
-  CHECK(SS::is_seamless(mesh, uv, parameters::connection_constraints(connections)
+  CHECK(IL::is_seamless(mesh, uv, parameters::connection_constraints(connections)
                                              .cycle_constraints(cycles)));
 }
 
 // --- segments ------------------------------------------------------------------------------------
 
-using Segment = SS::Isocurve_segment<Mesh>;
+using Segment = IL::Isocurve_segment<Mesh>;
 
 // Whether a segment and a point of the curve, which it ends at, agree.
-bool ends_at(const Segment& segment, const SS::Isocurve_point<Mesh>& point, const Start& start,
+bool ends_at(const Segment& segment, const IL::Isocurve_point<Mesh>& point, const Start& start,
              const Mesh& mesh, const UV_map& uv)
 {
   if(segment.exit_place() != point.place() || segment.exit() != point.halfedge() ||
@@ -203,7 +203,7 @@ bool ends_at(const Segment& segment, const SS::Isocurve_point<Mesh>& point, cons
   const auto a = uv[mesh.prev(point.halfedge())], b = uv[point.halfedge()];
   Exact_rational t(1);
   if(point.place() == Place::EDGE) // a point keeps a start along an edge only rounded
-    t = segment.is_along_edge() ? start.parameter : SS::isocurve_parameter(point, mesh, uv);
+    t = segment.is_along_edge() ? start.parameter : IL::isocurve_parameter(point, mesh, uv);
   return segment.to() == Exact_rational(a[int(r)]) +
                            t * (Exact_rational(b[int(r)]) - Exact_rational(a[int(r)]));
 }
@@ -235,7 +235,7 @@ bool goes_straight_on(const Segment& a, const Segment& b, const Tracer& tracer, 
   const auto outgoing = tracer.outgoing(v);
   std::vector<Segment> first;
   for(const auto& [start, direction] : outgoing)
-    for(const Segment& segment : SS::isocurve_segments(tracer, start, direction)) {
+    for(const Segment& segment : IL::isocurve_segments(tracer, start, direction)) {
       first.push_back(segment);
       break;
     }
@@ -254,11 +254,11 @@ bool goes_straight_on(const Segment& a, const Segment& b, const Tracer& tracer, 
 bool has_good_segments(const Curve& curve, const Tracer& tracer, const Mesh& mesh,
                        const UV_map& uv)
 {
-  SS::Isocurve_walker<Mesh> walker(tracer, curve.start, curve.direction);
+  IL::Isocurve_walker<Mesh> walker(tracer, curve.start, curve.direction);
   std::vector<Segment> segments;
   Exact_rational length(0);
   while(walker.status() == Status::CONTINUES && segments.size() + 1 < curve.points.size() &&
-        SS::Isocurve_walker<Mesh>(walker).advance() == Status::CONTINUES) { // of a copy
+        IL::Isocurve_walker<Mesh>(walker).advance() == Status::CONTINUES) { // of a copy
     walker.advance();
     const Segment& segment = segments.emplace_back(walker.segment());
     const int sign = int(segment.direction()) < 2 ? 1 : -1;
@@ -276,7 +276,7 @@ bool has_good_segments(const Curve& curve, const Tracer& tracer, const Mesh& mes
       return false;
   }
   std::size_t number = 0;
-  for(const Segment& segment : SS::isocurve_segments(tracer, curve))
+  for(const Segment& segment : IL::isocurve_segments(tracer, curve))
     number += segment.length_after() == segments[number].length_after() ? 1 : 0;
   const bool is_bounded = curve.status == Status::MAXIMUM_NUMBER;
   return number == segments.size() && segments.size() + 1 == curve.points.size() &&
@@ -316,7 +316,7 @@ void test_synthetic_meshes()
       CHECK(tracer.is_exact());
       Counts ends;
       std::size_t bad = 0, missed = 0;
-      std::vector<SS::Isocurve<Mesh> > curves;
+      std::vector<IL::Isocurve<Mesh> > curves;
       for(const auto v : mesh.vertices())
         for(const auto& [start, direction] : tracer.outgoing(v)) {
           const auto& curve = curves.emplace_back(tracer.trace(start, direction));
@@ -346,7 +346,7 @@ void test_floats()
   auto floats = test_meshes::all_meshes<Float_kernel>();
   for(std::size_t i = 0; i < doubles.size(); ++i) {
     const Tracer tracer(doubles[i].mesh, test_meshes::uv_map(doubles[i].mesh));
-    const SS::Isocurve_tracer<CGAL::Surface_mesh<Float_kernel::Point_3> > other(
+    const IL::Isocurve_tracer<CGAL::Surface_mesh<Float_kernel::Point_3> > other(
       floats[i].mesh, test_meshes::uv_map(floats[i].mesh));
     const auto a = tracer.separatrices();
     const auto b = other.separatrices();
@@ -368,7 +368,7 @@ void test_polyhedron(const test_meshes::Named_mesh<Kernel>& named)
     return std::vector<std::pair<std::size_t, Status> >(result.begin(), result.end());
   };
   const Tracer tracer(mesh, test_meshes::uv_map(mesh));
-  const SS::Isocurve_tracer<decltype(copy.polyhedron)> other(copy.polyhedron, copy.uv);
+  const IL::Isocurve_tracer<decltype(copy.polyhedron)> other(copy.polyhedron, copy.uv);
   CHECK_EQUAL(tracer.separatrices().size(), other.separatrices().size());
   auto a = summary(tracer.separatrices()), b = summary(other.separatrices());
   std::sort(a.begin(), a.end());
@@ -383,12 +383,12 @@ void test_file(const std::filesystem::path& path, Counts& naive, Counts& exact,
 {
   Mesh mesh;
   UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  if(!CHECK(SS::IO::read_OBJ(path.string(), mesh, uv)))
+  if(!CHECK(IL::IO::read_OBJ(path.string(), mesh, uv)))
     return;
   const auto limit = parameters::maximum_number(2000);
   for(const auto& curve : Tracer(mesh, uv).separatrices(limit.decide_exactly(false)))
     ++naive[curve.status];
-  CHECK(SS::snap_to_seamless(mesh, uv));
+  CHECK(IL::snap_to_seamless(mesh, uv));
   const Tracer tracer(mesh, uv);
   const auto curves = tracer.separatrices(limit);
   std::size_t bad = 0, number = 0;

@@ -58,8 +58,8 @@ void test_maximum_number()
       CHECK(measured.length > 0.99 && measured.length < 5.01);
       CHECK_EQUAL(measured.length, std::round(measured.length));
       // the function for one curve gives the same
-      std::vector<SS::Isocurve_point<Mesh> > points;
-      const auto end = SS::trace_isocurve(mesh, uv, start, direction, std::back_inserter(points));
+      std::vector<IL::Isocurve_point<Mesh> > points;
+      const auto end = IL::trace_isocurve(mesh, uv, start, direction, std::back_inserter(points));
       CHECK_EQUAL(end.status, full.status);
       CHECK_EQUAL(points.size(), full.points.size());
     }
@@ -82,8 +82,8 @@ void test_maximum_length()
       double before = 0;
       for(std::size_t i = 1; i < full.points.size(); ++i) {
         const auto& point = full.points[i];
-        const double here = std::abs(SS::isocurve_uv(point, mesh, uv)[running] -
-                                     SS::isocurve_uv(full.points.front(), mesh, uv)[running]);
+        const double here = std::abs(IL::isocurve_uv(point, mesh, uv)[running] -
+                                     IL::isocurve_uv(full.points.front(), mesh, uv)[running]);
         const auto bound = parameters::maximum_length((before + here) / 2);
         const auto part = tracer.trace(start, Direction(direction), bound);
         const bool is_last = i + 1 == full.points.size();
@@ -167,10 +167,10 @@ void test_starts_along_edges()
                                         Direction(turn + (a.x() == b.x() ? 1 : 0)));
         ++number;
         const auto& first = curve.points.front();
-        const auto x = SS::isocurve_uv(first, mesh, uv);
+        const auto x = IL::isocurve_uv(first, mesh, uv);
         CHECK(x[0] == a.x() + (b.x() - a.x()) / 4 && x[1] == a.y() + (b.y() - a.y()) / 4);
-        CHECK(SS::isocurve_point_3(first, mesh, uv, mesh.points()) == p + 0.25 * (q - p));
-        CHECK(SS::isocurve_parameter(first, mesh, uv) == Exact_rational(1) / 4);
+        CHECK(IL::isocurve_point_3(first, mesh, uv, mesh.points()) == p + 0.25 * (q - p));
+        CHECK(IL::isocurve_parameter(first, mesh, uv) == Exact_rational(1) / 4);
         CHECK(is_good(tracer, curve, mesh, uv));
         if(curve.status == Status::CLOSED) {
           ++closed;
@@ -208,7 +208,7 @@ void test_constant_coordinate()
 
 // Moves a vertex that lies in a single chart to the next one along an edge. Where it lies on a cut,
 // returns `false`.
-bool contract(const Mesh& mesh, const UV_map uv, const SS::Seam_transitions<Mesh>& seams,
+bool contract(const Mesh& mesh, const UV_map uv, const IL::Seam_transitions<Mesh>& seams,
               const Mesh::Halfedge_index h)
 {
   const auto g = mesh.opposite(h);
@@ -246,7 +246,7 @@ void test_contracted_edges()
     const Mesh& mesh = named.mesh;
     const UV_map uv = test_meshes::uv_map(named.mesh);
     const Tracer before(mesh, uv);
-    const auto seams = SS::seam_transitions(mesh, uv);
+    const auto seams = IL::seam_transitions(mesh, uv);
     std::set<Vertex> rotating;
     for(const auto& [v, index] : seams.singular_vertices())
       if(index % 4 != 0)
@@ -269,7 +269,7 @@ void test_contracted_edges()
       for(const auto v : {mesh.source(h), mesh.target(h)})
         for(const auto& [start, direction] : after.outgoing(v)) {
           const auto curve = after.trace(start, direction);
-          wrong += SS::is_failure(curve.status) || !is_symmetric(after, curve, mesh, uv) ? 1 : 0;
+          wrong += IL::is_failure(curve.status) || !is_symmetric(after, curve, mesh, uv) ? 1 : 0;
           if(runs_along(mesh, curve, h))
             ++ends_along_edge[curve.status];
         }
@@ -366,7 +366,7 @@ void test_number_of_crossings()
           if(there.status != Status::CLOSED)
             continue;
           const auto back = tracer.trace(start_at(there.points.front(), mesh, uv),
-                                         SS::reversed(there.points.front().direction()));
+                                         IL::reversed(there.points.front().direction()));
           ++number;
           CHECK_EQUAL(back.status, Status::CLOSED);
           CHECK_EQUAL(back.number_of_crossings, there.number_of_crossings);
@@ -414,9 +414,9 @@ void test_preconditions()
   const auto curve = tracer.trace(Start::at_vertex(inner), Direction::PLUS_U);
   Curve without_points = curve;
   without_points.points.clear();
-  CHECK(!is_refused([&] { SS::connection_along_isocurve(mesh, curve); }));
-  CHECK(is_refused([&] { SS::connection_along_isocurve(mesh, without_points); }));
-  CHECK(is_refused([&] { SS::cycle_along_isocurve(mesh, without_points); }));
+  CHECK(!is_refused([&] { IL::connection_along_isocurve(mesh, curve); }));
+  CHECK(is_refused([&] { IL::connection_along_isocurve(mesh, without_points); }));
+  CHECK(is_refused([&] { IL::cycle_along_isocurve(mesh, without_points); }));
 
   for(const auto h : mesh.halfedges())
     uv[h] = Kernel::Point_2(double(h.idx() * h.idx() % 17), double(h.idx() % 5));
@@ -435,7 +435,7 @@ void test_inexact_maps()
     return curves.size() == 1 && curves.front().status == Status::NOT_EXACT &&
            curves.front().points.empty();
   };
-  CHECK(SS::is_failure(Status::NOT_EXACT));
+  CHECK(IL::is_failure(Status::NOT_EXACT));
   const auto check = [&](const bool is_seamless) {
     const Tracer tracer(mesh, uv);
     CHECK(bool(tracer) == is_seamless && !tracer.is_exact());
@@ -446,10 +446,10 @@ void test_inexact_maps()
     CHECK(is_refusal({tracer.trace(start, Direction::PLUS_U, naive)}) == !is_seamless);
     CHECK(is_refusal(tracer.separatrices(naive)) == !is_seamless);
     std::vector<Curve> curves;
-    SS::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
+    IL::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
     CHECK(is_refusal(curves));
-    std::vector<SS::Isocurve_point<Mesh> > points;
-    CHECK(SS::trace_isocurve(mesh, uv, start, Direction::PLUS_U,
+    std::vector<IL::Isocurve_point<Mesh> > points;
+    CHECK(IL::trace_isocurve(mesh, uv, start, Direction::PLUS_U,
                              std::back_inserter(points)).status == Status::NOT_EXACT);
     CHECK(points.empty());
   };

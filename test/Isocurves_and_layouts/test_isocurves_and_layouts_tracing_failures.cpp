@@ -58,7 +58,7 @@ void test_failures()
     for(const Status status : expected)
       CHECK(ends[status] > 0);
 
-    CHECK(SS::snap_to_seamless(mesh, uv, parameters::align_border(named.align_border)));
+    CHECK(IL::snap_to_seamless(mesh, uv, parameters::align_border(named.align_border)));
     const Tracer tracer(mesh, uv);
     std::size_t bad = 0;
     for(const auto v : mesh.vertices())
@@ -76,7 +76,7 @@ void test_failures_of_computed_maps()
   for(const auto& file : test_data::package_files()) {
     Mesh mesh;
     UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-    CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
+    CHECK(IL::IO::read_OBJ(file.string(), mesh, uv));
     const Tracer tracer(mesh, uv);
     for(const auto v : mesh.vertices())
       for(const auto& [start, direction] : tracer.outgoing(v))
@@ -84,7 +84,7 @@ void test_failures_of_computed_maps()
                              parameters::maximum_number(300).decide_exactly(false)).status];
   }
   std::cout << "computed maps, in floating point: " << naive << std::endl;
-  for(int i = int(Status::STUCK_AT_CUT); i < SS::number_of_isocurve_statuses; ++i)
+  for(int i = int(Status::STUCK_AT_CUT); i < IL::number_of_isocurve_statuses; ++i)
     if(!CHECK(naive[Status(i)] > 0))
       std::cerr << "  no curve " << Status(i) << std::endl;
 }
@@ -139,7 +139,7 @@ public:
       m_results.exact_without = count(Kind::expected, true);
       set_values(noisy);
       snap(m_constraints, 1000 * noise * m_model.extent);
-      CHECK(SS::is_seamless(m_mesh, m_uv, Kind::as_parameter(m_constraints)));
+      CHECK(IL::is_seamless(m_mesh, m_uv, Kind::as_parameter(m_constraints)));
       m_results.exact = count(Kind::expected, true);
     }
     set_values(original);
@@ -161,7 +161,7 @@ private:
   // Coordinates change by no more than constraints ask for.
   bool snap(const std::vector<Constraint>& constraints, const double change)
   {
-    const auto report = SS::snap_to_seamless(m_mesh, m_uv, Kind::as_parameter(constraints));
+    const auto report = IL::snap_to_seamless(m_mesh, m_uv, Kind::as_parameter(constraints));
     if(!CHECK(report) || !CHECK(report.largest_change <= change))
       std::cerr << report << ", largest change " << report.largest_change << " of " << change
                 << std::endl;
@@ -175,11 +175,11 @@ private:
   // turn back, and no length tells how far to follow them.
   void check_intercepted(const std::vector<Constraint>& constraints) const
   {
-    if(SS::measure_seamlessness(m_mesh, m_uv).number_of_flipped_faces > 0)
+    if(IL::measure_seamlessness(m_mesh, m_uv).number_of_flipped_faces > 0)
       return;
     const Tracer tracer(m_mesh, m_uv);
     std::vector<std::size_t> expected, found;
-    for(const auto& connection : SS::intercepted_connections(tracer, constraints))
+    for(const auto& connection : IL::intercepted_connections(tracer, constraints))
       found.push_back(connection.index);
     for(std::size_t i = 0; i < m_passes.size(); ++i)
       if(trace(tracer, m_passes[i], true).status != Kind::expected)

@@ -30,11 +30,11 @@
 #include <string>
 #include <vector>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace IL = CGAL::Isocurves_and_layouts;
 using namespace hexagonal_maps;
 
-using Start = SS::Isocurve_start<Mesh>;
-using Status = SS::Isocurve_status;
+using Start = IL::Isocurve_start<Mesh>;
+using Status = IL::Isocurve_status;
 
 // Moves vertices at no cut by numbers with all bits, so that u + v is in general no double.
 void scatter(const Mesh& mesh, UV_map uv, const double size, std::mt19937& random)
@@ -70,13 +70,13 @@ void nudge(const Mesh& mesh, UV_map uv, std::mt19937& random)
 
 // From vertices, points on edges, and points in faces, each in all directions.
 template <int N, int D>
-std::map<Status, std::size_t> check_isocurves(const SS::Isocurve_tracer<Mesh, D>& tracer,
+std::map<Status, std::size_t> check_isocurves(const IL::Isocurve_tracer<Mesh, D>& tracer,
                                               const Mesh& mesh, const UV_map uv,
                                               const std::size_t maximum, const std::string& name)
 {
   const lattice_walk::Reference_walk<N> walk(mesh, uv);
   std::map<Status, std::size_t> ends;
-  const auto check = [&](const Start& start, const SS::Isocurve_direction direction,
+  const auto check = [&](const Start& start, const IL::Isocurve_direction direction,
                          const std::optional<lattice_walk::Stop>& first) {
     const std::string context = name + ", from halfedge " + std::to_string(start.halfedge) +
                                 ", place " + std::to_string(int(start.place)) + ", direction " +
@@ -84,10 +84,10 @@ std::map<Status, std::size_t> check_isocurves(const SS::Isocurve_tracer<Mesh, D>
     ++ends[lattice_walk::check_segments(tracer, mesh, uv, walk, start, direction, first, maximum,
                                         context)];
     const auto curve =
-      tracer.trace(start, direction, SS::parameters::maximum_number(maximum).maximum_length(1e9));
+      tracer.trace(start, direction, IL::parameters::maximum_number(maximum).maximum_length(1e9));
     CHECK_IN(context, tracing_checks::is_good(tracer, curve, mesh, uv));
     for(const auto& point : curve.points) { // rounded, and exact in the chart of the halfedge
-      const Vector u = SS::isocurve_uv(point, mesh, uv);
+      const Vector u = IL::isocurve_uv(point, mesh, uv);
       const int f = int(point.direction()) > 3 ? 2 : 1 - int(point.direction()) % 2;
       CHECK_IN(context, std::abs(random_complexes::value(f, u) -
                                  CGAL::to_double(point.constant_coordinate())) < 1e-12);
@@ -125,7 +125,7 @@ std::ostream& operator<<(std::ostream& os, const std::map<Status, std::size_t>& 
 
 // Angles are multiples of 60 degrees: a ray leaves a vertex in each of its faces.
 template <int N>
-void check_rays(const SS::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
+void check_rays(const IL::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
                 const std::string& context)
 {
   std::size_t number = 0;
@@ -142,9 +142,9 @@ void check_rays(const SS::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
                           lattice_walk::vector_of<6>(rays[i].second) ==
                             turned<6>(1, lattice_walk::vector_of<6>(rays[i - 1].second)));
     for(std::size_t i = 0; i < rays.size(); ++i) { // arriving, one finds the way back
-      SS::Isocurve_walker<Mesh, 6> there(tracer, rays[i].first, rays[i].second);
+      IL::Isocurve_walker<Mesh, 6> there(tracer, rays[i].first, rays[i].second);
       CHECK_IN(context, there.advance() == Status::CONTINUES);
-      if(there.segment().exit_place() != SS::Isocurve_place::VERTEX)
+      if(there.segment().exit_place() != IL::Isocurve_place::VERTEX)
         continue;
       const auto end = there.segment();
       const auto around = tracer.outgoing(mesh.target(end.exit()));
@@ -152,13 +152,13 @@ void check_rays(const SS::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
       CHECK_IN(context, slot < around.size());
       if(slot >= around.size())
         continue;
-      SS::Isocurve_walker<Mesh, 6> back(tracer, around[slot].first, around[slot].second);
+      IL::Isocurve_walker<Mesh, 6> back(tracer, around[slot].first, around[slot].second);
       CHECK_IN(context, back.advance() == Status::CONTINUES &&
                           mesh.target(back.segment().exit()) == v &&
                           tracer.outgoing_index(back.segment()) == i);
     }
   }
-  CHECK_IN(context, tracer.separatrices(SS::parameters::maximum_number(1)).size() == number);
+  CHECK_IN(context, tracer.separatrices(IL::parameters::maximum_number(1)).size() == number);
 }
 
 template <int N>
@@ -175,11 +175,11 @@ void test_isocurves(Mesh mesh, const std::string& name)
       warp<N>(mesh, uv, 0.125, random);
     if(kind == "snapped") {
       perturb(mesh, uv, std::ldexp(1., -20), random);
-      CHECK_IN(context, SS::snap_to_seamless(mesh, uv, symmetry<N>()));
+      CHECK_IN(context, IL::snap_to_seamless(mesh, uv, symmetry<N>()));
     }
     if(kind == "scattered")
       scatter(mesh, uv, 0.03, random);
-    const SS::Isocurve_tracer tracer(mesh, uv, symmetry<N>());
+    const IL::Isocurve_tracer tracer(mesh, uv, symmetry<N>());
     CHECK_IN(context, tracer.is_exact());
     check_rays<N>(tracer, mesh, context);
     const auto ends = check_isocurves<N>(tracer, mesh, uv, 12, context);
@@ -195,13 +195,13 @@ void test_isocurves_of_both_kinds()
   unfold(mesh, uv);
   std::mt19937 random(3);
   warp<1>(mesh, uv, 0.125, random);
-  const SS::Isocurve_tracer four(mesh, uv, symmetry<1>()), default_four(mesh, uv);
-  const SS::Isocurve_tracer six(mesh, uv, symmetry<6>());
+  const IL::Isocurve_tracer four(mesh, uv, symmetry<1>()), default_four(mesh, uv);
+  const IL::Isocurve_tracer six(mesh, uv, symmetry<6>());
   check_isocurves<1>(four, mesh, uv, 20, "translations, four directions");
   check_isocurves<1>(six, mesh, uv, 20, "translations, six directions");
   for(const Halfedge h : mesh.halfedges())
     for(int d = 0; d < 4; ++d) {
-      const auto direction = SS::Isocurve_direction(d);
+      const auto direction = IL::Isocurve_direction(d);
       const auto a = four.trace(Start::at_vertex(h), direction);
       for(const auto& b : {default_four.trace(Start::at_vertex(h), direction),
                            six.trace(Start::at_vertex(h), direction)}) {
@@ -220,8 +220,8 @@ void test_isocurve_constraints()
   const UV_map uv = uv_map(mesh);
   unfold(mesh, uv);
   const auto count = [&](const bool decides_exactly) {
-    std::vector<SS::Isocurve<Mesh> > curves;
-    SS::trace_all_separatrices(
+    std::vector<IL::Isocurve<Mesh> > curves;
+    IL::trace_all_separatrices(
       mesh, uv, std::back_inserter(curves),
       symmetry<6>().decide_exactly(decides_exactly).maximum_number(100));
     std::map<Status, std::size_t> ends;
@@ -229,13 +229,13 @@ void test_isocurve_constraints()
       ++ends[curve.status];
     return ends;
   };
-  std::vector<SS::Connection_constraint<Mesh> > connections;
+  std::vector<IL::Connection_constraint<Mesh> > connections;
   std::array<std::size_t, 3> number{{0, 0, 0}};
-  const SS::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
+  const IL::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
   for(const auto& curve : tracer.separatrices())
     if(mesh.target(curve.points.back().halfedge()) < mesh.target(curve.points[0].halfedge())) {
       CHECK(curve.status == Status::SINGULAR_VERTEX);
-      connections.push_back(SS::connection_along_isocurve(mesh, curve));
+      connections.push_back(IL::connection_along_isocurve(mesh, curve));
       ++number[std::size_t(connections.back().component)];
     }
   CHECK(number[0] > 0 && number[1] > 0 && number[2] > 0);
@@ -244,18 +244,18 @@ void test_isocurve_constraints()
   perturb(mesh, uv, std::ldexp(1., -20), random);
   CHECK_EQUAL((count(true)[Status::NOT_EXACT]), 1u);
   const auto untraced =
-    SS::intercepted_connections(SS::Isocurve_tracer(mesh, uv, symmetry<6>()), connections);
+    IL::intercepted_connections(IL::Isocurve_tracer(mesh, uv, symmetry<6>()), connections);
   if(CHECK_EQUAL(untraced.size(), connections.size()))
     CHECK_IN(untraced.front().message,
              untraced.front().message.find("not exactly seamless") != std::string::npos);
   const auto failures = count(false);
   CHECK(std::any_of(failures.begin(), failures.end(),
-                    [](const auto& end) { return SS::is_failure(end.first); }));
+                    [](const auto& end) { return IL::is_failure(end.first); }));
   std::cout << "separatrices in floating point" << failures << std::endl;
   const auto report =
-    SS::snap_to_seamless(mesh, uv, symmetry<6>().connection_constraints(connections));
+    IL::snap_to_seamless(mesh, uv, symmetry<6>().connection_constraints(connections));
   CHECK_IN(report.message, bool(report));
-  CHECK(SS::intercepted_connections(SS::Isocurve_tracer(mesh, uv, symmetry<6>()), connections)
+  CHECK(IL::intercepted_connections(IL::Isocurve_tracer(mesh, uv, symmetry<6>()), connections)
           .empty());
   CHECK_EQUAL((count(true)[Status::SINGULAR_VERTEX]), 60u);
 }
@@ -270,10 +270,10 @@ void test_data_file()
     return;
   Mesh mesh;
   const UV_map uv = uv_map(mesh);
-  CHECK(SS::IO::read_OBJ(path.string(), mesh, uv));
-  SS::convert_to_lattice_coordinates(mesh, uv);
-  CHECK(bool(SS::snap_to_seamless(mesh, uv, symmetry<6>())));
-  const SS::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
+  CHECK(IL::IO::read_OBJ(path.string(), mesh, uv));
+  IL::convert_to_lattice_coordinates(mesh, uv);
+  CHECK(bool(IL::snap_to_seamless(mesh, uv, symmetry<6>())));
+  const IL::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
   CHECK(tracer.separatrices().empty());
   std::cout << path.filename() << check_isocurves<6>(tracer, mesh, uv, 10, "data") << std::endl;
 }

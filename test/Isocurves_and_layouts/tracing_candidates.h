@@ -133,8 +133,8 @@ struct Model
 inline bool read(const std::filesystem::path& path, Model& model)
 {
   const Mesh& mesh = model.mesh;
-  if(!CHECK(SS::IO::read_OBJ(path.string(), model.mesh, model.uv)) ||
-     !CHECK(SS::snap_to_seamless(mesh, model.uv)))
+  if(!CHECK(IL::IO::read_OBJ(path.string(), model.mesh, model.uv)) ||
+     !CHECK(IL::snap_to_seamless(mesh, model.uv)))
     return false;
   const Tracer tracer(mesh, model.uv);
   std::vector<Vertex> regular;
@@ -151,7 +151,7 @@ inline bool read(const std::filesystem::path& path, Model& model)
     if(!mesh.is_border(h))
       model.edge_length += std::sqrt(CGAL::squared_distance(model.uv[h], model.uv[mesh.prev(h)])) /
                            double(mesh.number_of_halfedges());
-  model.extent = SS::seam_transitions(mesh, model.uv).extent();
+  model.extent = IL::seam_transitions(mesh, model.uv).extent();
   return true;
 }
 
@@ -167,14 +167,14 @@ inline std::vector<char> critical_vertices(const Model& model, const Tracer& tra
 
 struct Connections
 {
-  using Constraint = SS::Connection_constraint<Mesh>;
+  using Constraint = IL::Connection_constraint<Mesh>;
   static constexpr Status expected = Status::TARGET, failure = Status::MISSED_TARGET;
 
   static auto as_parameter(const std::vector<Constraint>& constraints)
   { return parameters::connection_constraints(constraints); }
 
   static Constraint constraint(const Curve& curve, const Mesh& mesh)
-  { return SS::connection_along_isocurve(mesh, curve); }
+  { return IL::connection_along_isocurve(mesh, curve); }
 
   static Vertex target(const Near_pass& pass, const Mesh& mesh) { return mesh.target(pass.corner); }
 
@@ -200,14 +200,14 @@ struct Connections
 
 struct Cycles
 {
-  using Constraint = SS::Cycle_constraint<Mesh>;
+  using Constraint = IL::Cycle_constraint<Mesh>;
   static constexpr Status expected = Status::CLOSED, failure = Status::SPIRALS;
 
   static auto as_parameter(const std::vector<Constraint>& constraints)
   { return parameters::cycle_constraints(constraints); }
 
   static Constraint constraint(const Curve& curve, const Mesh& mesh)
-  { return SS::cycle_along_isocurve(mesh, curve); }
+  { return IL::cycle_along_isocurve(mesh, curve); }
 
   static Vertex target(const Near_pass&, const Mesh&) { return Mesh::null_vertex(); }
 
@@ -243,7 +243,7 @@ struct Cycles
     const Vertex v = mesh.target(h);
     if(tracer.is_singular(v) || CGAL::is_border(v, mesh) || !model.is_unfolded(v))
       return false;
-    const auto seams = SS::seam_transitions(mesh, model.uv);
+    const auto seams = IL::seam_transitions(mesh, model.uv);
     const auto leads_back = [&](Mesh::Halfedge_index g, const Direction d) {
       int turns = int(d);
       if(mesh.target(g) != v)

@@ -23,20 +23,20 @@
 
 namespace tracing_checks {
 
-namespace SS = CGAL::Seamless_snapping;
-namespace parameters = CGAL::Seamless_snapping::parameters;
+namespace IL = CGAL::Isocurves_and_layouts;
+namespace parameters = CGAL::Isocurves_and_layouts::parameters;
 
-using Status = SS::Isocurve_status;
-using Place = SS::Isocurve_place;
-using Direction = SS::Isocurve_direction;
+using Status = IL::Isocurve_status;
+using Place = IL::Isocurve_place;
+using Direction = IL::Isocurve_direction;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
-using Start = SS::Isocurve_start<Mesh>;
-using Curve = SS::Isocurve<Mesh>;
-using Tracer = SS::Isocurve_tracer<Mesh>;
+using Start = IL::Isocurve_start<Mesh>;
+using Curve = IL::Isocurve<Mesh>;
+using Tracer = IL::Isocurve_tracer<Mesh>;
 using CGAL::Exact_rational;
 
 template <typename Graph>
@@ -44,23 +44,23 @@ using Halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
 
 // Where to start to take the way back.
 template <typename Graph, typename UVMap>
-SS::Isocurve_start<Graph> start_at(const SS::Isocurve_point<Graph>& point, const Graph& mesh,
+IL::Isocurve_start<Graph> start_at(const IL::Isocurve_point<Graph>& point, const Graph& mesh,
                                   const UVMap& uv)
 {
   if(point.place() == Place::VERTEX)
-    return SS::Isocurve_start<Graph>::at_vertex(point.halfedge());
+    return IL::Isocurve_start<Graph>::at_vertex(point.halfedge());
   if(point.place() == Place::FACE) {
-    const auto u = SS::isocurve_uv(point, mesh, uv);
-    return SS::Isocurve_start<Graph>::in_face(point.halfedge(), u[0], u[1]);
+    const auto u = IL::isocurve_uv(point, mesh, uv);
+    return IL::Isocurve_start<Graph>::in_face(point.halfedge(), u[0], u[1]);
   }
-  return SS::Isocurve_start<Graph>::on_edge(point.halfedge(),
-                                            SS::isocurve_parameter(point, mesh, uv));
+  return IL::Isocurve_start<Graph>::on_edge(point.halfedge(),
+                                            IL::isocurve_parameter(point, mesh, uv));
 }
 
 // Whether two points, passed in opposite directions, are the same: by exact parameters on the edge,
 // which are computed in the charts of its two faces.
 template <typename Graph, typename UVMap>
-bool are_same(const SS::Isocurve_point<Graph>& a, const SS::Isocurve_point<Graph>& b,
+bool are_same(const IL::Isocurve_point<Graph>& a, const IL::Isocurve_point<Graph>& b,
               const Graph& mesh, const UVMap& uv)
 {
   if(a.place() != b.place())
@@ -69,15 +69,15 @@ bool are_same(const SS::Isocurve_point<Graph>& a, const SS::Isocurve_point<Graph
     return a.halfedge() == b.halfedge() && a.constant_coordinate() == b.constant_coordinate();
   if(a.place() == Place::VERTEX)
     return target(a.halfedge(), mesh) == target(b.halfedge(), mesh);
-  const auto s = SS::isocurve_parameter(a, mesh, uv);
-  const auto t = SS::isocurve_parameter(b, mesh, uv);
+  const auto s = IL::isocurve_parameter(a, mesh, uv);
+  const auto t = IL::isocurve_parameter(b, mesh, uv);
   return (a.halfedge() == b.halfedge() && s == t) ||
          (a.halfedge() == opposite(b.halfedge(), mesh) && s == 1 - t);
 }
 
 // A curve that starts inside of an edge and runs along it.
 template <typename Graph, typename UVMap>
-bool starts_along_edge(const SS::Isocurve<Graph>& curve, const Graph& mesh, const UVMap& uv)
+bool starts_along_edge(const IL::Isocurve<Graph>& curve, const Graph& mesh, const UVMap& uv)
 {
   if(curve.start.place != Place::EDGE)
     return false;
@@ -91,14 +91,14 @@ bool starts_along_edge(const SS::Isocurve<Graph>& curve, const Graph& mesh, cons
 
 // Traces a curve back from its end, and compares it point by point with the first one.
 template <int D, typename Graph, typename UVMap>
-bool is_symmetric(const SS::Isocurve_tracer<Graph, D>& tracer, const SS::Isocurve<Graph>& curve,
+bool is_symmetric(const IL::Isocurve_tracer<Graph, D>& tracer, const IL::Isocurve<Graph>& curve,
                   const Graph& mesh, const UVMap& uv)
 {
   const std::size_t n = curve.points.size();
   if(n < 2)
     return true;
   const auto& end = curve.points.back();
-  const auto back = tracer.trace(start_at(end, mesh, uv), SS::reversed(end.direction()),
+  const auto back = tracer.trace(start_at(end, mesh, uv), IL::reversed(end.direction()),
                                  parameters::maximum_number(n + 1));
   const bool is_first_seen = curve.status == Status::CLOSED ||
     (curve.start.place != Place::FACE && !starts_along_edge(curve, mesh, uv));
@@ -114,13 +114,13 @@ bool is_symmetric(const SS::Isocurve_tracer<Graph, D>& tracer, const SS::Isocurv
 // An end of exact tracing, but for the one that only degenerate faces bring about.
 inline bool is_proper_end(const Status status)
 {
-  return !SS::is_failure(status) && status != Status::CONTINUES &&
+  return !IL::is_failure(status) && status != Status::CONTINUES &&
          status != Status::CONSTANT_ON_FACE;
 }
 
 // Ends properly, and is the same backwards.
 template <int D, typename Graph, typename UVMap>
-bool is_good(const SS::Isocurve_tracer<Graph, D>& tracer, const SS::Isocurve<Graph>& curve,
+bool is_good(const IL::Isocurve_tracer<Graph, D>& tracer, const IL::Isocurve<Graph>& curve,
              const Graph& mesh, const UVMap& uv)
 {
   return is_proper_end(curve.status) && is_symmetric(tracer, curve, mesh, uv);
@@ -154,7 +154,7 @@ inline std::ostream& operator<<(std::ostream& os, const Counts& counts)
 template <typename Graph, typename UVMap>
 Counts naive_ends(const Graph& mesh, const UVMap& uv, const double tolerance)
 {
-  const SS::Isocurve_tracer<Graph> tracer(mesh, uv);
+  const IL::Isocurve_tracer<Graph> tracer(mesh, uv);
   Counts result;
   for(const auto v : vertices(mesh))
     for(const auto& [start, direction] : tracer.outgoing(v))

@@ -25,7 +25,7 @@
 
 namespace snap_in_any_form {
 
-namespace CS = CGAL::Seamless_snapping;
+namespace LS = CGAL::Linear_snapping;
 
 using exact_reference::Rational;
 using exact_reference::System;
@@ -41,9 +41,9 @@ inline bool are_integers(const System& system, double bound)
 }
 
 template <typename Coefficient>
-CS::Linear_constraints<Coefficient> linear_constraints(const System& system)
+LS::Linear_constraints<Coefficient> linear_constraints(const System& system)
 {
-  CS::Linear_constraints<Coefficient> result(system.columns);
+  LS::Linear_constraints<Coefficient> result(system.columns);
   for(std::size_t r = 0; r < system.rows.size(); ++r) {
     std::vector<std::pair<std::size_t, Coefficient> > terms;
     for(const auto& entry : system.rows[r]) {
@@ -74,30 +74,30 @@ Eigen::SparseMatrix<Scalar> sparse_matrix(const System& system)
 }
 
 template <typename Matrix, typename Values, typename NamedParameters>
-CS::Linear_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
+LS::Linear_report snap_matrix(const Matrix& matrix, const System& system, Values& x,
                               const NamedParameters& np)
 {
   std::vector<double> b;
   for(const Rational& value : system.b)
     b.push_back(CGAL::to_double(value));
   if(exact_reference::to_rationals(b) != system.b)
-    return CS::snap_to_linear_constraints(matrix, system.b, x, np);
+    return LS::snap_to_linear_constraints(matrix, system.b, x, np);
   if(std::all_of(b.begin(), b.end(), [](double value) { return value == 0; }))
-    return CS::snap_to_linear_constraints(matrix, x, np);
-  return CS::snap_to_linear_constraints(matrix, b, x, np);
+    return LS::snap_to_linear_constraints(matrix, x, np);
+  return LS::snap_to_linear_constraints(matrix, b, x, np);
 }
 
 // The form is drawn from those that can hold the system.
 template <typename Values>
-CS::Linear_report snap(random_systems::Random& random, const System& system, Values& x,
+LS::Linear_report snap(random_systems::Random& random, const System& system, Values& x,
                        const std::vector<double>& weights)
 {
-  const auto np = CS::parameters::value_weights(weights);
+  const auto np = LS::parameters::value_weights(weights);
   const bool are_small = are_integers(system, 1000000);
   switch(random() % 4) {
     case 1:
       if(are_integers(system, 0x1p62))
-        return CS::snap_to_linear_constraints(linear_constraints<std::int64_t>(system), x, np);
+        return LS::snap_to_linear_constraints(linear_constraints<std::int64_t>(system), x, np);
       break;
     case 2:
       if(are_small)
@@ -109,7 +109,7 @@ CS::Linear_report snap(random_systems::Random& random, const System& system, Val
       break;
     default: break;
   }
-  return CS::snap_to_linear_constraints(linear_constraints<Rational>(system), x, np);
+  return LS::snap_to_linear_constraints(linear_constraints<Rational>(system), x, np);
 }
 
 } // namespace snap_in_any_form

@@ -14,7 +14,7 @@
 #include <limits>
 #include <stdexcept>
 
-using namespace CGAL::Seamless_snapping::internal;
+using namespace CGAL::Linear_snapping::internal;
 
 void test_rounding_modes()
 {

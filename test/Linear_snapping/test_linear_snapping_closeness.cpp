@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CS = CGAL::Seamless_snapping;
+namespace LS = CGAL::Linear_snapping;
 
 using exact_reference::Integer;
 using exact_reference::Rational;
@@ -33,11 +33,11 @@ using grid_reference::Small_system;
 using random_systems::Random;
 using random_systems::random_integer;
 using random_systems::random_real;
-using Constraints = CS::Linear_constraints<>;
+using Constraints = LS::Linear_constraints<>;
 using Values = std::vector<double>;
 
 template <typename Coefficient>
-bool is_solution(const CS::Linear_constraints<Coefficient>& c, const Values& x)
+bool is_solution(const LS::Linear_constraints<Coefficient>& c, const Values& x)
 {
   for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
     Rational sum = -c.right_hand_side(i);
@@ -59,12 +59,12 @@ double largest_difference(const Values& a, const Values& b)
 
 // Snaps, and tells how far the values moved; and how long that took, which is not checked.
 template <typename Coefficient>
-CS::Linear_report snap(const std::string& name, const CS::Linear_constraints<Coefficient>& c,
+LS::Linear_report snap(const std::string& name, const LS::Linear_constraints<Coefficient>& c,
                        Values& x)
 {
   const Values before(x);
   const auto start = std::chrono::steady_clock::now();
-  const CS::Linear_report report = CS::snap_to_linear_constraints(c, x);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(c, x);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   std::cout << name << ": " << report << ", largest change " << largest_difference(before, x)
             << ", optimal rms " << report.optimal_rms_change << ", " << time.count() << " s"
@@ -105,7 +105,7 @@ void test_hub(const std::size_t n)
     c.add_constraint({{0, 1}, {j, -1}});
   Values x(n, 0.);
   x[0] = 1;
-  const CS::Linear_report report = snap("hub of " + std::to_string(n), c, x);
+  const LS::Linear_report report = snap("hub of " + std::to_string(n), c, x);
   const double mean = 1. / static_cast<double>(n);
   CHECK(std::abs(x[0] - mean) <= 1e-9 * mean);
   const double rms = std::sqrt((1 - mean) * mean);
@@ -151,7 +151,7 @@ void test_knapsack_row(const std::size_t n, const int bits, const unsigned int s
     x.push_back(random_real(random));
   }
   c.add_constraint(row);
-  const CS::Linear_report report = snap("row of " + std::to_string(n), c, x);
+  const LS::Linear_report report = snap("row of " + std::to_string(n), c, x);
   CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
 }
 
@@ -180,7 +180,7 @@ void test_nearly_parallel_rows(const std::size_t n, const int bits, const unsign
   system.add_row(second_row);
   const exact_reference::Optimum optimum =
     exact_reference::optimum_in_closed_form(system, exact_reference::to_rationals(x));
-  const CS::Linear_report report =
+  const LS::Linear_report report =
     snap("parallel rows of " + std::to_string(n) + ", " + std::to_string(bits) + " bits", c, x);
   const double rms = std::sqrt(CGAL::to_double(optimum.value) / static_cast<double>(n));
   if(!CHECK(std::abs(report.optimal_rms_change - rms) <= 0.01 * rms))
@@ -276,7 +276,7 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
 {
   Random random(seed);
   const Random_problem p = random_problem(random);
-  CS::Linear_constraints<Integer> c(p.system.columns);
+  LS::Linear_constraints<Integer> c(p.system.columns);
   for(std::size_t i = 0; i < p.system.rows.size(); ++i) {
     std::vector<std::pair<std::size_t, Integer> > row;
     for(std::size_t j = 0; j < p.system.columns; ++j)
@@ -284,8 +284,8 @@ void test_random_problem(const std::uint64_t seed, Tally& tally)
     c.add_constraint(row, p.system.b[i]);
   }
   Values x(p.x);
-  const CS::Linear_report report = CS::snap_to_linear_constraints(c, x);
-  ++tally.outcomes[CS::to_string(report.status)];
+  const LS::Linear_report report = LS::snap_to_linear_constraints(c, x);
+  ++tally.outcomes[LS::to_string(report.status)];
   if(report && !CHECK(is_solution(c, x)))
     std::cout << "  seed " << seed << std::endl;
   const auto reference = grid_reference::nearest_on_one_grid(p.system, p.x);
@@ -334,7 +334,7 @@ void test_random_problems(const std::uint64_t count, const std::uint64_t seed)
 
 struct Planted_problem
 {
-  CS::Linear_constraints<Rational> constraints;
+  LS::Linear_constraints<Rational> constraints;
   Values solution, x;
 
   void add_row(const std::vector<std::pair<std::size_t, Rational> >& row)
@@ -355,7 +355,7 @@ struct Planted_problem
 
 Planted_problem planted_problem(const Values& solution)
 {
-  return {CS::Linear_constraints<Rational>(solution.size()), solution, {}};
+  return {LS::Linear_constraints<Rational>(solution.size()), solution, {}};
 }
 
 // Values of very different size, and rows of very different scale; with coefficients of up to some
@@ -443,12 +443,12 @@ void test_planted_problems(const std::string& name, const Make& make, const std:
     Random random(seed + i);
     const Planted_problem p = make(random);
     Values x(p.x);
-    const CS::Linear_report report = CS::snap_to_linear_constraints(p.constraints, x);
-    if(report.status == CS::Outcome::ALREADY_EXACT)
+    const LS::Linear_report report = LS::snap_to_linear_constraints(p.constraints, x);
+    if(report.status == LS::Outcome::ALREADY_EXACT)
       continue;
     ++changed;
     if(!report) {
-      CHECK_EQUAL(report.status, CS::Outcome::NOT_REPRESENTABLE);
+      CHECK_EQUAL(report.status, LS::Outcome::NOT_REPRESENTABLE);
       ++refused;
       continue;
     }
@@ -475,12 +475,12 @@ void test_planted_problems(const std::uint64_t count, const std::uint64_t seed)
 
 // --- figures -------------------------------------------------------------------------------------
 
-CS::Linear_report snap_row(const std::vector<std::pair<std::size_t, Rational> >& row,
+LS::Linear_report snap_row(const std::vector<std::pair<std::size_t, Rational> >& row,
                            const Rational& b, Values x)
 {
-  CS::Linear_constraints<Rational> c(x.size());
+  LS::Linear_constraints<Rational> c(x.size());
   c.add_constraint(row, b);
-  const CS::Linear_report report = snap("row", c, x);
+  const LS::Linear_report report = snap("row", c, x);
   for(const double figure : {report.rms_change, report.optimal_rms_change, report.largest_change,
                              report.mean_change, report.distance_ratio})
     CHECK(std::isfinite(figure));
@@ -490,7 +490,7 @@ CS::Linear_report snap_row(const std::vector<std::pair<std::size_t, Rational> >&
 // Whose squares exceed all numbers.
 void test_large_figures()
 {
-  CS::Linear_report report = snap_row({{0, 1}, {1, -1}}, Rational(0x1p115), {1e-126, 0});
+  LS::Linear_report report = snap_row({{0, 1}, {1, -1}}, Rational(0x1p115), {1e-126, 0});
   CHECK_EQUAL(report.rms_change, 0x1p114);
   CHECK_EQUAL(report.optimal_rms_change, 0x1p114);
   report = snap_row({{0, 1}, {1, -1}}, Rational(0), {1e300, 0});
@@ -506,7 +506,7 @@ void test_told_distances()
 {
   for(const int k : {20, 50, 60}) {
     const double factor = std::ldexp(1., k), x = 1.1 * (1 + 0x1p-45);
-    const CS::Linear_report report =
+    const LS::Linear_report report =
       snap_row({{0, 1}, {1, Rational(-factor)}}, Rational(0), {1.1 * factor, x});
     CHECK(report.message.empty() && report.distance_ratio < 10);
     CHECK(report.largest_change <= 0x1p-44 * factor);
@@ -517,7 +517,7 @@ void test_told_distances()
                 .largest_change, 0.03125);
   // below 2^53, only 0 is a multiple
   const Rational multiple(Rational(0x1p60) + Rational(1));
-  const CS::Linear_report report = snap_row({{0, multiple}, {1, -1}}, Rational(0), {1, 0x1p60});
+  const LS::Linear_report report = snap_row({{0, multiple}, {1, -1}}, Rational(0), {1, 0x1p60});
   CHECK(report.distance_ratio > 1e15);
   CHECK(report.message.find("constraints 0 moved more than 10^1") != std::string::npos);
 }

@@ -22,7 +22,7 @@
 #include <limits>
 #include <vector>
 
-using namespace CGAL::Seamless_snapping::internal;
+using namespace CGAL::Linear_snapping::internal;
 using namespace random_numbers;
 
 constexpr unsigned int seed = 1;

@@ -18,7 +18,7 @@
 #include <vector>
 
 using CGAL::Exact_integer;
-using namespace CGAL::Seamless_snapping::internal;
+using namespace CGAL::Linear_snapping::internal;
 
 using Matrix = std::vector<std::vector<Exact_integer> >;
 using Vector = std::vector<Exact_integer>;

@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-using CGAL::Seamless_snapping::internal::rounded_to;
+using CGAL::Linear_snapping::internal::rounded_to;
 using Pair = std::array<double, 2>;
 
 // How the coordinates of a point are rounded all over the package.

@@ -30,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CS = CGAL::Seamless_snapping;
+namespace LS = CGAL::Linear_snapping;
 
 using exact_reference::Optimum;
 using exact_reference::Rational;
@@ -150,22 +150,22 @@ void check_system(Random& random, const System& system, const std::vector<Number
   }
 
   std::vector<Number> after = before;
-  const CS::Linear_report report =
+  const LS::Linear_report report =
     snap_in_any_form::snap(random, system, after, weights);
-  ++tally.outcomes[CS::to_string(report.status)];
+  ++tally.outcomes[LS::to_string(report.status)];
   const bool was_exact = exact_reference::exactly_satisfies(system, before);
-  CHECK_EQUAL(report.status == CS::Outcome::INCONSISTENT, !optimum.feasible);
-  CHECK_EQUAL(report.status == CS::Outcome::ALREADY_EXACT, was_exact);
+  CHECK_EQUAL(report.status == LS::Outcome::INCONSISTENT, !optimum.feasible);
+  CHECK_EQUAL(report.status == LS::Outcome::ALREADY_EXACT, was_exact);
   if(!report || was_exact)
     CHECK(same_bits(before, after));
-  if(report.status == CS::Outcome::INCONSISTENT)
+  if(report.status == LS::Outcome::INCONSISTENT)
     CHECK(exact_reference::is_contradiction(system, report.certificate));
   if(!optimum.feasible || was_exact)
     return;
 
   const auto kernel = exact_reference::kernel_vectors(system);
   if(!report) {
-    CHECK(report.status == CS::Outcome::NOT_REPRESENTABLE);
+    CHECK(report.status == LS::Outcome::NOT_REPRESENTABLE);
     CHECK(!lies_on_one_grid<Number>(system, optimum, kernel));
     return;
   }
@@ -299,10 +299,10 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
   const std::vector<double> before = x;
   const auto snap = [&] {
     x = before;
-    return CS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system),
+    return LS::snap_to_linear_constraints(snap_in_any_form::linear_constraints<Rational>(system),
                                           x);
   };
-  const CS::Linear_report report = snap();
+  const LS::Linear_report report = snap();
   const std::size_t failed = checking::counts().failed;
   CHECK(bool(report));
   CHECK(report.linear_solver.multiprecision);
@@ -311,8 +311,8 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
   CHECK(x == solution);
 
   system.b.back() += Rational(1) / Rational(random_long_integer(random, bits));
-  const CS::Linear_report contradiction = snap();
-  CHECK(contradiction.status == CS::Outcome::INCONSISTENT);
+  const LS::Linear_report contradiction = snap();
+  CHECK(contradiction.status == LS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, contradiction.certificate));
   CHECK(same_bits(x, before));
   if(failed != checking::counts().failed)
@@ -323,13 +323,13 @@ void test_long_numbers(std::uint64_t seed, int bits, bool chain)
 // --- particular systems --------------------------------------------------------------------------
 
 template <typename Constraints, typename Values>
-CS::Linear_report snap_and_check(const std::string& name,
+LS::Linear_report snap_and_check(const std::string& name,
                                  const Constraints& constraints,
                                  Values& x,
                                  const System& system)
 {
   const Values before = x;
-  const CS::Linear_report report = CS::snap_to_linear_constraints(constraints, x);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(constraints, x);
   const bool is_exact = exact_reference::exactly_satisfies(system, x);
   if(!CHECK_EQUAL(bool(report), is_exact) || !CHECK(bool(report) || same_bits(before, x)))
     std::cerr << "    " << name << ": " << report << std::endl;
@@ -341,12 +341,12 @@ using Rows = std::vector<std::pair<std::vector<std::pair<std::size_t, Rational> 
 
 // Must succeed, with values close to those that are expected.
 template <typename Number>
-CS::Linear_report test_rows(const std::string& name, const Rows& rows, std::vector<Number> x,
+LS::Linear_report test_rows(const std::string& name, const Rows& rows, std::vector<Number> x,
                             const std::vector<double>& expected, const double relative)
 {
   System system;
   system.columns = x.size();
-  CS::Linear_constraints<Rational> constraints(x.size());
+  LS::Linear_constraints<Rational> constraints(x.size());
   for(const auto& [terms, b] : rows) {
     exact_reference::Row row;
     for(const auto& [column, coefficient] : terms)
@@ -355,7 +355,7 @@ CS::Linear_report test_rows(const std::string& name, const Rows& rows, std::vect
     system.b.back() = b;
     constraints.add_constraint(terms, b);
   }
-  const CS::Linear_report report = snap_and_check(name, constraints, x, system);
+  const LS::Linear_report report = snap_and_check(name, constraints, x, system);
   bool is_close = bool(report);
   for(std::size_t i = 0; i < x.size(); ++i)
     is_close = is_close && std::abs(double(x[i]) - expected[i]) <= relative * std::abs(expected[i]);
@@ -404,12 +404,12 @@ void test_outliers()
                     {{{{0, 1}}, 0.25}, {{{0, 1}, {1, 1}, {2, -1}}, 0}}, {1e20, .125, .375},
                     {.25, .125, .375}, close);
 
-  CS::Linear_constraints<> constraints(2);
+  LS::Linear_constraints<> constraints(2);
   constraints.add_constraint({{0, 1}, {1, -1}});
   std::vector<double> x = {1e20, 1};
   const std::vector<double> weights = {1e-30, 1};
   CHECK(
-      bool(CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
+      bool(LS::snap_to_linear_constraints(constraints, x, LS::parameters::value_weights(weights))));
   CHECK(x[0] == x[1] && std::abs(x[0] - (1 + 1e-10)) < close);
 }
 
@@ -417,11 +417,11 @@ void test_outliers()
 void test_projection_beyond_range()
 {
   const std::size_t n = 30000;
-  CS::Linear_constraints<Rational> chain(n);
+  LS::Linear_constraints<Rational> chain(n);
   for(std::size_t i = 0; i + 1 < n; ++i)
     chain.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 0.);
   std::vector<double> x(n, 1);
-  CHECK(CS::snap_to_linear_constraints(chain, x).status == CS::Outcome::NOT_REPRESENTABLE);
+  CHECK(LS::snap_to_linear_constraints(chain, x).status == LS::Outcome::NOT_REPRESENTABLE);
 }
 
 // Products and sums that exceed the range of the number type, though there are solutions within.
@@ -444,7 +444,7 @@ void test_large_numbers()
 void test_large_images()
 {
   const std::int64_t large = std::int64_t(1) << 62, half = large / 2;
-  CS::Linear_constraints<> constraints(5);
+  LS::Linear_constraints<> constraints(5);
   constraints.add_constraint({{0, 1}, {1, -1}});
   constraints.add_constraint({{2, 1}, {3, -1}});
   constraints.add_constraint({{3, 1}, {4, -1}});
@@ -468,7 +468,7 @@ void test_coefficient_type(const std::string& name)
   System system;
   system.columns = 2;
   system.add_row({{0, 2}, {1, 3}});
-  CS::Linear_constraints<Coefficient> constraints(2);
+  LS::Linear_constraints<Coefficient> constraints(2);
   constraints.add_constraint({{0, Coefficient(2)}, {1, Coefficient(3)}});
   std::vector<double> x = {1, 2};
   CHECK(bool(snap_and_check(name, constraints, x, system)));
@@ -478,13 +478,13 @@ void test_coefficient_type(const std::string& name)
   std::vector<float> y = {1, 2};
   CHECK(bool(snap_and_check(name, matrix, y, system)));
   const std::vector<long long> b = {1};
-  CHECK(bool(CS::snap_to_linear_constraints(matrix, b, y)));
+  CHECK(bool(LS::snap_to_linear_constraints(matrix, b, y)));
   CHECK(2. * y[0] + 3. * y[1] == 1); // in double, which holds the products
 }
 
 void test_figures()
 {
-  CS::Linear_report report =
+  LS::Linear_report report =
     test_rows<double>("violation", {{{{0, 0.25}, {1, -0.75}}, 0}}, {3 + 1e-7, 1}, {3, 1}, 1e-6);
   CHECK(report.violation_before > 2.4e-8 && report.violation_before < 2.6e-8);
   report =
@@ -493,18 +493,18 @@ void test_figures()
   CHECK(report.optimal_rms_change > 0 &&
         report.optimal_rms_change <= report.rms_change * (1 + 1e-9));
 
-  CS::Linear_constraints<> constraints(2);
+  LS::Linear_constraints<> constraints(2);
   constraints.add_constraint({{0, 1}, {1, -1}});
   for(const std::vector<double>& weights :
       {std::vector<double>{1e300, 1e-320}, {1e-320, 1e-320}, {1e308, 1e308}, {1, 1}}) {
     std::vector<double> x = {1, 2};
     CHECK(bool(
-        CS::snap_to_linear_constraints(constraints, x, CS::parameters::value_weights(weights))));
+        LS::snap_to_linear_constraints(constraints, x, LS::parameters::value_weights(weights))));
     CHECK(x[0] == x[1] && x[0] == (weights[0] == weights[1] ? 1.5 : 1.));
   }
 }
 
-bool contains(const CS::Linear_report& report, const std::string& words)
+bool contains(const LS::Linear_report& report, const std::string& words)
 {
   const bool result = report.message.find(words) != std::string::npos;
   if(!result)
@@ -521,11 +521,11 @@ void test_refusals()
   const auto snap = [&](const auto&... arguments)
   {
     const std::vector<double> before = x;
-    const CS::Linear_report report = CS::snap_to_linear_constraints(arguments..., x);
+    const LS::Linear_report report = LS::snap_to_linear_constraints(arguments..., x);
     CHECK(same_bits(before, x));
     return report;
   };
-  CS::Linear_constraints<double> constraints(4);
+  LS::Linear_constraints<double> constraints(4);
   constraints.add_constraint({{0, 1.}, {1, -1.}});
   constraints.add_constraint({{2, 1.}, {3, 1.}});
   CHECK(contains(snap(constraints, std::vector<double>{0, infinity}), "constraint 1 "));
@@ -533,12 +533,12 @@ void test_refusals()
   constraints.add_constraint({{1, 1.}, {3, nan}});
   CHECK(contains(snap(constraints), "unknown 3 in constraint 2 "));
 
-  CS::Linear_constraints<> no_solution(4);
+  LS::Linear_constraints<> no_solution(4);
   no_solution.add_constraint({{0, 1}, {1, -1}}, 1);
   no_solution.add_constraint({{2, 1}, {3, -1}});
   no_solution.add_constraint({{2, 1}, {3, 2}}, 1);
-  const CS::Linear_report report = snap(no_solution);
-  CHECK(report.status == CS::Outcome::NOT_REPRESENTABLE);
+  const LS::Linear_report report = snap(no_solution);
+  CHECK(report.status == LS::Outcome::NOT_REPRESENTABLE);
   CHECK(contains(report, "constraints 2 to "));
 }
 
@@ -566,7 +566,7 @@ bool throws(const F& f)
 // Constraints that can't be added leave nothing behind.
 void test_adding_constraints()
 {
-  CS::Linear_constraints<> constraints(2);
+  LS::Linear_constraints<> constraints(2);
   for(const double b : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL}) {
     CHECK(throws<std::invalid_argument>([&] { constraints.add_constraint({{0, 1}}, b); }));
     const std::vector<std::pair<std::size_t, std::int64_t> > terms = {{1, 1}};
@@ -578,7 +578,7 @@ void test_adding_constraints()
   CHECK(constraints.right_hand_side(0) == Rational(double(0.1f)));
   CHECK(constraints.right_hand_side(1) - Rational(9007199254740992.) == 1);
 
-  CS::Linear_constraints<Fragile> fragile(3);
+  LS::Linear_constraints<Fragile> fragile(3);
   const std::vector<std::pair<std::size_t, Fragile> > row(3);
   fragile.add_constraint(row);
   for(int i = 0; i < 3; ++i) { // whether or not there is room
@@ -593,23 +593,23 @@ void test_adding_constraints()
 // Systems that are large in one respect only; with a test that is slow otherwise.
 void test_many_rows()
 {
-  CS::Linear_constraints<> repeated(102);
+  LS::Linear_constraints<> repeated(102);
   for(std::size_t i = 0; i < 50000; ++i)
     repeated.add_constraint({{i % 100, 1}, {(i + 1 + i / 100 % 50) % 100, -1}});
   repeated.add_constraint({{0, 2}, {100, 3}, {101, 5}}, 1);
   std::vector<double> x(102, 1.);
-  const CS::Linear_report report = CS::snap_to_linear_constraints(repeated, x);
-  CHECK(report.status == CS::Outcome::SNAPPED);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(repeated, x);
+  CHECK(report.status == LS::Outcome::SNAPPED);
   CHECK_EQUAL(report.linear_solver.number_of_redundant_constraints, 50001u - 100u);
   CHECK_EQUAL(report.linear_solver.number_of_non_unit_pivots, 1u);
 
   const std::size_t n = 30000;
-  CS::Linear_constraints<> halvings(n);
+  LS::Linear_constraints<> halvings(n);
   for(std::size_t i = 0; i + 1 < n; ++i)
     halvings.add_constraint({{i, 1}, {i + 1, -1}}, i == n / 2 ? 1e-300 : 1.);
   x.assign(n, 1.);
-  CHECK(CS::snap_to_linear_constraints(halvings, x).status ==
-        CS::Outcome::NOT_REPRESENTABLE);
+  CHECK(LS::snap_to_linear_constraints(halvings, x).status ==
+        LS::Outcome::NOT_REPRESENTABLE);
 }
 
 // x_i - x_j = b; must be refused, with a certificate of some size.
@@ -620,15 +620,15 @@ void test_contradiction(const std::size_t columns, const std::vector<Difference>
 {
   System system;
   system.columns = columns;
-  CS::Linear_constraints<> constraints(columns);
+  LS::Linear_constraints<> constraints(columns);
   for(const Difference& d : differences) {
     constraints.add_constraint({{d.i, 1}, {d.j, -1}}, d.b);
     system.add_row({{d.i, 1}, {d.j, -1}});
     system.b.back() = d.b;
   }
   std::vector<double> x(columns, 1.);
-  const CS::Linear_report report = CS::snap_to_linear_constraints(constraints, x);
-  CHECK(report.status == CS::Outcome::INCONSISTENT);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(constraints, x);
+  CHECK(report.status == LS::Outcome::INCONSISTENT);
   CHECK(exact_reference::is_contradiction(system, report.certificate));
   CHECK_EQUAL(report.certificate.size(), size);
 }
@@ -664,7 +664,7 @@ void test_file(const std::string& path)
   std::vector<double> x(std::size_t(matrix.cols()));
   for(double& value : x)
     value = random_real(random);
-  const CS::Linear_report report = CS::snap_to_linear_constraints(matrix, x);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(matrix, x);
   CHECK(bool(report));
 
   Rationals sums(std::size_t(matrix.rows()), Rational(0));

@@ -26,6 +26,7 @@
 namespace open_mesh {
 
 using namespace quad_reference;
+namespace QR = CGAL::Quad_remeshing;
 
 struct Traits : public OpenMesh::DefaultTraits
 {
@@ -70,21 +71,21 @@ void check(const Mesh& original, const UVMap& original_uv)
 
   Mesh expected, quads_of_copy;
   Open_mesh quads, both;
-  CHECK(bool(SS::extract_quad_mesh(mesh, original_uv, expected)));
-  CHECK(bool(SS::extract_quad_mesh(mesh, original_uv, quads)));
+  CHECK(bool(QR::extract_quad_mesh(mesh, original_uv, expected)));
+  CHECK(bool(QR::extract_quad_mesh(mesh, original_uv, quads)));
   check_quads(quads, expected);
-  CHECK(bool(SS::extract_quad_mesh(copy, uv, quads_of_copy)));
+  CHECK(bool(QR::extract_quad_mesh(copy, uv, quads_of_copy)));
   CHECK(are_isomorphic(quads_of_copy, expected));
   CHECK(rounded_quads(quads_of_copy) == rounded_quads(expected));
-  CHECK(bool(SS::extract_quad_mesh(copy, uv, both)));
+  CHECK(bool(QR::extract_quad_mesh(copy, uv, both)));
   check_quads(both, expected);
 
   int i = 0; // noise, which snapping takes away
   for(const auto& [h, g] : pairs)
     put(uv, g, Point_2(original_uv[h].x() + 1e-9 * (++i % 100), original_uv[h].y()));
-  CHECK(!SS::is_seamless(copy, uv));
-  CHECK(bool(SS::snap_to_seamless(copy, uv)));
-  CHECK(SS::is_seamless(copy, uv));
+  CHECK(!QR::is_seamless(copy, uv));
+  CHECK(bool(QR::snap_to_seamless(copy, uv)));
+  CHECK(QR::is_seamless(copy, uv));
   double largest_change = 0;
   for(const auto& [h, g] : pairs)
     if(!mesh.is_border(h))

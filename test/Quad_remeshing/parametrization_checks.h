@@ -25,9 +25,9 @@
 #include <utility>
 #include <vector>
 
-namespace SS = CGAL::Seamless_snapping;
-namespace parameters = CGAL::Seamless_snapping::parameters;
-using SS::Outcome;
+namespace QR = CGAL::Quad_remeshing;
+namespace parameters = CGAL::Quad_remeshing::parameters;
+using QR::Outcome;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_2 = Kernel::Point_2;
@@ -36,7 +36,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Halfedge = Mesh::Halfedge_index;
 using Uv_map = Mesh::Property_map<Halfedge, Point_2>;
-using Report = SS::Parametrization_report<Vertex>;
+using Report = QR::Parametrization_report<Vertex>;
 
 inline Uv_map new_uv_map(Mesh& mesh)
 {
@@ -79,7 +79,7 @@ inline void check_topology(const Mesh& mesh, const Report& report)
 // The turns that the transitions make around a vertex agree with the index that was reported.
 inline void check_cones(const Mesh& mesh, const Uv_map& uv, const Report& report)
 {
-  const SS::Seam_transitions<Mesh> transitions = SS::seam_transitions(mesh, uv);
+  const QR::Seam_transitions<Mesh> transitions = QR::seam_transitions(mesh, uv);
   if(!CHECK(bool(transitions))) {
     std::cerr << "    " << transitions.message() << std::endl;
     return;
@@ -114,13 +114,13 @@ void check_result(Mesh& mesh, Uv_map uv, const Report& report, const IsAligned& 
   CHECK_EQUAL(before.aligned_edges, report.number_of_aligned_edges);
   CHECK_EQUAL(before.degenerate_faces + before.flipped_faces, report.number_of_flipped_faces);
 
-  const SS::Snapping_report snapped = SS::snap_to_seamless(mesh, uv, alignment);
+  const QR::Snapping_report snapped = QR::snap_to_seamless(mesh, uv, alignment);
   if(!CHECK(bool(snapped)))
     std::cerr << "    " << snapped << std::endl;
   const exact_check::Result after = exact_check::check(mesh, uv, is_aligned);
   CHECK_EQUAL(after.inexact_edges, std::size_t(0));
   CHECK_EQUAL(after.inexact_aligned_edges, std::size_t(0));
-  CHECK(SS::is_seamless(mesh, uv, alignment));
+  CHECK(QR::is_seamless(mesh, uv, alignment));
 }
 
 // What is told of the transitions.
@@ -177,7 +177,7 @@ inline void check_parametrization(const std::string& name, Mesh mesh, const bool
   const Uv_map uv = new_uv_map(mesh);
   const Transitions told(mesh);
   const auto np = told.with(parameters::default_values());
-  const Report report = SS::approximate_seamless_parametrization(mesh, uv, np);
+  const Report report = QR::approximate_seamless_parametrization(mesh, uv, np);
   CHECK(may_flip || report.number_of_flipped_faces == 0);
   check_transitions(mesh, uv, told, report);
   check_result(mesh, uv, report, exact_check::No_edge_aligned(), np);
@@ -196,7 +196,7 @@ void check_alignment(const std::string& name, Mesh mesh, const EdgeIsConstrained
   {
     return get(is_feature, e) || (align_border && mesh.is_border(e));
   };
-  const Report report = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  const Report report = QR::approximate_seamless_parametrization(mesh, uv, alignment);
   check_transitions(mesh, uv, told, report);
   check_result(mesh, uv, report, is_aligned, alignment);
 }
@@ -205,10 +205,10 @@ inline void check_snappable(const std::string& name, const Report& report, Mesh&
 {
   if(!CHECK(bool(report)))
     std::cerr << "    " << name << ": " << report << std::endl;
-  const SS::Snapping_report snapped = SS::snap_to_seamless(mesh, uv);
+  const QR::Snapping_report snapped = QR::snap_to_seamless(mesh, uv);
   if(!CHECK(bool(snapped)))
     std::cerr << "    " << name << ": " << snapped << std::endl;
-  CHECK(SS::is_seamless(mesh, uv));
+  CHECK(QR::is_seamless(mesh, uv));
 }
 
 inline void check_given_cones(const std::string& name, Mesh mesh,
@@ -219,7 +219,7 @@ inline void check_given_cones(const std::string& name, Mesh mesh,
   auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
   for(const auto& cone : cones)
     index[Vertex(Mesh::size_type(cone.first))] = cone.second;
-  const Report report = SS::approximate_seamless_parametrization(
+  const Report report = QR::approximate_seamless_parametrization(
     mesh, uv, parameters::cone_index_map(index));
   check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
   CHECK_EQUAL(report.cones.size(), cones.size());
@@ -232,7 +232,7 @@ void check_refused(const std::string& name, Mesh mesh, const Outcome expected,
                    const NamedParameters& np, const std::string& part_of_message = "")
 {
   const Uv_map uv = new_uv_map(mesh);
-  const Report report = SS::approximate_seamless_parametrization(mesh, uv, np);
+  const Report report = QR::approximate_seamless_parametrization(mesh, uv, np);
   if(!CHECK_EQUAL(std::string(to_string(report.status)), std::string(to_string(expected)))
      || !CHECK(report.message.find(part_of_message) != std::string::npos))
     std::cerr << "    " << name << ": " << report << std::endl;

@@ -27,6 +27,7 @@
 namespace slits {
 
 using namespace quad_reference;
+namespace QR = CGAL::Quad_remeshing;
 using Cell = std::array<int, 2>; // its lower left corner
 using Cells = std::set<Cell>;
 
@@ -156,7 +157,7 @@ inline void check(const Slit& slit, const int units, std::size_t& number_cut)
         expected.insert({x, y});
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 4> > quads;
-  const auto report = SS::extract_quad_soup(mesh, uv, points, quads);
+  const auto report = QR::extract_quad_soup(mesh, uv, points, quads);
   CHECK(bool(report));
   const auto separates = [&](const Cell& cell, const std::size_t direction)
                          { return slit.separates(cell, direction); };
@@ -255,16 +256,16 @@ inline void check_cut_surfaces()
     make_map_with_cuts(random, mesh);
     const UV_map uv = square_complex::uv_map(mesh);
     const bool align = seed % 4 != 0;
-    const auto snapped = SS::snap_to_seamless(
-      mesh, uv, SS::parameters::integer_grid(true).align_border(align).rounding_tolerance(100.));
+    const auto snapped = QR::snap_to_seamless(
+      mesh, uv, QR::parameters::integer_grid(true).align_border(align).rounding_tolerance(100.));
     bool is_right = CHECK(bool(snapped));
     if(!is_right || !snapped.lost_faces.empty())
       continue;
     std::vector<Point_3> points;
     std::vector<std::array<std::size_t, 4> > quads;
-    const auto report = SS::extract_quad_soup(mesh, uv, points, quads);
+    const auto report = QR::extract_quad_soup(mesh, uv, points, quads);
     const bool is_complete = CGAL::Exact_rational(int(quads.size())) == exact_area(mesh, uv);
-    is_right = CHECK_EQUAL(bool(SS::is_integer_grid_map(mesh, uv)), is_complete);
+    is_right = CHECK_EQUAL(bool(QR::is_integer_grid_map(mesh, uv)), is_complete);
     is_right = CHECK(is_complete || !align || snapped.run.number_of_repaired_flips > 0) && is_right;
     is_right = CHECK_EQUAL(report.message.empty(), is_complete) && is_right;
     if(!is_right)

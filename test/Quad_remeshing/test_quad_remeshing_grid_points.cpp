@@ -16,7 +16,7 @@
 #include <iostream>
 #include <set>
 
-using namespace CGAL::Seamless_snapping::internal;
+using namespace CGAL::Quad_remeshing::internal;
 using namespace random_numbers;
 
 constexpr unsigned int seed = 1;

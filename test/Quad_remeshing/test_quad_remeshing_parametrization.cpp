@@ -155,7 +155,7 @@ void test_cube_with_creases()
   Mesh mesh = test_meshes::make_mesh<Kernel>(complex, 4);
   check_alignment("cube with creases", mesh, test_meshes::feature_map(mesh), false);
   const Uv_map uv = new_uv_map(mesh);
-  const Report report = SS::approximate_seamless_parametrization(
+  const Report report = QR::approximate_seamless_parametrization(
     mesh, uv, parameters::edge_is_constrained_map(test_meshes::feature_map(mesh)));
   CHECK_EQUAL(report.cones.size(), std::size_t(8));
   CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
@@ -182,12 +182,12 @@ void test_reproducibility()
 {
   Mesh mesh = icosphere(2);
   const Uv_map uv = new_uv_map(mesh);
-  CHECK(SS::approximate_seamless_parametrization(mesh, uv));
+  CHECK(QR::approximate_seamless_parametrization(mesh, uv));
   const std::vector<Point_2> first(uv.begin(), uv.end());
-  CHECK(SS::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(0u)));
+  CHECK(QR::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(0u)));
   CHECK(std::vector<Point_2>(uv.begin(), uv.end()) == first);
   check_snappable("other seed",
-                  SS::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(5)),
+                  QR::approximate_seamless_parametrization(mesh, uv, parameters::random_seed(5)),
                   mesh, uv);
 }
 
@@ -195,8 +195,8 @@ void test_target_edge_length()
 {
   Mesh mesh = grid(4);
   const Uv_map uv = new_uv_map(mesh);
-  const Report unit = SS::approximate_seamless_parametrization(mesh, uv);
-  const Report half = SS::approximate_seamless_parametrization(
+  const Report unit = QR::approximate_seamless_parametrization(mesh, uv);
+  const Report half = QR::approximate_seamless_parametrization(
     mesh, uv, parameters::target_edge_length(2));
   CHECK(std::abs(half.extent - unit.extent / 2) <= 1e-12 * unit.extent);
 
@@ -213,7 +213,7 @@ void test_curvature_alignment()
 {
   Mesh mesh = torus(24, 10);
   const Uv_map uv = new_uv_map(mesh);
-  const Report report = SS::approximate_seamless_parametrization(
+  const Report report = QR::approximate_seamless_parametrization(
     mesh, uv, parameters::curvature_alignment(0.5));
   check_snappable("torus along its curvature", report, mesh, uv);
   // The principal directions of a torus of revolution have no singularity.
@@ -248,7 +248,7 @@ void test_given_directions()
         direction[f] = 1e200 * (std::cos(angle + std::acos(0.) * int(f)) * x +
                                 std::sin(angle + std::acos(0.) * int(f)) * y + 0.5 * normal);
     const Uv_map uv = mesh.add_property_map<Halfedge, Point_2>().first;
-    const auto report = SS::approximate_seamless_parametrization(mesh, uv, np);
+    const auto report = QR::approximate_seamless_parametrization(mesh, uv, np);
     CHECK_IN(report.message, bool(report));
     CHECK(report.cones.empty() && report.number_of_flipped_faces == 0);
     for(const Halfedge h : mesh.halfedges()) {
@@ -263,10 +263,10 @@ void test_given_directions()
   }
   const Uv_map uv = new_uv_map(mesh);
   const auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
-  CHECK(SS::approximate_seamless_parametrization(mesh, uv, np.cone_index_map(index)).status ==
+  CHECK(QR::approximate_seamless_parametrization(mesh, uv, np.cone_index_map(index)).status ==
         Outcome::INVALID_ARGUMENT);
   direction[Mesh::Face_index(3)] = Vector_3(1, std::numeric_limits<double>::quiet_NaN(), 0);
-  const auto refused = SS::approximate_seamless_parametrization(mesh, uv, np);
+  const auto refused = QR::approximate_seamless_parametrization(mesh, uv, np);
   CHECK(refused.status == Outcome::NOT_FINITE &&
         refused.message.find("face 3") != std::string::npos);
   CHECK(is_untouched(mesh, uv));
@@ -283,7 +283,7 @@ void check_sizes(const std::string& name, Mesh mesh, const SizeAt& size_at)
   CHECK_IN(name, *most / *least > 3.9 && *most / *least < 4.1);
   const Uv_map uv = new_uv_map(mesh);
   const Report report =
-    SS::approximate_seamless_parametrization(mesh, uv, parameters::vertex_sizing_map(size));
+    QR::approximate_seamless_parametrization(mesh, uv, parameters::vertex_sizing_map(size));
   check_snappable(name, report, mesh, uv);
   CHECK_IN(name, report.number_of_flipped_faces == 0);
   std::vector<double> ratios; // of the length to the one asked for
@@ -324,9 +324,9 @@ void test_sizes()
   Mesh mesh = grid(5);
   const auto size = mesh.add_property_map<Vertex, double>("v:size", 3).first;
   const Uv_map uv = new_uv_map(mesh), other = mesh.add_property_map<Halfedge, Point_2>().first;
-  CHECK(bool(SS::approximate_seamless_parametrization(
+  CHECK(bool(QR::approximate_seamless_parametrization(
     mesh, uv, parameters::vertex_sizing_map(size).target_edge_length(0.5))));
-  CHECK(bool(SS::approximate_seamless_parametrization(mesh, other,
+  CHECK(bool(QR::approximate_seamless_parametrization(mesh, other,
                                                       parameters::target_edge_length(1.5))));
   for(const Halfedge h : mesh.halfedges())
     CHECK(mesh.is_border(h) || uv[h] == other[h]);
@@ -334,7 +334,7 @@ void test_sizes()
     size[Vertex(7)] = bad;
     const Uv_map none = new_uv_map(mesh);
     const auto refused =
-      SS::approximate_seamless_parametrization(mesh, none, parameters::vertex_sizing_map(size));
+      QR::approximate_seamless_parametrization(mesh, none, parameters::vertex_sizing_map(size));
     CHECK(refused.status == Outcome::INVALID_ARGUMENT &&
           refused.message.find("size") != std::string::npos);
   }
@@ -362,14 +362,14 @@ void test_sizes_by_curvature()
   };
   for(const double adaptivity : {1., 4.}) {
     const Uv_map uv = mesh.add_property_map<Halfedge, Point_2>().first;
-    CHECK(bool(SS::approximate_seamless_parametrization(
+    CHECK(bool(QR::approximate_seamless_parametrization(
       mesh, uv, parameters::curvature_adaptivity(adaptivity))));
     const double ratio = mean_size(uv, true) / mean_size(uv, false);
     std::cout << "curvature_adaptivity " << adaptivity << ": ratio " << ratio << std::endl;
     CHECK(adaptivity == 1 ? ratio < 1.3 : ratio > 1.6 && ratio < 4.5);
   }
   const Uv_map uv = new_uv_map(mesh);
-  CHECK(SS::approximate_seamless_parametrization(mesh, uv, parameters::curvature_adaptivity(0.5))
+  CHECK(QR::approximate_seamless_parametrization(mesh, uv, parameters::curvature_adaptivity(0.5))
           .status == Outcome::INVALID_ARGUMENT);
   CHECK(is_untouched(mesh, uv));
 }
@@ -422,10 +422,10 @@ void test_cone_distance()
       const std::string context = "seed " + std::to_string(seed);
       const auto no_untangling = parameters::number_of_untangling_iterations(0);
       const Uv_map uv = new_uv_map(mesh);
-      const Report all = SS::approximate_seamless_parametrization(mesh, uv, no_untangling);
-      const Report some = SS::approximate_seamless_parametrization(
+      const Report all = QR::approximate_seamless_parametrization(mesh, uv, no_untangling);
+      const Report some = QR::approximate_seamless_parametrization(
         mesh, uv, no_untangling.least_cone_distance(0.5));
-      const Report few = SS::approximate_seamless_parametrization(mesh, uv, any_distance);
+      const Report few = QR::approximate_seamless_parametrization(mesh, uv, any_distance);
       check_result(mesh, uv, few, exact_check::No_edge_aligned(), parameters::default_values());
       CHECK_EQUAL(sum_of_indices(few), std::abs(4 * int(few.euler_characteristic)));
       CHECK_IN(context, sum_of_indices(few) <= sum_of_indices(some) &&
@@ -439,7 +439,7 @@ void test_cone_distance()
     return test_meshes::make_mesh<Kernel>(complex, 4);
   }();
   const auto cones = [](Mesh& mesh, const auto& np) {
-    return SS::approximate_seamless_parametrization(mesh, new_uv_map(mesh), np).cones;
+    return QR::approximate_seamless_parametrization(mesh, new_uv_map(mesh), np).cones;
   };
   const auto creases = test_meshes::feature_map(cube);
   CHECK(cones(cube, any_distance.edge_is_constrained_map(creases)) ==
@@ -460,12 +460,12 @@ void test_unavoidable_flips()
   auto index = mesh.add_property_map<Vertex, int>("v:index", 0).first;
   index[Vertex(24)] = -12;
   const auto cone = parameters::cone_index_map(index);
-  const Report report = SS::approximate_seamless_parametrization(
+  const Report report = QR::approximate_seamless_parametrization(
     mesh, uv, cone.number_of_iterations(2000));
   CHECK(report.number_of_flipped_faces > 0);
   CHECK_EQUAL(report.cones.size(), std::size_t(1)); // untangling would make it a regular vertex
   check_result(mesh, uv, report, exact_check::No_edge_aligned(), parameters::default_values());
-  const Report unstiffened = SS::approximate_seamless_parametrization(
+  const Report unstiffened = QR::approximate_seamless_parametrization(
     mesh, uv, cone.number_of_iterations(0));
   CHECK(report.number_of_flipped_faces <= unstiffened.number_of_flipped_faces);
 }
@@ -492,7 +492,7 @@ void test_release(const unsigned int seed)
   const Uv_map uv = new_uv_map(mesh);
   const auto alignment = parameters::edge_is_constrained_map(is_feature);
   const Report report =
-    SS::approximate_seamless_parametrization(mesh, uv, alignment.release_alignment(true));
+    QR::approximate_seamless_parametrization(mesh, uv, alignment.release_alignment(true));
   for(const auto& [v, w] : report.released_edges) {
     const Halfedge h = mesh.halfedge(v, w);
     CHECK(h != Mesh::null_halfedge() && is_feature[mesh.edge(h)]); // and each once
@@ -516,11 +516,11 @@ void test_untangling_without_release()
       is_feature[mesh.edge(g)] = g != mesh.opposite(h);
   const Uv_map uv = new_uv_map(mesh);
   const auto alignment = parameters::edge_is_constrained_map(is_feature);
-  const Report without = SS::approximate_seamless_parametrization(
+  const Report without = QR::approximate_seamless_parametrization(
     mesh, uv, alignment.number_of_untangling_iterations(0));
   CHECK_EQUAL(without.number_of_untangling_iterations, std::size_t(0));
   CHECK_EQUAL(without.number_of_flipped_faces, without.number_of_flips_before_untangling);
-  const Report with = SS::approximate_seamless_parametrization(mesh, uv, alignment);
+  const Report with = QR::approximate_seamless_parametrization(mesh, uv, alignment);
   CHECK_EQUAL(with.number_of_flips_before_untangling, without.number_of_flipped_faces);
   CHECK(with.number_of_flipped_faces <= without.number_of_flipped_faces);
   CHECK(with.released_edges.empty());
@@ -533,12 +533,12 @@ void test_other_types()
   const Uv_map uv = new_uv_map(mesh);
   using Solver = CGAL::Eigen_solver_traits<
     Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType> >;
-  check_snappable("solver of Eigen", SS::approximate_seamless_parametrization(
+  check_snappable("solver of Eigen", QR::approximate_seamless_parametrization(
                     mesh, uv, parameters::sparse_linear_solver(Solver())), mesh, uv);
 
   using Float_point = CGAL::Simple_cartesian<float>::Point_2;
   auto float_uv = mesh.add_property_map<Halfedge, Float_point>("h:float_uv").first;
-  const Report float_report = SS::approximate_seamless_parametrization(mesh, float_uv);
+  const Report float_report = QR::approximate_seamless_parametrization(mesh, float_uv);
   CHECK(float_report);
   const exact_check::Result measured = exact_check::check(mesh, float_uv);
   CHECK(measured.largest_violation > 0);
@@ -546,17 +546,17 @@ void test_other_types()
         <= 1e-6 * measured.largest_violation);
   CHECK_EQUAL(float_report.number_of_flipped_faces,
               measured.degenerate_faces + measured.flipped_faces);
-  CHECK(SS::snap_to_seamless(mesh, float_uv));
-  CHECK(SS::is_seamless(mesh, float_uv));
+  CHECK(QR::snap_to_seamless(mesh, float_uv));
+  CHECK(QR::is_seamless(mesh, float_uv));
 
   CGAL::Polyhedron_3<Kernel> polyhedron;
   CGAL::make_icosahedron<CGAL::Polyhedron_3<Kernel>, Point_3>(polyhedron);
   auto polyhedron_uv = get(CGAL::dynamic_halfedge_property_t<Point_2>(), polyhedron);
   const auto points = get(CGAL::vertex_point, polyhedron);
-  CHECK(SS::approximate_seamless_parametrization(polyhedron, polyhedron_uv,
+  CHECK(QR::approximate_seamless_parametrization(polyhedron, polyhedron_uv,
                                                   CGAL::parameters::vertex_point_map(points)));
-  CHECK(SS::snap_to_seamless(polyhedron, polyhedron_uv));
-  CHECK(SS::is_seamless(polyhedron, polyhedron_uv));
+  CHECK(QR::snap_to_seamless(polyhedron, polyhedron_uv));
+  CHECK(QR::is_seamless(polyhedron, polyhedron_uv));
 }
 
 // --- bad input -----------------------------------------------------------------------------------
@@ -606,7 +606,7 @@ void test_ranges()
     const Uv_map uv = new_uv_map(mesh);
     for(const double length : {(std::max)(1., scale / 1e290), scale})
       for(const double curvature_alignment : {0., 1.}) {
-        const Report report = SS::approximate_seamless_parametrization(
+        const Report report = QR::approximate_seamless_parametrization(
           mesh, uv, parameters::target_edge_length(length)
                     .curvature_alignment(curvature_alignment));
         check_result(mesh, uv, report, exact_check::No_edge_aligned(),
@@ -615,10 +615,10 @@ void test_ranges()
     using Float_point = CGAL::Simple_cartesian<float>::Point_2;
     auto float_uv = mesh.add_property_map<Halfedge, Float_point>("h:float_uv",
                                                                  Float_point(-7, 7)).first;
-    CHECK_EQUAL(int(SS::approximate_seamless_parametrization(mesh, float_uv).status),
+    CHECK_EQUAL(int(QR::approximate_seamless_parametrization(mesh, float_uv).status),
                 int(Outcome::INVALID_ARGUMENT));
     CHECK(*float_uv.begin() == Float_point(-7, 7));
-    CHECK(SS::approximate_seamless_parametrization(mesh, float_uv,
+    CHECK(QR::approximate_seamless_parametrization(mesh, float_uv,
                                                     parameters::target_edge_length(scale)));
   }
 }
@@ -725,14 +725,14 @@ void test_refused_parameters()
 // span the solutions.
 void test_equations_without_units()
 {
-  using Row = SS::internal::Entries<std::int64_t>;
+  using Row = QR::internal::Entries<std::int64_t>;
   constexpr std::size_t number_of_columns = 7, rank = 4;
-  SS::internal::Integer_system system(number_of_columns);
+  QR::internal::Integer_system system(number_of_columns);
   const std::vector<Row> rows = {{{0, 2}, {1, 3}}, {{1, 4}, {2, -6}, {3, 9}}, {{3, 1}, {4, 2}},
                                  {{5, 10}}, {{1, 8}, {2, -12}, {3, 18}}};
   for(const Row& row : rows)
     system.add_row(row, 0);
-  const SS::internal::Free_unknowns unknowns(system);
+  const QR::internal::Free_unknowns unknowns(system);
   CHECK_EQUAL(unknowns.size(), number_of_columns - rank);
 
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(number_of_columns, Eigen::Index(unknowns.size()));
@@ -753,7 +753,7 @@ void test_equations_without_units()
 // More terms than are kept at a time, with two sets of values: solutions meet the sums of terms.
 void test_matrix_of_many_terms()
 {
-  namespace P = SS::internal::parametrization;
+  namespace P = QR::internal::parametrization;
   constexpr std::size_t size = 20000, number_of_edges = 400000;
   double seconds = 0;
   P::Timed_solver<P::Default_solver> solver(seconds);
@@ -789,11 +789,11 @@ void test_matrix_of_many_terms()
 // Crosses of clusters go to their faces and back; nothing of the surface is lost on the way.
 void test_clusters()
 {
-  namespace P = SS::internal::parametrization;
+  namespace P = QR::internal::parametrization;
   Mesh mesh = perturbed(icosphere(3), 0.01, 1);
   mesh += height_field(9);
   CGAL::make_triangle(Point_3(9, 0, 0), Point_3(9, 1, 0), Point_3(9, 0, 1), mesh);
-  const SS::internal::Flat_numbering<Mesh> numbering(mesh);
+  const QR::internal::Flat_numbering<Mesh> numbering(mesh);
   P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
   P::find_components(surface);
   P::read_geometry(numbering, mesh.points(), surface);
@@ -833,13 +833,13 @@ void test_large_surface()
   Mesh mesh = perturbed(icosphere(6), 0.004, 2);
   const Uv_map uv = new_uv_map(mesh);
   const Report report =
-    SS::approximate_seamless_parametrization(mesh, uv, parameters::release_alignment(true));
+    QR::approximate_seamless_parametrization(mesh, uv, parameters::release_alignment(true));
   CHECK(bool(report));
   check_topology(mesh, report);
   CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
   CHECK(report.cones.size() < 100);
-  CHECK(SS::snap_to_seamless(mesh, uv));
-  CHECK(SS::is_seamless(mesh, uv));
+  CHECK(QR::snap_to_seamless(mesh, uv));
+  CHECK(QR::is_seamless(mesh, uv));
 }
 
 // --- input that is handled -----------------------------------------------------------------------
@@ -849,14 +849,14 @@ void test_poor_meshes()
   Mesh isolated = icosphere(1);
   isolated.add_vertex(Point_3(9, 9, 9));
   Uv_map uv = new_uv_map(isolated);
-  check_snappable("isolated vertex", SS::approximate_seamless_parametrization(isolated, uv),
+  check_snappable("isolated vertex", QR::approximate_seamless_parametrization(isolated, uv),
                   isolated, uv);
 
   Mesh holes = icosphere(2); // with removed elements: indices are not contiguous
   for(const int f : {3, 40, 41, 200})
     CGAL::Euler::remove_face(holes.halfedge(Mesh::Face_index(Mesh::size_type(f))), holes);
   uv = new_uv_map(holes);
-  check_snappable("removed faces", SS::approximate_seamless_parametrization(holes, uv), holes, uv);
+  check_snappable("removed faces", QR::approximate_seamless_parametrization(holes, uv), holes, uv);
 
   // Collinear, and then also coincident vertices.
   Mesh degenerate = icosphere(2);
@@ -865,11 +865,11 @@ void test_poor_meshes()
   const Point_3 b = degenerate.point(degenerate.target(h));
   degenerate.point(degenerate.target(degenerate.next(h))) = CGAL::midpoint(a, b);
   uv = new_uv_map(degenerate);
-  check_snappable("collinear", SS::approximate_seamless_parametrization(degenerate, uv),
+  check_snappable("collinear", QR::approximate_seamless_parametrization(degenerate, uv),
                   degenerate, uv);
   degenerate.point(degenerate.target(h)) = a;
   degenerate.point(degenerate.target(degenerate.next(h))) = a;
-  check_snappable("coincident", SS::approximate_seamless_parametrization(degenerate, uv),
+  check_snappable("coincident", QR::approximate_seamless_parametrization(degenerate, uv),
                   degenerate, uv);
 }
 
@@ -895,12 +895,12 @@ void test_blas_threads()
   times_at_one = 0;
   Mesh mesh = icosphere(2);
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:threads").first;
-  CHECK(bool(CGAL::Seamless_snapping::approximate_seamless_parametrization(mesh, uv)));
+  CHECK(bool(CGAL::Quad_remeshing::approximate_seamless_parametrization(mesh, uv)));
   CHECK(times_at_one > 0 && blas_threads == 7);
   {
-    const CGAL::Seamless_snapping::internal::One_blas_thread first;
+    const CGAL::Quad_remeshing::internal::One_blas_thread first;
     CHECK(blas_threads == 1);
-    { const CGAL::Seamless_snapping::internal::One_blas_thread second; }
+    { const CGAL::Quad_remeshing::internal::One_blas_thread second; }
     CHECK(blas_threads == 1);
   }
   CHECK(blas_threads == 7);

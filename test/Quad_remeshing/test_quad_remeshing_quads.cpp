@@ -45,10 +45,11 @@
 #include <vector>
 
 using namespace quad_reference;
+namespace QR = CGAL::Quad_remeshing;
 namespace surfaces = test_meshes;
-namespace internal = SS::internal;
-namespace parameters = SS::parameters;
-using Status = SS::Outcome;
+namespace internal = QR::internal;
+namespace parameters = QR::parameters;
+using Status = QR::Outcome;
 using CGAL::Exact_rational;
 
 // --- inverted quads ------------------------------------------------------------------------------
@@ -100,7 +101,7 @@ void test_inverted_quads()
 }
 
 // In the reports, by their numbers.
-void check_inverted_quads(const Mesh& quads, const SS::Extraction_report& report)
+void check_inverted_quads(const Mesh& quads, const QR::Extraction_report& report)
 {
   std::vector<std::size_t> inverted;
   std::size_t i = 0;
@@ -129,13 +130,13 @@ void test_reports_on_inverted_quads()
       map.mesh.point(v) = Point_3(p.x() + noise(), p.y() + noise(), p.z() + noise());
     }
     Mesh quads;
-    const SS::Extraction_report report = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    const QR::Extraction_report report = QR::extract_quad_mesh(map.mesh, map.uv, quads);
     CHECK_IN(report.message, bool(report));
     check_inverted_quads(quads, report);
     CHECK_EQUAL(report.number_of_inverted_quads > 0, shift > 0.1);
     std::vector<Point_3> points;
     std::vector<std::vector<std::size_t> > polygons;
-    const auto same = SS::extract_quad_soup(map.mesh, map.uv, points, polygons);
+    const auto same = QR::extract_quad_soup(map.mesh, map.uv, points, polygons);
     CHECK_EQUAL(same.number_of_inverted_quads, report.number_of_inverted_quads);
   }
 }
@@ -143,9 +144,9 @@ void test_reports_on_inverted_quads()
 // --- surfaces whose quads are known --------------------------------------------------------------
 
 // The same in other words: is it the expected mesh, up to the numbering?
-void check_quads(const Mesh& quads, const SS::Extraction_report& report, const Mesh& expected)
+void check_quads(const Mesh& quads, const QR::Extraction_report& report, const Mesh& expected)
 {
-  CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
+  CHECK_EQUAL(QR::to_string(report.status), std::string("success"));
   CHECK_EQUAL(report.message, std::string());
   CHECK(CGAL::is_valid_polygon_mesh(quads));
   CHECK_EQUAL(report.number_of_faces, std::size_t(expected.number_of_faces()));
@@ -163,10 +164,10 @@ void test_surface(const Square_complex& complex, const int side, const int n,
   for(const unsigned seed : {0u, 1u, 2u, 3u}) {
     if(seed > 0)
       map.perturb(seed, 0.4 * side / n, seed == 1 ? 3 : 30);
-    CHECK(SS::is_seamless(map.mesh, map.uv));
-    CHECK(SS::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
+    CHECK(QR::is_seamless(map.mesh, map.uv));
+    CHECK(QR::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
     Mesh quads;
-    const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    const auto report = QR::extract_quad_mesh(map.mesh, map.uv, quads);
     check_quads(quads, report, expected);
     CHECK_EQUAL(report.area, double(complex.number_of_squares()) * side * side);
     if(is_in_space && seed == 0)
@@ -214,7 +215,7 @@ void check_cells_around_cones(const Grid_map& map, const std::map<int, int>& exp
 {
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
-  const auto report = SS::extract_quad_soup(map.mesh, map.uv, points, polygons);
+  const auto report = QR::extract_quad_soup(map.mesh, map.uv, points, polygons);
   CHECK(bool(report));
   std::map<int, int> degrees;
   double corners = 0;
@@ -234,7 +235,7 @@ void check_cells_around_cones(const Grid_map& map, const std::map<int, int>& exp
   CHECK_EQUAL(report.number_of_cones_in_cells, std::size_t(number));
 
   std::vector<std::array<std::size_t, 4> > quads(1);
-  const auto refusal = SS::extract_quad_soup(map.mesh, map.uv, points, quads);
+  const auto refusal = QR::extract_quad_soup(map.mesh, map.uv, points, quads);
   CHECK(refusal.status == Status::NOT_INTEGER);
   CHECK_EQUAL(quads.size(), std::size_t(1));
 }
@@ -243,20 +244,20 @@ void test_half_integer_cones()
 {
   Grid_map box(surfaces::box(1, 2, 1), 3, 4);
   box.shift(0.5, 0.5);
-  CHECK(SS::is_seamless(box.mesh, box.uv) && !SS::is_integer_grid_map(box.mesh, box.uv));
-  const auto measure = SS::measure_integer_grid(box.mesh, box.uv);
+  CHECK(QR::is_seamless(box.mesh, box.uv) && !QR::is_integer_grid_map(box.mesh, box.uv));
+  const auto measure = QR::measure_integer_grid(box.mesh, box.uv);
   CHECK_EQUAL(measure.number_of_half_integer_cones, std::size_t(8));
   CHECK_EQUAL(measure.number_of_noninteger_cones, std::size_t(8));
   CHECK_EQUAL(measure.number_of_noninteger_cuts, std::size_t(0));
   CHECK_EQUAL(measure.cone_distance, 0.5);
   check_cells_around_cones(box, {{3, 8}});
   Mesh quads;
-  CHECK(bool(SS::extract_quad_mesh(box.mesh, box.uv, quads)));
+  CHECK(bool(QR::extract_quad_mesh(box.mesh, box.uv, quads)));
   CHECK(CGAL::is_valid_polygon_mesh(quads));
   CHECK_EQUAL(euler_characteristic(quads), 2);
   const auto doubled = [](const Grid_map& map) {
     Mesh result;
-    CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, result, parameters::grid_scale(2))));
+    CHECK(bool(QR::extract_quad_mesh(map.mesh, map.uv, result, parameters::grid_scale(2))));
     return result;
   };
   CHECK(are_isomorphic(doubled(box), expected_quads(surfaces::box(1, 2, 1), 6)));
@@ -269,12 +270,12 @@ void test_half_integer_cones()
   pillow.shift(0.5, 0.5);
   check_cells_around_cones(pillow, {{2, 4}});
   Mesh two_gons;
-  const auto report = SS::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
+  const auto report = QR::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
   CHECK(report.status == Status::NO_FACE_GRAPH);
   CHECK(two_gons.is_empty());
   CHECK(are_isomorphic(doubled(pillow), expected_quads(surfaces::tetrahedron(), 6)));
   pillow.shift(0.5, 0); // cones on lines of the grid
-  const auto on_line = SS::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
+  const auto on_line = QR::extract_quad_mesh(pillow.mesh, pillow.uv, two_gons);
   CHECK(on_line.status == Status::NOT_INTEGER);
   CHECK(on_line.message.find("vertex") != std::string::npos);
   CHECK(are_isomorphic(doubled(pillow), expected_quads(surfaces::tetrahedron(), 6)));
@@ -293,9 +294,9 @@ void test_loops()
     Mesh mesh;
     std::vector<Point_3> points;
     std::vector<std::array<int, 4> > polygons;
-    CHECK(bool(SS::extract_quad_soup(map.mesh, map.uv, points, polygons)));
+    CHECK(bool(QR::extract_quad_soup(map.mesh, map.uv, points, polygons)));
     CHECK_EQUAL(polygons.size(), quads);
-    const auto report = SS::extract_quad_mesh(map.mesh, map.uv, mesh);
+    const auto report = QR::extract_quad_mesh(map.mesh, map.uv, mesh);
     CHECK(bool(report) != mesh.is_empty());
     return report.status;
   };
@@ -392,10 +393,10 @@ void scatter_faces(Grid_map& map, std::mt19937_64& random)
 
 // Cells of a flat map, by its points in space, which are those of the domain.
 std::set<std::array<int, 2> > extracted_cells(const Grid_map& map, const bool allow_holes,
-                                              SS::Extraction_report& report)
+                                              QR::Extraction_report& report)
 {
   Mesh quads;
-  report = SS::extract_quad_mesh(map.mesh, map.uv, quads, parameters::allow_holes(allow_holes));
+  report = QR::extract_quad_mesh(map.mesh, map.uv, quads, parameters::allow_holes(allow_holes));
   CHECK(CGAL::is_valid_polygon_mesh(quads));
   std::set<std::array<int, 2> > result;
   for(const auto& corners : rounded_quads(quads)) {
@@ -428,7 +429,7 @@ void test_borders()
     if(seed % 4 == 0)
       map.shift(0.25, 0.125);
     remove_faces(map.mesh, random, seed < 30 ? 40 : 200);
-    SS::Extraction_report report;
+    QR::Extraction_report report;
     const auto expected = covered_cells(map);
     put_points_in_domain(map);
     if(seed % 3 == 0)
@@ -452,7 +453,7 @@ void test_flips()
     std::mt19937_64 random(seed);
     Grid_map map(surfaces::disc(3, 3), 3, 8);
     map.perturb(seed, 0.1, seed % 2 == 0 ? 4 : 30);
-    const auto seams = SS::seam_transitions(map.mesh, map.uv);
+    const auto seams = QR::seam_transitions(map.mesh, map.uv);
     for(int i = 0; i < int(seed % 5) + 1; ++i) {
       const Vertex v(Mesh::size_type(random() % map.mesh.number_of_vertices()));
       if(!CGAL::is_border(v, map.mesh))
@@ -463,7 +464,7 @@ void test_flips()
       if(!map.is_positive(map.mesh.halfedge(f)))
         expected_faces.push_back(std::size_t(f));
     put_points_in_domain(map);
-    SS::Extraction_report report;
+    QR::Extraction_report report;
     const auto without_holes = extracted_cells(map, false, report);
     CHECK(expected_faces == report.nonpositive_faces);
     CHECK_EQUAL(without_holes.empty(), !expected_faces.empty());
@@ -488,9 +489,9 @@ void check_refusal(const Grid_map& map, const Status expected, const std::string
   quads.add_vertex(Point_3(1, 2, 3));
   std::vector<Point_3> points(1);
   std::vector<std::vector<std::size_t> > polygons(2);
-  const auto report = SS::extract_quad_mesh(map.mesh, map.uv, quads, np);
-  const auto soup = SS::extract_quad_soup(map.mesh, map.uv, points, polygons, np);
-  CHECK_EQUAL(SS::to_string(report.status), std::string(SS::to_string(expected)));
+  const auto report = QR::extract_quad_mesh(map.mesh, map.uv, quads, np);
+  const auto soup = QR::extract_quad_soup(map.mesh, map.uv, points, polygons, np);
+  CHECK_EQUAL(QR::to_string(report.status), std::string(QR::to_string(expected)));
   CHECK(soup.status == report.status && soup.message == report.message);
   if(!CHECK(report.message.find(word) != std::string::npos))
     std::cerr << report.message << std::endl;
@@ -511,8 +512,8 @@ void test_repair()
       std::mt19937_64 random(seed);
       Grid_map map(complex, side, 8);
       map.perturb(seed, 0.1, seed % 2 == 0 ? 4 : 30);
-      const auto seams = SS::seam_transitions(map.mesh, map.uv);
-      const SS::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
+      const auto seams = QR::seam_transitions(map.mesh, map.uv);
+      const QR::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
       for(int i = 0; i < 3; ++i) {
         const Vertex v(Mesh::size_type(random() % map.mesh.number_of_vertices()));
         if(!CGAL::is_border(v, map.mesh) && !tracer.is_singular(v) && !map.is_on_feature(v))
@@ -523,17 +524,17 @@ void test_repair()
         flips += map.is_positive(map.mesh.halfedge(f)) ? 0 : 1;
       Mesh quads;
       const auto options = parameters::edge_is_constrained_map(map.is_feature);
-      const auto refusal = SS::extract_quad_mesh(map.mesh, map.uv, quads, options);
+      const auto refusal = QR::extract_quad_mesh(map.mesh, map.uv, quads, options);
       CHECK_EQUAL(refusal.nonpositive_faces.size(), flips);
       CHECK_EQUAL(quads.is_empty(), flips > 0);
       quads.clear();
       auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-      const auto repair = SS::repair_integer_grid(map.mesh, map.uv, options);
+      const auto repair = QR::repair_integer_grid(map.mesh, map.uv, options);
       CHECK_IN(repair.message, bool(repair));
       CHECK_EQUAL(repair.run.number_of_repaired_flips, flips);
       CHECK(repair.remaining_flips.empty() && repair.lost_faces.empty());
       const auto report =
-        SS::extract_quad_mesh(map.mesh, map.uv, quads, options,
+        QR::extract_quad_mesh(map.mesh, map.uv, quads, options,
                               parameters::edge_is_constrained_map(is_feature));
       check_quads(quads, report, expected_quads(complex, side));
       CHECK(report.nonpositive_faces.empty());
@@ -543,8 +544,8 @@ void test_repair()
   CHECK(repaired > 50);
 
   Grid_map map(surfaces::box(1, 1, 1), 3, 4); // a flip, and integers that are none
-  const auto seams = SS::seam_transitions(map.mesh, map.uv);
-  const SS::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
+  const auto seams = QR::seam_transitions(map.mesh, map.uv);
+  const QR::Isocurve_tracer<Mesh> tracer(map.mesh, map.uv);
   Vertex v(0);
   while(tracer.is_singular(v) || !map.is_positive_around(v))
     ++v;
@@ -552,8 +553,8 @@ void test_repair()
   check_refusal(map, Status::NOT_POSITIVE, "repair", CGAL::parameters::default_values());
   map.shift(0.25, 0.125);
   const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
-  const auto repair = SS::repair_integer_grid(map.mesh, map.uv);
-  CHECK_EQUAL(SS::to_string(repair.status), std::string("not integer"));
+  const auto repair = QR::repair_integer_grid(map.mesh, map.uv);
+  CHECK_EQUAL(QR::to_string(repair.status), std::string("not integer"));
   CHECK_IN(repair.message, repair.message.find("integer") != std::string::npos);
   CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
 }
@@ -571,18 +572,18 @@ void test_untangling()
         continue;
       Mesh mesh, quads;
       UV_map uv = square_complex::uv_map(mesh);
-      CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
-      CHECK(bool(SS::snap_to_seamless(mesh, uv, parameters::integer_grid(true))));
-      const auto refusal = SS::extract_quad_mesh(mesh, uv, quads);
+      CHECK(QR::IO::read_OBJ(file.string(), mesh, uv));
+      CHECK(bool(QR::snap_to_seamless(mesh, uv, parameters::integer_grid(true))));
+      const auto refusal = QR::extract_quad_mesh(mesh, uv, quads);
       CHECK_EQUAL(refusal.nonpositive_faces.size(), map.flips);
       std::vector<Point_3> points;
       std::vector<std::vector<std::size_t> > soup;
       const auto repair =
-        SS::repair_integer_grid(mesh, uv, parameters::repair_flips(SS::Flip_repair::UNTANGLE));
+        QR::repair_integer_grid(mesh, uv, parameters::repair_flips(QR::Flip_repair::UNTANGLE));
       CHECK_IN(repair.message, bool(repair));
       CHECK_EQUAL(repair.run.number_of_repaired_flips, map.flips);
-      const auto report = SS::extract_quad_soup(mesh, uv, points, soup);
-      CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
+      const auto report = QR::extract_quad_soup(mesh, uv, points, soup);
+      CHECK_EQUAL(QR::to_string(report.status), std::string("success"));
       CHECK_EQUAL(report.number_of_faces, map.quads);
       CHECK_EQUAL(report.number_of_other_polygons, std::size_t(0));
     }
@@ -605,7 +606,7 @@ void test_property_maps()
   auto cone = quads.add_property_map<Vertex, int>("v:cone", 7).first;
   auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   std::map<Vertex, Point_3> points;
-  const auto report = SS::extract_quad_mesh(
+  const auto report = QR::extract_quad_mesh(
     map.mesh, map.uv, quads, parameters::edge_is_constrained_map(map.is_feature),
     parameters::vertex_location_map(location).cone_index_map(cone)
       .edge_is_constrained_map(is_feature)
@@ -651,7 +652,7 @@ void test_property_maps()
   CHECK_EQUAL(report.number_of_unaligned_features, std::size_t(0));
   map.shift(0.5, 0.5);
   Mesh others;
-  CHECK_EQUAL(SS::extract_quad_mesh(map.mesh, map.uv, others,
+  CHECK_EQUAL(QR::extract_quad_mesh(map.mesh, map.uv, others,
                                     parameters::edge_is_constrained_map(map.is_feature))
                 .number_of_unaligned_features, std::size_t(8 * (8 + 2 * 4)));
 }
@@ -714,12 +715,12 @@ template <typename UVMap>
 void check_forms(const Mesh& mesh, const UVMap& uv, const Mesh& quads)
 {
   Mesh parallel;
-  CHECK(bool(SS::extract_quad_mesh<CGAL::Parallel_if_available_tag>(mesh, uv, parallel)));
+  CHECK(bool(QR::extract_quad_mesh<CGAL::Parallel_if_available_tag>(mesh, uv, parallel)));
   CHECK(are_identical(quads, parallel));
 
   const test_meshes::Polyhedron_copy<Kernel> copy(mesh);
   CGAL::Polyhedron_3<Kernel> polyhedron;
-  CHECK(bool(SS::extract_quad_mesh(copy.polyhedron, copy.uv, polyhedron)));
+  CHECK(bool(QR::extract_quad_mesh(copy.polyhedron, copy.uv, polyhedron)));
   CHECK(polyhedron.is_valid());
   Mesh from_polyhedron;
   CGAL::copy_face_graph(polyhedron, from_polyhedron);
@@ -729,7 +730,7 @@ void check_forms(const Mesh& mesh, const UVMap& uv, const Mesh& quads)
     UV_map other_uv;
     const Mesh other = renumbered(mesh, uv, seed, other_uv);
     Mesh result;
-    CHECK(bool(SS::extract_quad_mesh(other, other_uv, result)));
+    CHECK(bool(QR::extract_quad_mesh(other, other_uv, result)));
     check_alike(quads, result);
   }
 }
@@ -741,12 +742,12 @@ void test_forms_of_files(const std::vector<std::filesystem::path>& files, const 
   for(const auto& file : files) {
     Mesh mesh;
     UV_map uv = square_complex::uv_map(mesh);
-    CHECK(SS::IO::read_OBJ(file.string(), mesh, uv));
-    const double scale = std::sqrt(wanted / SS::measure_integer_grid(mesh, uv).area);
+    CHECK(QR::IO::read_OBJ(file.string(), mesh, uv));
+    const double scale = std::sqrt(wanted / QR::measure_integer_grid(mesh, uv).area);
     const auto options =
       parameters::integer_grid(true).rounding_tolerance(1e9).grid_scale(scale).repair_flips(true);
     Mesh quads;
-    if(!SS::snap_to_seamless(mesh, uv, options) || !SS::extract_quad_mesh(mesh, uv, quads))
+    if(!QR::snap_to_seamless(mesh, uv, options) || !QR::extract_quad_mesh(mesh, uv, quads))
       continue;
     check_forms(mesh, uv, quads);
     ++compared;
@@ -774,7 +775,7 @@ void test_forms()
   Grid_map map(surfaces::box(2, 1, 3), 13, 16);
   map.perturb(5, 0.3, 30);
   Mesh quads;
-  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, quads)));
+  CHECK(bool(QR::extract_quad_mesh(map.mesh, map.uv, quads)));
   check_forms(map.mesh, map.uv, quads);
   CHECK(!are_isomorphic(quads, expected_quads(surfaces::box(1, 1, 5), 13))); // as many
 #ifdef SEAMLESS_SNAPPING_TEST_OPENMESH
@@ -784,15 +785,15 @@ void test_forms()
 #endif
 
   Mesh scaled; // the result is added to what is there
-  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(2))));
+  CHECK(bool(QR::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(2))));
   CHECK_EQUAL(scaled.number_of_faces(), 4 * quads.number_of_faces());
-  CHECK(bool(SS::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(4))));
+  CHECK(bool(QR::extract_quad_mesh(map.mesh, map.uv, scaled, parameters::grid_scale(4))));
   CHECK_EQUAL(scaled.number_of_faces(), 20 * quads.number_of_faces());
   CHECK(CGAL::is_valid_polygon_mesh(scaled));
 
   std::vector<Point_3> points(3);
   std::vector<std::vector<unsigned> > polygons;
-  CHECK(bool(SS::extract_quad_soup(map.mesh, map.uv, points, polygons)));
+  CHECK(bool(QR::extract_quad_soup(map.mesh, map.uv, points, polygons)));
   CHECK_EQUAL(points.size(), std::size_t(3 + quads.number_of_vertices()));
   Mesh from_soup;
   for(const Point_3& p : points)
@@ -820,7 +821,7 @@ void test_refusals()
   check_refusal(*map, Status::TOO_LARGE, "2^46", parameters::grid_scale(1e300));
   check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::grid_scale(1 << 15));
   check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::maximum_number(53));
-  CHECK(bool(SS::extract_quad_mesh(map->mesh, map->uv, *std::make_unique<Mesh>(),
+  CHECK(bool(QR::extract_quad_mesh(map->mesh, map->uv, *std::make_unique<Mesh>(),
                                    parameters::maximum_number(54))));
   check_refusal(*map, Status::NOT_INTEGER, "integer", parameters::grid_scale(0.25));
   check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::grid_scale(1 << 20)
@@ -841,8 +842,8 @@ void test_refusals()
   map = fresh();
   map->shift(0, 1e15);
   check_refusal(*map, Status::TOO_LARGE, "2^46", none);
-  const auto snapped = SS::snap_to_seamless(map->mesh, map->uv, parameters::integer_grid(true));
-  CHECK(snapped.status == SS::Outcome::NOT_REPRESENTABLE);
+  const auto snapped = QR::snap_to_seamless(map->mesh, map->uv, parameters::integer_grid(true));
+  CHECK(snapped.status == QR::Outcome::NOT_REPRESENTABLE);
   CHECK(snapped.message.find("beyond 2^46") != std::string::npos);
 
   Grid_map pillow(surfaces::tetrahedron(), 1, 4); // too small for a quad
@@ -850,7 +851,7 @@ void test_refusals()
     pillow.uv[g] = Point_2(pillow.uv[g].x() + 0.5, pillow.uv[g].y() + 0.5);
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
-  const auto report = SS::extract_quad_soup(pillow.mesh, pillow.uv, points, polygons);
+  const auto report = QR::extract_quad_soup(pillow.mesh, pillow.uv, points, polygons);
   CHECK(bool(report)); // four 2-gons
   CHECK_EQUAL(polygons.size(), std::size_t(4));
   Grid_map disc(surfaces::disc(1, 1), 1, 4);
@@ -885,19 +886,19 @@ void test_snapping(const Square_complex& complex, const int side, const int n)
       Grid_map map(complex, side, n);
       map.perturb(3, 0.3 * side / n, 20);
       multiply(map, factor, noise);
-      const auto report = SS::snap_to_seamless(
+      const auto report = QR::snap_to_seamless(
         map.mesh, map.uv,
         parameters::integer_grid(true).grid_scale(1 / factor).align_border(true)
           .edge_is_constrained_map(map.is_feature));
       CHECK(bool(report));
       CHECK(report.largest_rounding < 1e-6 && report.largest_change < 1e-6);
       CHECK(report.lost_faces.empty() && report.remaining_flips.empty());
-      CHECK(SS::is_seamless(map.mesh, map.uv));
-      CHECK(SS::is_integer_grid_map(map.mesh, map.uv,
+      CHECK(QR::is_seamless(map.mesh, map.uv));
+      CHECK(QR::is_integer_grid_map(map.mesh, map.uv,
                                     parameters::align_border(true)
                                       .edge_is_constrained_map(map.is_feature)));
       Mesh quads;
-      const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+      const auto extraction = QR::extract_quad_mesh(map.mesh, map.uv, quads);
       check_quads(quads, extraction, expected_quads(complex, side));
     }
 }
@@ -910,22 +911,22 @@ void test_large_roundings(const Square_complex& complex, const int side, const i
     map.perturb(3, 0.2 * side / n, 20);
     multiply(map, factor, 1e-9);
     const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
-    const auto refusal = SS::snap_to_seamless(map.mesh, map.uv,
+    const auto refusal = QR::snap_to_seamless(map.mesh, map.uv,
                                               parameters::integer_grid(true).align_border(true));
-    CHECK(refusal.status == SS::Outcome::NOT_INTEGER);
+    CHECK(refusal.status == QR::Outcome::NOT_INTEGER);
     CHECK(refusal.message.find("vert") != std::string::npos);
     CHECK(refusal.message.find("rounding_tolerance") != std::string::npos);
     CHECK(refusal.largest_rounding > 0.01);
     CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
-    const auto report = SS::snap_to_seamless(
+    const auto report = QR::snap_to_seamless(
       map.mesh, map.uv,
       parameters::integer_grid(true).align_border(true).rounding_tolerance(10.));
     CHECK(bool(report));
     CHECK(report.largest_rounding > 0.01); // of others, it may be
-    CHECK(SS::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
+    CHECK(QR::is_integer_grid_map(map.mesh, map.uv, parameters::align_border(true)));
     CHECK(report.lost_faces.empty());
     Mesh quads;
-    const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+    const auto extraction = QR::extract_quad_mesh(map.mesh, map.uv, quads);
     CHECK(bool(extraction));
     CHECK_EQUAL(extraction.number_of_other_polygons, std::size_t(0));
     CHECK_EQUAL(extraction.number_of_cut_cells, std::size_t(0));
@@ -939,13 +940,13 @@ void test_integers_one_after_another(const std::string& name, const double numbe
 {
   Mesh mesh;
   UV_map uv = square_complex::uv_map(mesh);
-  CHECK(SS::IO::read_OBJ(test_data::package_file(name), mesh, uv));
-  const double scale = std::sqrt(number_of_quads / SS::measure_integer_grid(mesh, uv).area);
-  const auto report = SS::snap_to_seamless(
+  CHECK(QR::IO::read_OBJ(test_data::package_file(name), mesh, uv));
+  const double scale = std::sqrt(number_of_quads / QR::measure_integer_grid(mesh, uv).area);
+  const auto report = QR::snap_to_seamless(
     mesh, uv, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.));
-  CHECK_EQUAL(report.status, SS::Outcome::SNAPPED);
+  CHECK_EQUAL(report.status, QR::Outcome::SNAPPED);
   CHECK_EQUAL(report.lost_faces.size(), std::size_t(0));
-  const auto measure = SS::measure_integer_grid(mesh, uv);
+  const auto measure = QR::measure_integer_grid(mesh, uv);
   CHECK_EQUAL(measure.number_of_nonpositive_faces, std::size_t(0));
   CHECK(std::abs(measure.area - number_of_quads) < 0.1 * number_of_quads);
 }
@@ -1012,28 +1013,28 @@ void test_integer_grids()
   }
   Grid_map map(surfaces::box(1, 1, 1), 3, 4); // cones at half-integers
   map.shift(0.5, 0.5);
-  const auto refusal = SS::snap_to_seamless(
+  const auto refusal = QR::snap_to_seamless(
     map.mesh, map.uv, parameters::integer_grid(true).rounding_tolerance(0.)); // nothing is moved
-  CHECK(refusal.status == SS::Outcome::NOT_INTEGER);
+  CHECK(refusal.status == QR::Outcome::NOT_INTEGER);
   CHECK(refusal.largest_rounding >= 0.5);
   CHECK(refusal.message.find("grid_scale") != std::string::npos);
   for(const double tiny : {1e-300, 1e-3}) {
-    const auto nothing = SS::snap_to_seamless(
+    const auto nothing = QR::snap_to_seamless(
       map.mesh, map.uv,
       parameters::integer_grid(true).grid_scale(tiny).rounding_tolerance(1.));
-    CHECK_EQUAL(nothing.status, SS::Outcome::NOT_INTEGER);
+    CHECK_EQUAL(nothing.status, QR::Outcome::NOT_INTEGER);
     CHECK(nothing.message.find("no cell; scale the map up") != std::string::npos);
   }
-  const auto report = SS::snap_to_seamless(map.mesh, map.uv,
+  const auto report = QR::snap_to_seamless(map.mesh, map.uv,
                                            parameters::integer_grid(true).grid_scale(2));
   CHECK(bool(report));
   CHECK_EQUAL(report.largest_rounding, 0.);
   CHECK_EQUAL(report.largest_change, 0.);
   Mesh quads;
-  const auto extraction = SS::extract_quad_mesh(map.mesh, map.uv, quads);
+  const auto extraction = QR::extract_quad_mesh(map.mesh, map.uv, quads);
   check_quads(quads, extraction, expected_quads(surfaces::box(1, 1, 1), 6));
-  const auto bad = SS::snap_to_seamless(map.mesh, map.uv, parameters::grid_scale(-1));
-  CHECK(bad.status == SS::Outcome::INVALID_ARGUMENT);
+  const auto bad = QR::snap_to_seamless(map.mesh, map.uv, parameters::grid_scale(-1));
+  CHECK(bad.status == QR::Outcome::INVALID_ARGUMENT);
 }
 
 int main()

@@ -43,14 +43,15 @@
 #include <vector>
 
 using namespace quad_reference;
+namespace QR = CGAL::Quad_remeshing;
 namespace surfaces = test_meshes;
-namespace parameters = SS::parameters;
-namespace internal = SS::internal;
+namespace parameters = QR::parameters;
+namespace internal = QR::internal;
 using internal::Corner_index;
 using internal::Grid_vector;
 using internal::Intrinsic_complex;
 using internal::Intrinsic_corner;
-using Status = SS::Outcome;
+using Status = QR::Outcome;
 
 constexpr internal::Edge_vector vectors = &Intrinsic_corner::vector;
 constexpr internal::Edge_vector units = &Intrinsic_corner::units;
@@ -61,7 +62,7 @@ internal::Integer_mesh read_integers(const Mesh_& mesh, const UV& uv, const Is_f
   const internal::Flat_numbering<Mesh_> numbering(mesh);
   const auto charts =
     internal::build_chart_mesh<internal::Quarter_turns>(mesh, numbering, uv,
-                                                        SS::seam_transitions(mesh, uv).data());
+                                                        QR::seam_transitions(mesh, uv).data());
   std::vector<char> features;
   for(const auto h : numbering.halfedges_of_corners())
     features.push_back(is_feature[mesh.edge(h)]);
@@ -237,16 +238,16 @@ void test_known_quads(const Square_complex& complex, const int side, const bool 
         map.perturb(seed, 0.1 * side, seed == 1 ? 3 : 30);
       const std::size_t number =
         complex.number_of_squares() * std::size_t(side * side * factor * factor);
-      const SS::Quantization quantization =
-        SS::quantize(map.mesh, map.uv,
+      const QR::Quantization quantization =
+        QR::quantize(map.mesh, map.uv,
                      parameters::target_number_of_quads(number)
                        .edge_is_constrained_map(map.is_feature));
-      CHECK_EQUAL(SS::to_string(quantization.status), std::string("success"));
+      CHECK_EQUAL(QR::to_string(quantization.status), std::string("success"));
       CHECK_EQUAL(quantization.message, std::string());
       CHECK_EQUAL(quantization.number_of_quads, number);
       Mesh quads;
-      const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads);
-      CHECK_EQUAL(SS::to_string(report.status), std::string("success"));
+      const auto report = QR::extract_quad_mesh(quantization, map.mesh, quads);
+      CHECK_EQUAL(QR::to_string(report.status), std::string("success"));
       CHECK_EQUAL(report.message, std::string());
       CHECK(CGAL::is_valid_polygon_mesh(quads));
       const Mesh expected = expected_quads(complex, side * factor);
@@ -471,23 +472,23 @@ void check_numbers(const Square_complex& complex, const std::string& name)
 {
   Grid_map map(complex, 16, 4);
   map.perturb(5, 0.5, 20);
-  const SS::Quantization first = SS::quantize(map.mesh, map.uv);
+  const QR::Quantization first = QR::quantize(map.mesh, map.uv);
   std::size_t before = 0, near_by = 0, least = 0;
   for(double wanted = 1; wanted < 3000; wanted *= 1.3) {
     const std::string context = name + ", " + std::to_string(wanted) + " quads";
     const auto np = parameters::needs_face_graph(true);
-    const SS::Quantization quantization =
-      SS::quantize(map.mesh, map.uv, np.target_number_of_quads(std::size_t(wanted)));
+    const QR::Quantization quantization =
+      QR::quantize(map.mesh, map.uv, np.target_number_of_quads(std::size_t(wanted)));
     CHECK_IN(context + ": " + quantization.message, bool(quantization));
     Mesh quads;
-    const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads);
+    const auto report = QR::extract_quad_mesh(quantization, map.mesh, quads);
     CHECK_IN(context + ": " + report.message, bool(report));
     quads.collect_garbage();
     CHECK_IN(context, CGAL::is_valid_polygon_mesh(quads) &&
                         euler_characteristic(quads) == euler_characteristic(map.mesh));
     std::vector<Point_3> points;
     std::vector<std::array<std::size_t, 4> > polygons;
-    CHECK_IN(context, bool(SS::extract_quad_soup(quantization, map.mesh, points, polygons)));
+    CHECK_IN(context, bool(QR::extract_quad_soup(quantization, map.mesh, points, polygons)));
     const std::size_t number = quantization.number_of_quads;
     CHECK_EQUAL(polygons.size(), number);
     CHECK_IN(context + ": " + std::to_string(number) + " after " + std::to_string(before),
@@ -497,18 +498,18 @@ void check_numbers(const Square_complex& complex, const std::string& name)
     if(least == 0) {
       least = number;
       CHECK_EQUAL(
-        SS::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true)).number_of_quads, least);
+        QR::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true)).number_of_quads, least);
       const auto fewer =
-        SS::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true).maximum_number(least - 1));
+        QR::quantize(map.mesh, map.uv, np.minimize_number_of_quads(true).maximum_number(least - 1));
       CHECK_IN(context + ": " + fewer.message,
                fewer.status == Status::TOO_LARGE &&
                  fewer.message.find("maximum_number") != std::string::npos);
       CHECK(fewer.number_of_quads >= least); // and that many would work
-      CHECK(bool(SS::quantize(map.mesh, map.uv,
+      CHECK(bool(QR::quantize(map.mesh, map.uv,
                               np.target_number_of_quads(fewer.number_of_quads))));
     }
-    const SS::Quantization again =
-      SS::quantize_again(first, map.mesh, np.target_number_of_quads(std::size_t(wanted)));
+    const QR::Quantization again =
+      QR::quantize_again(first, map.mesh, np.target_number_of_quads(std::size_t(wanted)));
     CHECK_IN(context + ": " + again.message,
              again.status == quantization.status && again.message == quantization.message &&
                again.number_of_quads == number &&
@@ -620,7 +621,7 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
   options.number_of_quads = double(number);
   options.is_coarsest = number == 0;
   const auto features = parameters::edge_is_constrained_map(model.is_aligned);
-  SS::Quantization quantization =
+  QR::Quantization quantization =
     internal::quantize_map(model.mesh, model.uv, internal::strip(features), options);
   CHECK_IN(name + ": " + quantization.message, bool(quantization));
   internal::Quantized_surface surface = quantization.surface();
@@ -647,16 +648,16 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
 }
 
 // Whether all faces are quads and the mesh is what the surface is; vertices lie where they say.
-void check_mesh(const Parametrized_model& model, const SS::Quantization& quantization,
+void check_mesh(const Parametrized_model& model, const QR::Quantization& quantization,
                 const std::size_t number, const std::string& name, Sizes& sizes)
 {
   using Location = std::pair<Parametrized_model::Mesh::Face_index, std::array<double, 3> >;
   Mesh quads;
   const auto location = quads.add_property_map<Vertex, Location>("v:location").first;
-  const auto report = SS::extract_quad_mesh(quantization, model.mesh, quads,
+  const auto report = QR::extract_quad_mesh(quantization, model.mesh, quads,
                                             parameters::default_values(),
                                             parameters::vertex_location_map(location));
-  if(report.status == SS::Outcome::NO_FACE_GRAPH)
+  if(report.status == QR::Outcome::NO_FACE_GRAPH)
     return check_divided(model, number, name, sizes); // all checks of the cells held before
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, report.number_of_faces == quantization.number_of_quads);
@@ -687,15 +688,15 @@ void test_map(const std::filesystem::path& file, Sizes& sizes)
   Parametrized_model model(file.string());
   const std::string name = file.filename().string();
   const auto features = parameters::edge_is_constrained_map(model.is_aligned);
-  if(!SS::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
+  if(!QR::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
     return;
-  const SS::Quantization first = SS::quantize(model.mesh, model.uv, features);
+  const QR::Quantization first = QR::quantize(model.mesh, model.uv, features);
   if(first.status == Status::NOT_POSITIVE)
     return;
   ++sizes.maps;
   for(const std::size_t number : {30000, 5000, 1000, 200, 0}) {
-    const SS::Quantization quantization =
-      SS::quantize(model.mesh, model.uv,
+    const QR::Quantization quantization =
+      QR::quantize(model.mesh, model.uv,
                    features.target_number_of_quads(number).minimize_number_of_quads(number == 0));
     const std::string run = name + " with " + std::to_string(number) + " quads";
     CHECK_IN(run + ": " + quantization.message, bool(quantization));
@@ -733,10 +734,10 @@ void test_quads_without_features()
   for(const auto& file : test_data::package_files()) {
     Parametrized_model model(file.string());
     const auto features = parameters::edge_is_constrained_map(model.is_aligned);
-    if(!SS::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
+    if(!QR::snap_to_seamless(model.mesh, model.uv, features.align_border(true).tolerance(1.)))
       continue;
-    const auto with = SS::quantize(model.mesh, model.uv, features.target_number_of_quads(1));
-    const auto without = SS::quantize(model.mesh, model.uv, parameters::target_number_of_quads(1));
+    const auto with = QR::quantize(model.mesh, model.uv, features.target_number_of_quads(1));
+    const auto without = QR::quantize(model.mesh, model.uv, parameters::target_number_of_quads(1));
     if(!with)
       continue;
     CHECK_EQUAL(with.number_of_quads - with.number_of_forced_quads,
@@ -791,15 +792,15 @@ std::size_t number_of_unaligned_border_edges(const Grid_map& map)
 void check_unaligned_border(const Grid_map& map, const std::size_t number, const std::string& name)
 {
   using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
-  const SS::Quantization quantization =
-    SS::quantize(map.mesh, map.uv,
+  const QR::Quantization quantization =
+    QR::quantize(map.mesh, map.uv,
                  parameters::target_number_of_quads(number).needs_face_graph(true));
   CHECK_IN(name + ": " + quantization.message, bool(quantization));
   CHECK_EQUAL(quantization.number_of_unaligned_border_edges, number_of_unaligned_border_edges(map));
   CHECK_IN(name, quantization.message.find("on no isocurve") != std::string::npos);
   Mesh quads;
   const auto location = quads.add_property_map<Vertex, Location>("v:location").first;
-  const auto report = SS::extract_quad_mesh(quantization, map.mesh, quads,
+  const auto report = QR::extract_quad_mesh(quantization, map.mesh, quads,
                                             parameters::default_values(),
                                             parameters::vertex_location_map(location));
   CHECK_IN(name + ": " + report.message, bool(report));
@@ -838,10 +839,10 @@ void test_place_of_step()
     const Point_3& p = mesh.point(mesh.target(h));
     uv[h] = Point_2(p.x(), p.y());
   }
-  const auto quantization = SS::quantize(mesh, uv, parameters::target_number_of_quads(16));
+  const auto quantization = QR::quantize(mesh, uv, parameters::target_number_of_quads(16));
   CHECK_IN(quantization.message, quantization.number_of_quads == 16);
   Mesh quads;
-  CHECK(bool(SS::extract_quad_mesh(quantization, mesh, quads)));
+  CHECK(bool(QR::extract_quad_mesh(quantization, mesh, quads)));
   CHECK(std::any_of(quads.vertices().begin(), quads.vertices().end(), [&](const auto w) {
     return CGAL::squared_distance(quads.point(w), Point_3(4 - 4. / 17, 3 + 1. / 17, 0)) < 1e-24;
   }));
@@ -888,7 +889,7 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
     insert_folded_square(folded, i, s);
   folded.unfold();
   const Grid_map without(complex, 4, 4), map(folded, 4, 4);
-  const SS::Quantization quantization = SS::quantize(
+  const QR::Quantization quantization = QR::quantize(
     map.mesh, map.uv, parameters::target_number_of_quads(std::size_t(folded.number_of_squares())));
   CHECK_EQUAL(quantization.number_of_quads, std::size_t(folded.number_of_squares()));
   Mesh quads;
@@ -921,7 +922,7 @@ void check_remeshing(const Parametrized_model& model, const std::size_t number,
                      const std::string& name)
 {
   Mesh quads;
-  const SS::Remeshing_report report = SS::quad_remesh(
+  const QR::Remeshing_report report = QR::quad_remesh(
     model.mesh, quads,
     parameters::target_number_of_quads(number).edge_is_constrained_map(model.is_aligned));
   CHECK_IN(name + ": " + report.message, bool(report));
@@ -963,18 +964,18 @@ void test_empty_mesh()
     CHECK(status == expected);
     CHECK_EQUAL(message, std::string("the mesh has no face; was it read?"));
   };
-  const auto snapped = SS::snap_to_seamless(empty, uv);
-  check(snapped.status, SS::Outcome::INVALID_ARGUMENT, snapped.message);
-  const auto made = SS::approximate_seamless_parametrization(empty, uv);
-  check(made.status, SS::Outcome::INVALID_ARGUMENT, made.message);
-  const auto extracted = SS::extract_quad_mesh(empty, uv, quads);
-  check(extracted.status, SS::Outcome::INVALID_ARGUMENT, extracted.message);
-  const auto quantization = SS::quantize(empty, uv);
+  const auto snapped = QR::snap_to_seamless(empty, uv);
+  check(snapped.status, QR::Outcome::INVALID_ARGUMENT, snapped.message);
+  const auto made = QR::approximate_seamless_parametrization(empty, uv);
+  check(made.status, QR::Outcome::INVALID_ARGUMENT, made.message);
+  const auto extracted = QR::extract_quad_mesh(empty, uv, quads);
+  check(extracted.status, QR::Outcome::INVALID_ARGUMENT, extracted.message);
+  const auto quantization = QR::quantize(empty, uv);
   check(quantization.status, Status::INVALID_ARGUMENT, quantization.message);
-  const auto graph = SS::motorcycle_graph(empty, uv);
-  check(graph.status(), SS::Outcome::INVALID_ARGUMENT, graph.message());
-  const auto remeshed = SS::quad_remesh(empty, quads);
-  check(remeshed.status, SS::Outcome::INVALID_ARGUMENT, remeshed.message);
+  const auto graph = QR::motorcycle_graph(empty, uv);
+  check(graph.status(), QR::Outcome::INVALID_ARGUMENT, graph.message());
+  const auto remeshed = QR::quad_remesh(empty, quads);
+  check(remeshed.status, QR::Outcome::INVALID_ARGUMENT, remeshed.message);
 }
 
 void test_remeshing()
@@ -987,13 +988,13 @@ void test_remeshing()
     corners = {mesh->add_vertex(Point_3(0, 0, 0)), mesh->add_vertex(Point_3(1, 0, 0)),
                mesh->add_vertex(Point_3(1, 1, 0)), mesh->add_vertex(Point_3(0, 1, 0))};
   one_quad.add_face(corners);
-  CHECK(SS::quad_remesh(one_quad, quads).status == SS::Outcome::NOT_TRIANGULAR);
+  CHECK(QR::quad_remesh(one_quad, quads).status == QR::Outcome::NOT_TRIANGULAR);
   square.add_face(corners[0], corners[1], corners[2]);
   square.add_face(corners[2], corners[3], corners[0]);
-  CHECK(SS::quad_remesh(square, quads, parameters::target_number_of_quads(0)).status ==
-        SS::Outcome::INVALID_ARGUMENT);
+  CHECK(QR::quad_remesh(square, quads, parameters::target_number_of_quads(0)).status ==
+        QR::Outcome::INVALID_ARGUMENT);
   CHECK(quads.is_empty());
-  CHECK(bool(SS::quad_remesh(square, quads, parameters::target_number_of_quads(100))));
+  CHECK(bool(QR::quad_remesh(square, quads, parameters::target_number_of_quads(100))));
   CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
@@ -1004,9 +1005,9 @@ void test_sizes_in_space()
   const auto np = parameters::target_number_of_quads(300);
   const Parametrized_model model(test_data::package_files().front().string());
   Mesh quads;
-  const auto report = SS::quad_remesh(model.mesh, quads, np);
+  const auto report = QR::quad_remesh(model.mesh, quads, np);
   CHECK(bool(report));
-  const auto by_length = SS::quad_remesh(model.mesh, *std::make_unique<Mesh>(),
+  const auto by_length = QR::quad_remesh(model.mesh, *std::make_unique<Mesh>(),
                                          parameters::target_edge_length(0.25));
   CHECK(bool(by_length));
   for(const int exponent : {-900, -500, 3, 531, 900}) {
@@ -1018,7 +1019,7 @@ void test_sizes_in_space()
                   std::ldexp(p.z(), exponent));
     }
     Mesh scaled_quads;
-    const auto scaled_report = SS::quad_remesh(scaled.mesh, scaled_quads, np);
+    const auto scaled_report = QR::quad_remesh(scaled.mesh, scaled_quads, np);
     CHECK_IN(context + ": " + scaled_report.message, bool(scaled_report));
     CHECK_IN(context, scaled_report.largest_distance ==
                         std::ldexp(report.largest_distance, exponent));
@@ -1029,16 +1030,16 @@ void test_sizes_in_space()
         CHECK_IN(context, scaled_quads.is_valid(v) && scaled_quads.point(v)[c] ==
                                                         std::ldexp(quads.point(v)[c], exponent));
     const auto scaled_by_length =
-      SS::quad_remesh(scaled.mesh, *std::make_unique<Mesh>(),
+      QR::quad_remesh(scaled.mesh, *std::make_unique<Mesh>(),
                       parameters::target_edge_length(std::ldexp(0.25, exponent)));
     CHECK_IN(context, scaled_by_length.number_of_quads == by_length.number_of_quads);
 
-    CHECK_IN(context, bool(SS::snap_to_seamless(model.mesh, scaled.uv)));
-    const auto in_domain = SS::quantize(model.mesh, scaled.uv, np);
+    CHECK_IN(context, bool(QR::snap_to_seamless(model.mesh, scaled.uv)));
+    const auto in_domain = QR::quantize(model.mesh, scaled.uv, np);
     for(const auto h : scaled.mesh.halfedges())
       scaled.uv[h] = Point_2(std::ldexp(scaled.uv[h].x(), exponent),
                              std::ldexp(scaled.uv[h].y(), exponent));
-    const auto scaled_in_domain = SS::quantize(model.mesh, scaled.uv, np);
+    const auto scaled_in_domain = QR::quantize(model.mesh, scaled.uv, np);
     CHECK_IN(context + ": " + scaled_in_domain.message, bool(scaled_in_domain));
     CHECK_IN(context, scaled_in_domain.number_of_quads == in_domain.number_of_quads);
   }
@@ -1097,24 +1098,24 @@ void test_sizes_of_quads()
     size[v] = size_at(mesh.point(v));
   const auto np = parameters::vertex_sizing_map(size);
   Mesh quads, fewer, smaller;
-  const auto report = SS::quad_remesh(mesh, quads, np);
+  const auto report = QR::quad_remesh(mesh, quads, np);
   CHECK_IN(report.message, bool(report));
   const auto [median, deviation] = measure_sizes(quads, size_at);
   std::cout << report.number_of_quads << " quads: median ratio " << median << ", deviation "
             << deviation << std::endl;
   CHECK(median > 0.85 && median < 1.15 && deviation < std::log(1.15));
   // Of so many quads, the sizes are relative; with a length, they are multiples of it.
-  const auto by_number = SS::quad_remesh(mesh, fewer, np.target_number_of_quads(1000));
+  const auto by_number = QR::quad_remesh(mesh, fewer, np.target_number_of_quads(1000));
   CHECK(by_number && by_number.number_of_quads > 900 && by_number.number_of_quads < 1100);
   const auto relative = measure_sizes(fewer, size_at);
   const double factor = std::sqrt(double(report.number_of_quads) / 1000);
   CHECK(relative.first > 0.85 * factor && relative.first < 1.15 * factor &&
         relative.second < std::log(1.15));
-  const auto by_length = SS::quad_remesh(mesh, smaller, np.target_edge_length(0.5));
+  const auto by_length = QR::quad_remesh(mesh, smaller, np.target_edge_length(0.5));
   CHECK(by_length && std::abs(double(by_length.number_of_quads) /
                               double(report.number_of_quads) - 4) < 0.4);
   size[Vertex(3)] = 0;
-  CHECK(SS::quad_remesh(mesh, quads, np).status == SS::Outcome::INVALID_ARGUMENT);
+  CHECK(QR::quad_remesh(mesh, quads, np).status == QR::Outcome::INVALID_ARGUMENT);
 }
 
 // Whether the image of each point is a vertex, to the bit, and that of each quad a quad.
@@ -1147,7 +1148,7 @@ void test_symmetry()
 {
   for(const double center : {0., 1.25}) {
     const Mesh mesh = symmetric_torus(48, 24, center);
-    const auto plane = SS::find_symmetry_plane(mesh);
+    const auto plane = QR::find_symmetry_plane(mesh);
     CHECK(plane.has_value() && plane->a() == 1 && plane->b() == 0 && plane->c() == 0 &&
           plane->d() == -center);
     for(const bool is_tilted : {false, true}) { // the cut runs through the middle of faces, then
@@ -1159,7 +1160,7 @@ void test_symmetry()
         const std::string context = std::to_string(number) + (is_tilted ? " tilted" : "") +
                                     " around " + std::to_string(center);
         Mesh quads;
-        const auto report = SS::quad_remesh(
+        const auto report = QR::quad_remesh(
           cut, quads, parameters::symmetry_plane(*plane).target_number_of_quads(number));
         CHECK_IN(context + ": " + report.message, bool(report));
         CHECK_IN(context, CGAL::is_valid_polygon_mesh(quads) && CGAL::is_closed(quads) &&
@@ -1176,11 +1177,11 @@ void test_symmetry()
     Mesh moved = mesh, quads;
     moved.point(Vertex(5)) = moved.point(Vertex(5)) + Kernel::Vector_3(0, 1e-15, 0);
     moved.point(Vertex(7)) = moved.point(Vertex(7)) + Kernel::Vector_3(0, 1e-9, 1e-9);
-    CHECK(!SS::find_symmetry_plane(moved).has_value());
-    CHECK(SS::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(1, 0, 0, -9)))
-            .status == SS::Outcome::INVALID_ARGUMENT);
-    CHECK(SS::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(0, 0, 0, 1)))
-            .status == SS::Outcome::INVALID_ARGUMENT);
+    CHECK(!QR::find_symmetry_plane(moved).has_value());
+    CHECK(QR::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(1, 0, 0, -9)))
+            .status == QR::Outcome::INVALID_ARGUMENT);
+    CHECK(QR::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(0, 0, 0, 1)))
+            .status == QR::Outcome::INVALID_ARGUMENT);
     CHECK(quads.is_empty());
   }
 }
@@ -1194,7 +1195,7 @@ void test_locations()
     Mesh quads;
     const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
     const auto of_face = quads.add_property_map<Mesh::Face_index, Location>("f:location").first;
-    CHECK(bool(SS::quad_remesh(
+    CHECK(bool(QR::quad_remesh(
       mesh, quads, np, parameters::vertex_location_map(of_vertex).face_location_map(of_face))));
     const auto distance = [&](const Point_3& p, const Location& location) {
       const auto h = mesh.halfedge(location.first);
@@ -1258,13 +1259,13 @@ struct Flat_quads
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
     for(const auto e : quads.edges())
       is_feature[e] = quads.is_border(e);
-    const SS::internal::Surface_to_remesh surface(
+    const QR::internal::Surface_to_remesh surface(
       square, square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
       no_direction, no_size, std::nullopt);
     scale_quads(1 / surface.unscaled(1)); // as large as the copy
-    SS::internal::Quad_smoother smoother(quads, surface.mesh());
-    const SS::internal::Feature_lines lines(surface);
-    SS::internal::Quad_improver improver(quads, is_feature, lines, smoother);
+    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Feature_lines lines(surface);
+    QR::internal::Quad_improver improver(quads, is_feature, lines, smoother);
     const double before = smoother.measure_shape()[0];
     improver.move_vertices();
     const std::size_t removed = improver.remove_vertices_of_two_edges();
@@ -1292,8 +1293,8 @@ void test_shape_of_flat_quads()
   const std::array<std::size_t, 4> inside{5, 6, 9, 10};
   for(const std::size_t i : inside)
     flat.quads.point(flat.vertices[i]) += Kernel::Vector_3(0.3, i == 6 ? -0.4 : 0.2, 0);
-  SS::internal::Quad_smoother smoother(flat.quads, flat.square);
-  SS::internal::Quad_shaper(flat.quads, flat.square, smoother)
+  QR::internal::Quad_smoother smoother(flat.quads, flat.square);
+  QR::internal::Quad_shaper(flat.quads, flat.square, smoother)
     .run(50, [&](const Vertex v) { return flat.quads.is_border(v); });
   for(const std::size_t i : inside) {
     const Point_3& p = flat.quads.point(flat.vertices[i]);
@@ -1324,9 +1325,9 @@ void test_distance_of_quads()
     cube.add_face(Vertex(s[0]), Vertex(s[1]), Vertex(s[2]));
     cube.add_face(Vertex(s[2]), Vertex(s[3]), Vertex(s[0]));
   }
-  SS::internal::Quad_smoother smoother(quads, cube);
+  QR::internal::Quad_smoother smoother(quads, cube);
   const double before = smoother.measure_distance();
-  SS::internal::Quad_shaper(quads, cube, smoother).run(50, [](const Vertex) { return false; });
+  QR::internal::Quad_shaper(quads, cube, smoother).run(50, [](const Vertex) { return false; });
   std::cout << "distance " << before << ", then " << smoother.measure_distance() << std::endl;
   CHECK(before > 0.05 && smoother.measure_distance() < 0.01);
   for(std::size_t i = 0; i < 8; ++i)
@@ -1386,13 +1387,13 @@ void test_division()
     quads.add_face(v[0], v[1], v[2], v[3]);
     const Feature_map is_feature =
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
-    const SS::internal::Surface_to_remesh surface(
+    const QR::internal::Surface_to_remesh surface(
       surface_mesh, surface_mesh.points(),
       CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
       std::nullopt);
-    SS::internal::Quad_smoother smoother(quads, surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, surface.mesh());
     CHECK(smoother.measure_shape()[0] <= 0);
-    SS::internal::Quad_divider divider(quads, is_feature, smoother);
+    QR::internal::Quad_divider divider(quads, is_feature, smoother);
     const bool is_helped = y < 1;
     CHECK_EQUAL(divider.run(), is_helped ? 1u : 0u);
     CHECK_EQUAL(faces(quads).size(), is_helped ? 5u : 1u);
@@ -1414,20 +1415,20 @@ void check_mending(Flat_quads& flat, const bool has_single_precision)
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   const Feature_map is_feature =
     flat.quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
-  const SS::internal::Surface_to_remesh surface(
+  const QR::internal::Surface_to_remesh surface(
     flat.square, flat.square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
     no_direction, no_size, std::nullopt);
   flat.scale_quads(1 / surface.unscaled(1));
-  SS::internal::Quad_smoother smoother(flat.quads, surface.mesh());
+  QR::internal::Quad_smoother smoother(flat.quads, surface.mesh());
   const auto number_of_inverted = [&] {
     std::size_t result = 0;
     for(const auto f : flat.quads.faces())
-      result += SS::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
+      result += QR::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
     return result;
   };
   const std::vector<Point_3> before(flat.quads.points().begin(), flat.quads.points().end());
   CHECK(number_of_inverted() > 0);
-  SS::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
+  QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
   mender.run();
   CHECK_EQUAL(number_of_inverted(), 0u);
 
@@ -1478,7 +1479,7 @@ void check_aligned_triangles(const std::vector<Point_3>& points,
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
   Quad_mesh quads;
   std::map<typename boost::graph_traits<Quad_mesh>::edge_descriptor, bool> is_on_feature;
-  const SS::Remeshing_report report = SS::quad_remesh(
+  const QR::Remeshing_report report = QR::quad_remesh(
     mesh, quads, parameters::edge_is_constrained_map(is_feature).target_number_of_quads(300),
     parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_on_feature)));
   CHECK_IN(report.message, bool(report));
@@ -1534,12 +1535,12 @@ void check_refusal(const Grid_map& map, const Status status, const std::string& 
                    const std::size_t number = 100)
 {
   const auto quantization =
-    SS::quantize(map.mesh, map.uv, parameters::target_number_of_quads(number));
-  CHECK_EQUAL(SS::to_string(quantization.status), std::string(SS::to_string(status)));
+    QR::quantize(map.mesh, map.uv, parameters::target_number_of_quads(number));
+  CHECK_EQUAL(QR::to_string(quantization.status), std::string(QR::to_string(status)));
   CHECK_IN(quantization.message, quantization.message.find(word) != std::string::npos);
   Mesh quads;
-  CHECK(SS::extract_quad_mesh(quantization, map.mesh, quads).status ==
-        SS::Outcome::INVALID_ARGUMENT);
+  CHECK(QR::extract_quad_mesh(quantization, map.mesh, quads).status ==
+        QR::Outcome::INVALID_ARGUMENT);
   CHECK(quads.is_empty());
 }
 
@@ -1549,15 +1550,15 @@ void test_refusals()
   check_refusal(map, Status::INVALID_ARGUMENT, "2^28", 0);
   check_refusal(map, Status::INVALID_ARGUMENT, "2^28", std::size_t(1) << 29);
   for(const double length : {0., -1., std::numeric_limits<double>::quiet_NaN()})
-    CHECK(SS::quantize(map.mesh, map.uv, parameters::target_edge_length(length)).status ==
+    CHECK(QR::quantize(map.mesh, map.uv, parameters::target_edge_length(length)).status ==
           Status::INVALID_ARGUMENT);
-  const SS::Quantization by_length =
-    SS::quantize(map.mesh, map.uv, parameters::target_edge_length(0.5));
+  const QR::Quantization by_length =
+    QR::quantize(map.mesh, map.uv, parameters::target_edge_length(0.5));
   CHECK_EQUAL(by_length.number_of_quads, std::size_t(6 * 2 * 2));
   Mesh quads;
   const Grid_map other(surfaces::box(1, 1, 1), 4, 2);
-  CHECK(SS::extract_quad_mesh(by_length, other.mesh, quads).status ==
-        SS::Outcome::INVALID_ARGUMENT);
+  CHECK(QR::extract_quad_mesh(by_length, other.mesh, quads).status ==
+        QR::Outcome::INVALID_ARGUMENT);
   const Halfedge h = *map.mesh.halfedges().begin();
   const Point_2 good = map.uv[h];
   map.at(h) = Point_2(good.x(), std::nextafter(good.y(), 9));

@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 using namespace hexagonal_maps;
 
 bool is_integer(const Rational& x)
@@ -103,17 +103,17 @@ void test_integer_grid(Mesh mesh, const std::string& name)
       }
       CHECK_IN(context, is_integer_grid<N>(mesh, uv, lines));
       const auto symmetric = symmetry<N>().edge_is_constrained_map(is_aligned);
-      CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetric));
+      CHECK_IN(context, QR::is_integer_grid_map(mesh, uv, symmetric));
       perturb(mesh, uv, std::ldexp(1., -20), random);
       const std::vector<int> before = signs(mesh, uv);
-      const auto report = SS::snap_to_seamless(
+      const auto report = QR::snap_to_seamless(
         mesh, uv, symmetric.integer_grid(true).grid_scale(scale).rounding_tolerance(10));
       CHECK_IN(context + ": " + report.message, bool(report));
       // roundings of several units may turn faces, which are told
       CHECK_IN(context, report.lost_faces.empty() || report.largest_rounding > 3);
       CHECK_IN(context, report.lost_faces.empty() == (signs(mesh, uv) == before));
       CHECK_IN(context, is_exact<N>(mesh, uv) && is_integer_grid<N>(mesh, uv, lines));
-      const auto measure = SS::measure_integer_grid(mesh, uv, symmetric);
+      const auto measure = QR::measure_integer_grid(mesh, uv, symmetric);
       CHECK_IN(context, measure.translation_distance == 0 && measure.alignment_distance == 0 &&
                           measure.number_of_aligned_edges == lines.size());
       CHECK_IN(context,
@@ -155,11 +155,11 @@ void test_chart_positions(Mesh mesh, UV_map uv, const std::string& name)
     }
     const std::string context = "charts, " + name + ", N = " + std::to_string(N) + ", seed " +
                                 std::to_string(seed);
-    const auto report = SS::snap_to_seamless(
+    const auto report = QR::snap_to_seamless(
       mesh, uv, symmetry<N>().integer_grid(true).align_border(true));
     CHECK_IN(context + ": " + report.message, bool(report) && report.lost_faces.empty());
     CHECK_IN(context, report.largest_rounding < 1e-12);
-    CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetry<N>()));
+    CHECK_IN(context, QR::is_integer_grid_map(mesh, uv, symmetry<N>()));
     double largest = 0;
     for(const Halfedge h : mesh.halfedges())
       if(!mesh.is_border(h))
@@ -201,7 +201,7 @@ void test_borders_on_lattice(const Mesh& closed, const std::string& name)
     const UV_map uv = uv_map(mesh);
     unfold(mesh, uv);
     const std::string context = "borders, " + name + ", seed " + std::to_string(seed);
-    const auto report = SS::snap_to_seamless(
+    const auto report = QR::snap_to_seamless(
       mesh, uv, symmetry<N>().integer_grid(true).align_border(true).rounding_tolerance(100)
                   .grid_scale(4 + double(random() % 1000) / 999));
     CHECK_IN(context + ": " + report.message, bool(report));
@@ -209,7 +209,7 @@ void test_borders_on_lattice(const Mesh& closed, const std::string& name)
       ++number_flipped;
       continue;
     }
-    CHECK_IN(context, SS::is_integer_grid_map(mesh, uv, symmetry<N>()));
+    CHECK_IN(context, QR::is_integer_grid_map(mesh, uv, symmetry<N>()));
     triangle_checks::check_number(mesh, uv, symmetry<N>(), context);
   }
   CHECK_IN(name, number_flipped < 4);
@@ -224,7 +224,7 @@ void test_integer_grid_measure()
   const auto np = symmetry<6>();
   for(const Halfedge h : mesh.halfedges())
     uv[h] = moved(uv[h], {{0.25, std::ldexp(1., -40)}}); // in all charts alike, unlike rotations
-  const auto measure = SS::measure_integer_grid(mesh, uv, np);
+  const auto measure = QR::measure_integer_grid(mesh, uv, np);
   CHECK(measure.is_exactly_seamless && !measure);
   CHECK(measure.number_of_cones == 12 && measure.number_of_noninteger_cones == 12);
   CHECK(measure.cone_distance == 0.25 && measure.translation_distance > 0.2);
@@ -239,13 +239,13 @@ void test_integer_grid_measure()
   }
   CHECK(turned_edges > 0);
   CHECK_EQUAL(measure.number_of_noninteger_cuts, turned_edges);
-  CHECK(!SS::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
-  const auto refused = SS::snap_to_seamless(
+  CHECK(!QR::is_integer_grid_map(mesh, uv, np) && !is_integer_grid<6>(mesh, uv, {}));
+  const auto refused = QR::snap_to_seamless(
     mesh, uv, symmetry<6>().integer_grid(true).rounding_tolerance(0));
-  CHECK_IN(refused.message, refused.status == SS::Outcome::NOT_INTEGER);
-  const auto moved_back = SS::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
+  CHECK_IN(refused.message, refused.status == QR::Outcome::NOT_INTEGER);
+  const auto moved_back = QR::snap_to_seamless(mesh, uv, symmetry<6>().integer_grid(true));
   CHECK_IN(moved_back.message, bool(moved_back) && moved_back.largest_rounding == 0);
-  CHECK(SS::is_integer_grid_map(mesh, uv, np));
+  CHECK(QR::is_integer_grid_map(mesh, uv, np));
 }
 
 // --- a real map ----------------------------------------------------------------------------------
@@ -258,11 +258,11 @@ void test_data_file()
     return;
   Mesh mesh;
   const UV_map uv = uv_map(mesh);
-  CHECK(SS::IO::read_OBJ(path.string(), mesh, uv));
-  SS::convert_to_lattice_coordinates(mesh, uv);
-  CHECK(bool(SS::snap_to_seamless(mesh, uv, symmetry<6>())));
+  CHECK(QR::IO::read_OBJ(path.string(), mesh, uv));
+  QR::convert_to_lattice_coordinates(mesh, uv);
+  CHECK(bool(QR::snap_to_seamless(mesh, uv, symmetry<6>())));
   for(const double scale : {1., 2.}) {
-    const auto integers = SS::snap_to_seamless(
+    const auto integers = QR::snap_to_seamless(
       mesh, uv, symmetry<6>().integer_grid(true).grid_scale(scale).rounding_tolerance(1));
     CHECK_IN(integers.message, bool(integers));
     triangle_checks::check_snapped(mesh, uv, {}, symmetry<6>(), "data");

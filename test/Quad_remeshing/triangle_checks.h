@@ -31,11 +31,11 @@
 
 namespace triangle_checks {
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 using namespace hexagonal_maps;
 using quad_reference::are_isomorphic;
 using Face = Mesh::Face_index;
-using Status = SS::Outcome;
+using Status = QR::Outcome;
 
 // --- surfaces whose triangles are known ----------------------------------------------------------
 
@@ -49,8 +49,8 @@ void check_triangles(const Mesh& mesh, const UV_map uv, const Mesh& expected,
   auto cones = triangles.add_property_map<Vertex, int>("v:cone", 77).first;
   using Location = std::pair<Face, std::array<double, 3> >;
   auto locations = triangles.add_property_map<Vertex, Location>("v:location").first;
-  const auto report = SS::extract_triangle_mesh(
-    mesh, uv, triangles, np, SS::parameters::cone_index_map(cones).vertex_location_map(locations));
+  const auto report = QR::extract_triangle_mesh(
+    mesh, uv, triangles, np, QR::parameters::cone_index_map(cones).vertex_location_map(locations));
   CHECK_IN(context + ": " + report.message, bool(report));
   CHECK_IN(context, CGAL::is_valid_polygon_mesh(triangles) && CGAL::is_triangle_mesh(triangles));
   CHECK_IN(context, report.area == double(expected.number_of_faces()));
@@ -132,7 +132,7 @@ void test_surface(const Mesh& coarse, const unsigned int levels, const std::stri
     if(i == 3)
       continue; // which leaves no bits for a factor of 3
     Mesh three;
-    const auto report = SS::extract_triangle_mesh(mesh, uv, three, scaled(3 * unit));
+    const auto report = QR::extract_triangle_mesh(mesh, uv, three, scaled(3 * unit));
     CHECK_IN(context, bool(report) && three.number_of_faces() == 9 * coarse.number_of_faces());
     CHECK_IN(context, quad_reference::euler_characteristic(three) ==
                         quad_reference::euler_characteristic(coarse));
@@ -163,7 +163,7 @@ void check_number(const Mesh& mesh, const UV_map uv, const NamedParameters& np,
   }
   std::vector<Kernel::Point_3> points;
   std::vector<std::array<std::size_t, 3> > triangles;
-  const auto report = SS::extract_triangle_soup(mesh, uv, points, triangles, np);
+  const auto report = QR::extract_triangle_soup(mesh, uv, points, triangles, np);
   CHECK_IN(context + ": " + report.message, bool(report) && report.message.empty());
   CHECK_IN(context, Rational(int(triangles.size())) == number);
 }
@@ -175,7 +175,7 @@ void check_snapped(const Mesh& mesh, const UV_map uv, const std::map<int, int>& 
 {
   check_number(mesh, uv, np, context);
   Mesh triangles;
-  const auto report = SS::extract_triangle_mesh(mesh, uv, triangles, np);
+  const auto report = QR::extract_triangle_mesh(mesh, uv, triangles, np);
   CHECK_IN(context + ": " + report.message, bool(report));
   CHECK_IN(context, CGAL::is_valid_polygon_mesh(triangles) && CGAL::is_triangle_mesh(triangles));
   CHECK_IN(context, quad_reference::euler_characteristic(triangles) ==
@@ -252,14 +252,14 @@ inline std::set<Cell> covered_cells(const Mesh& mesh, const UV_map uv)
 
 // The triangles of a flat map, whose points in space become those of the domain.
 inline std::set<Cell> extracted_cells(Mesh& mesh, const UV_map uv, const bool allow_holes,
-                                      SS::Extraction_report& report)
+                                      QR::Extraction_report& report)
 {
   for(const Halfedge h : mesh.halfedges())
     if(!mesh.is_border(h))
       mesh.point(mesh.target(h)) = Kernel::Point_3(uv[h].x(), uv[h].y(), 0);
   Mesh triangles;
   report =
-    SS::extract_triangle_mesh(mesh, uv, triangles, SS::parameters::allow_holes(allow_holes));
+    QR::extract_triangle_mesh(mesh, uv, triangles, QR::parameters::allow_holes(allow_holes));
   CHECK(CGAL::is_valid_polygon_mesh(triangles) && CGAL::is_triangle_mesh(triangles));
   std::set<Cell> result;
   for(const Face f : triangles.faces()) {
@@ -318,7 +318,7 @@ inline void test_borders()
     if(std::count(orientations.begin(), orientations.end(), 1) !=
        std::ptrdiff_t(orientations.size()))
       continue;
-    SS::Extraction_report report;
+    QR::Extraction_report report;
     const std::set<Cell> expected = covered_cells(mesh, uv);
     const std::string context = "triangles with border, seed " + std::to_string(seed);
     CHECK_IN(context, expected == extracted_cells(mesh, uv, false, report));
@@ -350,7 +350,7 @@ inline void test_holes()
       if(orientations[f] <= 0)
         bad.push_back(f);
     const std::string context = "triangles with holes, seed " + std::to_string(seed);
-    SS::Extraction_report report;
+    QR::Extraction_report report;
     CHECK_IN(context, extracted_cells(mesh, uv, false, report).empty() == !bad.empty());
     CHECK_IN(context, report.nonpositive_faces == bad);
     CHECK_IN(context, report.status == (bad.empty() ? Status::SUCCESS : Status::NOT_POSITIVE));
@@ -372,7 +372,7 @@ inline Status status_of_mesh(const Mesh& mesh, const UV_map uv)
 {
   Mesh triangles;
   triangles.add_vertex();
-  const auto report = SS::extract_triangle_mesh(mesh, uv, triangles);
+  const auto report = QR::extract_triangle_mesh(mesh, uv, triangles);
   CHECK(bool(report) || (triangles.number_of_vertices() == 1 && triangles.is_empty() == false));
   CHECK(bool(report) == report.message.empty());
   return report.status;
@@ -388,7 +388,7 @@ inline void test_coarse_torus()
           (side < 3 ? Status::NO_FACE_GRAPH : Status::SUCCESS));
     std::vector<Kernel::Point_3> points;
     std::vector<std::array<int, 3> > triangles;
-    CHECK(bool(SS::extract_triangle_soup(map.mesh, map.uv, points, triangles)));
+    CHECK(bool(QR::extract_triangle_soup(map.mesh, map.uv, points, triangles)));
     CHECK_EQUAL(points.size(), std::size_t(side * side));
     CHECK_EQUAL(triangles.size(), std::size_t(2 * side * side));
   }
@@ -396,7 +396,7 @@ inline void test_coarse_torus()
   const quad_reference::Grid_map map(test_meshes::torus(1, 1), 3, 4);
   Mesh triangles;
   const auto report =
-    SS::extract_triangle_mesh(map.mesh, map.uv, triangles, SS::parameters::grid_scale(0.5));
+    QR::extract_triangle_mesh(map.mesh, map.uv, triangles, QR::parameters::grid_scale(0.5));
   CHECK(report.status == Status::NOT_INTEGER && triangles.is_empty());
   CHECK_IN(report.message, report.message.find("the translation across") != std::string::npos);
 }
@@ -408,7 +408,7 @@ inline void test_cone_of_1080_degrees()
   quad_reference::Grid_map map(test_meshes::genus_2(), 4, 4);
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t> > polygons;
-  const auto report = SS::extract_triangle_soup(map.mesh, map.uv, points, polygons);
+  const auto report = QR::extract_triangle_soup(map.mesh, map.uv, points, polygons);
   CHECK(bool(report) && report.number_of_cones == 1 && report.number_of_other_polygons == 0);
   std::vector<int> valences(points.size(), 0);
   for(const auto& triangle : polygons) {
@@ -426,7 +426,7 @@ inline void test_cone_of_1080_degrees()
     map.shift(u, v); // by 3/4 and 3/8 in the end, which is in the other triangle of the square
     polygons.clear();
     points.clear();
-    const auto between = SS::extract_triangle_soup(map.mesh, map.uv, points, polygons);
+    const auto between = QR::extract_triangle_soup(map.mesh, map.uv, points, polygons);
     CHECK(bool(between) && between.number_of_cones_in_cells == 1);
     CHECK_EQUAL(between.number_of_other_polygons, std::size_t(1));
     std::map<std::size_t, int> sizes;
@@ -434,7 +434,7 @@ inline void test_cone_of_1080_degrees()
       ++sizes[polygon.size()];
     CHECK(sizes == (std::map<std::size_t, int>{{3, int(report.area) - 9 + 6}, {9, 1}}));
     std::vector<std::array<std::size_t, 3> > triangles(1);
-    const auto refusal = SS::extract_triangle_soup(map.mesh, map.uv, points, triangles);
+    const auto refusal = QR::extract_triangle_soup(map.mesh, map.uv, points, triangles);
     CHECK(refusal.status == Status::NOT_INTEGER && triangles.size() == 1);
   }
   map.shift(0, -0.125); // to (3/4, 1/4), on a line of u + v alone
@@ -464,11 +464,11 @@ inline void test_refusals()
   restore();
   Mesh triangles;
   const auto report =
-    SS::extract_triangle_mesh(mesh, uv, triangles, SS::parameters::maximum_number(79));
+    QR::extract_triangle_mesh(mesh, uv, triangles, QR::parameters::maximum_number(79));
   CHECK(report.status == Status::TOO_LARGE && triangles.is_empty());
   CHECK(report.message.find("there would be 80 triangles") != std::string::npos);
-  CHECK(bool(SS::extract_triangle_mesh(mesh, uv, triangles,
-                                       SS::parameters::maximum_number(80))));
+  CHECK(bool(QR::extract_triangle_mesh(mesh, uv, triangles,
+                                       QR::parameters::maximum_number(80))));
 }
 
 // Vertices moved across opposite edges come back.
@@ -491,12 +491,12 @@ inline void test_repair()
       d = turned<6>(k, d);
     }
     Mesh triangles;
-    const auto np = SS::parameters::grid_scale(0.25);
-    CHECK(SS::extract_triangle_mesh(mesh, uv, triangles, np).status == Status::NOT_POSITIVE);
-    const auto repair = SS::repair_integer_grid(
-      mesh, uv, np.rotational_symmetry(SS::Rotational_symmetry<6>()));
+    const auto np = QR::parameters::grid_scale(0.25);
+    CHECK(QR::extract_triangle_mesh(mesh, uv, triangles, np).status == Status::NOT_POSITIVE);
+    const auto repair = QR::repair_integer_grid(
+      mesh, uv, np.rotational_symmetry(QR::Rotational_symmetry<6>()));
     CHECK_IN(repair.message, bool(repair));
-    const auto report = SS::extract_triangle_mesh(mesh, uv, triangles);
+    const auto report = QR::extract_triangle_mesh(mesh, uv, triangles);
     CHECK_IN(report.message, bool(report));
     CHECK(are_isomorphic(triangles, coarse));
     repaired += repair.run.number_of_repaired_flips;

@@ -252,7 +252,7 @@ double test_reduced_system(const std::string& name, std::size_t connections)
   CHECK(form.is_consistent);
   CHECK(textbook::algorithm_3(form, x) == Outcome::EXACT);
   CHECK(exact_reference::exactly_satisfies(reduced.system, x));
-  CHECK(bool(CGAL::Seamless_snapping::snap_to_linear_constraints(
+  CHECK(bool(CGAL::Linear_snapping::snap_to_linear_constraints(
     snap_in_any_form::linear_constraints<Rational>(reduced.system), ours)));
   const Rationals xbar = exact_reference::to_rationals(reduced.xbar);
   const double change = std::sqrt(CGAL::to_double(

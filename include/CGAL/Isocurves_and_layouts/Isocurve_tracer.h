@@ -48,7 +48,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
@@ -495,7 +495,7 @@ Isocurve_tracer(const TriangleMesh&, HalfedgeUVMap, const NamedParameters&)
   -> Isocurve_tracer<TriangleMesh, internal::number_of_directions<NamedParameters> >;
 /// \endcond
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_TRACER_H

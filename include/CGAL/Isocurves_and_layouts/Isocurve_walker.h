@@ -34,7 +34,7 @@
 #include <optional>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 namespace internal {
 
@@ -311,7 +311,7 @@ isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
                    curve.points.empty() ? 0 : curve.points.size() - 1), Iterator()};
 }
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_WALKER_H

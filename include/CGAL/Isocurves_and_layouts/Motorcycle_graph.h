@@ -49,7 +49,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
@@ -655,7 +655,7 @@ bool are_lengths_consistent(const Motorcycle_graph<TriangleMesh>& graph,
   return true;
 }
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_MOTORCYCLE_GRAPH_H

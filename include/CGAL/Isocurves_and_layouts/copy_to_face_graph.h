@@ -46,13 +46,14 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 namespace internal {
 
 // The point in space at a location; rounded.
 template <typename Point, typename TriangleMesh, typename VertexPointMap, typename Location>
-Point point_at(const TriangleMesh& tmesh, const VertexPointMap& points, const Location& location)
+Point point_in_face(const TriangleMesh& tmesh, const VertexPointMap& points,
+                    const Location& location)
 {
   return point_at<Point>(
     place_in_face(tmesh, points, prev(halfedge(location.first, tmesh), tmesh), location.second));
@@ -101,7 +102,7 @@ void write_layout(const TriangleMesh& tmesh, const Polygon_complex& cells, Polyg
   Cell_writer<PolygonMesh, Polygon_complex> writer(cells, output);
   for(std::size_t i = 0; i < cells.number_of_vertices(); ++i) {
     const auto v = writer.new_vertex();
-    put(new_points, v, point_at<Point>(tmesh, points, location(i)));
+    put(new_points, v, point_in_face<Point>(tmesh, points, location(i)));
     if constexpr(is_given<decltype(locations)>)
       put(locations, v, location(i));
   }
@@ -329,7 +330,7 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
   std::string text;
   for(std::size_t v = 0; v < faces.cells().number_of_vertices(); ++v) {
     const Point p =
-      internal::point_at<Point>(graph.mesh(), points, graph.location(faces.point(v)));
+      internal::point_in_face<Point>(graph.mesh(), points, graph.location(faces.point(v)));
     text += 'v';
     for(const double x : {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}) {
       text += ' ';
@@ -344,7 +345,7 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
 
 } // namespace IO
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_COPY_TO_FACE_GRAPH_H

@@ -38,7 +38,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 namespace internal {
 
@@ -332,7 +332,7 @@ intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
   return result;
 }
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_ISOCURVE_CONSTRAINTS_H

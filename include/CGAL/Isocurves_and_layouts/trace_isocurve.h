@@ -39,7 +39,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 namespace internal {
 
@@ -362,7 +362,7 @@ isocurve_point_3(const Isocurve_point<TriangleMesh>& point, const TriangleMesh& 
   return Point_3(p + FT(s) * (q - p) + FT(t) * (r - p));
 }
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_TRACE_ISOCURVE_H

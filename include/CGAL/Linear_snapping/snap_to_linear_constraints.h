@@ -39,7 +39,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Copies `values` to `x`. Returns the index of the first that is not finite, or their number.
@@ -253,7 +253,7 @@ Linear_report snap_to_linear_constraints(const Constraints& c, Values& x,
                                               internal::strip(np));
 }
 
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_SNAP_TO_LINEAR_CONSTRAINTS_H

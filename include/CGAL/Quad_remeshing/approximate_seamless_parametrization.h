@@ -41,7 +41,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 
 /*!
 \ingroup PkgQuadRemeshingParametrizing
@@ -474,7 +474,7 @@ approximate_seamless_parametrization(const TriangleMesh& tmesh, HalfedgeUVMap uv
   return report;
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_APPROXIMATE_SEAMLESS_PARAMETRIZATION_H

@@ -28,7 +28,7 @@
 #include <CGAL/tags.h>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 
 /*!
 \ingroup PkgQuadRemeshingQuads
@@ -357,7 +357,7 @@ Extraction_report extract_triangle_soup(const TriangleMesh& tmesh, HalfedgeUVMap
     internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_EXTRACT_GRID_MESH_H

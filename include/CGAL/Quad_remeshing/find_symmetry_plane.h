@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -34,7 +35,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Twice the coordinate of the plane across an axis by which the points are symmetric, if each has
@@ -122,7 +123,7 @@ auto find_symmetry_plane(const TriangleMesh& tmesh,
   return result;
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_FIND_SYMMETRY_PLANE_H

@@ -37,7 +37,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 
 /*!
 \ingroup PkgQuadRemeshingQuads
@@ -239,7 +239,7 @@ bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
     return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_IS_INTEGER_GRID_MAP_H

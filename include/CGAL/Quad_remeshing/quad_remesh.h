@@ -40,7 +40,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 
 /*!
 \ingroup PkgQuadRemeshingQuads
@@ -514,7 +514,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   return report;
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED

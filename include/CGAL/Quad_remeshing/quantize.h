@@ -42,7 +42,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 template <typename TriangleMesh, typename NamedParameters>
 double area_in_squares(const TriangleMesh& tmesh, const double length, const NamedParameters& np)
@@ -406,7 +406,7 @@ Extraction_report extract_quad_soup(const Quantization& quantization, const Tria
     internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_QUANTIZE_H

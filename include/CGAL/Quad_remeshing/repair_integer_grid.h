@@ -20,6 +20,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
@@ -37,7 +38,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // A property map that tells which edges lie on lines of the grid: features that do, and border
@@ -176,7 +177,7 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, HalfedgeUVMap uv_
   }
 }
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_REPAIR_INTEGER_GRID_H

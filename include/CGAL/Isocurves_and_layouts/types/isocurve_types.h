@@ -17,10 +17,13 @@
 
 // The words for isocurves: their directions, what their points lie on, how they end.
 
+#include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
+#include <CGAL/Linear_snapping/types/Report.h>
+
 #include <ostream>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
@@ -99,6 +102,8 @@ inline bool is_failure(const Isocurve_status status)
   return status >= Isocurve_status::NOT_EXACT;
 }
 
+using Linear_snapping::to_string; // and of isocurves:
+
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 returns the status in words.
@@ -139,7 +144,7 @@ inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)
   return os << to_string(status);
 }
 
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_TYPES_ISOCURVE_TYPES_H

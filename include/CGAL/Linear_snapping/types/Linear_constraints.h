@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 
 /*!
 \ingroup PkgLinearSnappingRef
@@ -39,7 +39,7 @@ namespace Seamless_snapping {
 A sparse system \f$ C x = b \f$ of linear equations, filled in row by row:
 
 \code{.cpp}
-CGAL::Seamless_snapping::Linear_constraints<> constraints(3); // three unknowns
+CGAL::Linear_snapping::Linear_constraints<> constraints(3); // three unknowns
 constraints.add_constraint({{0, 1}, {1, -1}});                // x0 - x1 = 0
 constraints.add_constraint({{1, 2}, {2, 1}}, 5);              // 2 x1 + x2 = 5
 \endcode
@@ -149,7 +149,7 @@ private:
   std::vector<CGAL::Exact_rational> m_right_hand_side;
 };
 
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_TYPES_LINEAR_CONSTRAINTS_H

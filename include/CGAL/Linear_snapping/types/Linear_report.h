@@ -28,7 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 
 /*!
 \ingroup PkgLinearSnappingRef
@@ -112,7 +112,7 @@ struct Linear_report
   std::vector<std::pair<std::string, double> > step_times;
 };
 
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_TYPES_LINEAR_REPORT_H

@@ -22,7 +22,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 
 /*!
 \ingroup PkgLinearSnappingRef
@@ -148,7 +148,7 @@ inline std::ostream& operator<<(std::ostream& os, const Report& report)
   return os;
 }
 
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_TYPES_REPORT_H

@@ -109,7 +109,7 @@ CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
 } // namespace internal_np
 
 // } outside of CGAL
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // { outside of CGAL
@@ -201,7 +201,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * uses one of these starts here, and goes on with any of the names below, in any order:
  *
  * \code{.cpp}
- * namespace parameters = CGAL::Seamless_snapping::parameters;
+ * namespace parameters = CGAL::Linear_snapping::parameters;
  * CGAL::Seamless_snapping::snap_to_seamless(tmesh, uv_map,
  *                                           parameters::edge_is_constrained_map(eicm)
  *                                                      .align_border(true)
@@ -298,7 +298,7 @@ CGAL_SEAMLESS_SNAPPING_PARAMETERS(CGAL_SEAMLESS_SNAPPING_DEFINE)
 // within CGAL: namespace parameters = CGAL::parameters;
 // within CGAL:
 // } outside of CGAL
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 // { outside of CGAL

@@ -44,7 +44,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Invariant: `m_report` tells why the last step failed, if it did.
@@ -306,7 +306,7 @@ nearest_faces(const Surface_to_remesh& surface,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUAD_REMESH_IMPL_H

@@ -18,12 +18,13 @@
 // How the extraction of quads or triangles ends.
 
 #include <CGAL/Linear_snapping/types/Report.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 
 /*!
 \ingroup PkgQuadRemeshingQuads
@@ -65,7 +66,7 @@ struct Extraction_report
   /// @}
 };
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_TYPES_EXTRACTION_REPORT_H

@@ -18,6 +18,7 @@
 // How a quantization ends, and what it is.
 
 #include <CGAL/Linear_snapping/types/Report.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <cstddef>
 #include <memory>
@@ -25,7 +26,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 struct Quantized_surface;
@@ -85,7 +86,7 @@ private:
   /// \endcond
 };
 
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_TYPES_QUANTIZATION_H

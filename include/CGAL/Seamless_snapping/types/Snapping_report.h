@@ -19,6 +19,7 @@
 // what was found on the surface, and what became of its faces.
 
 #include <CGAL/Linear_snapping/types/Linear_report.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
 #include <vector>

@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 struct Chart_corner : Flat_corner
@@ -114,7 +114,7 @@ offset(const Component<Group>& from, const int sign, const Component<Group>& to)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_CHART_MESH_H

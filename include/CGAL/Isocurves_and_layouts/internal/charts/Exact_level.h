@@ -30,7 +30,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 inline Exact_rational exact_value(const double x) { return Exact_rational(x); }
@@ -196,7 +196,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_EXACT_LEVEL_H

@@ -21,6 +21,7 @@
 // The group of the directions is that of N = 4 for N = 1, 2, 4, and that of N = 6 for N = 3, 6: all
 // that is templated by it is compiled for these two only.
 
+#include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -32,7 +33,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // An element of either group.
@@ -165,7 +166,7 @@ inline std::size_t other_coordinate(const Isocurve_direction direction)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_AXIS_DIRECTIONS_H

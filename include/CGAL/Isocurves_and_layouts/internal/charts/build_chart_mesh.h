@@ -32,7 +32,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // The quadrant that contains the vector from a to b, which is not null, each with the axis at its
@@ -194,7 +194,7 @@ build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_BUILD_CHART_MESH_H

@@ -29,7 +29,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 template <typename Group>
@@ -76,7 +76,7 @@ inline bool are_positive(const std::vector<std::size_t>& nonpositive, Report& re
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_NONPOSITIVE_FACES_H

@@ -28,7 +28,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // Fills `mesh`, unless it returns a refusal.
@@ -66,7 +66,7 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_CHARTS_READ_EXACT_MAP_H

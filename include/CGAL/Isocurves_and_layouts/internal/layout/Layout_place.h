@@ -30,7 +30,7 @@
 #include <tuple>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 using Exact_uv = std::array<Exact_level, 2>;
@@ -131,7 +131,7 @@ inline int compare(const Layout_place& a, const Layout_place& b)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_LAYOUT_PLACE_H

@@ -24,7 +24,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // Darts 2 e and 2 e + 1 are the two sides of edge e. The members are those that `Cell_writer` asks
@@ -61,7 +61,7 @@ inline bool is_simple(const Polygon_complex& complex)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_POLYGON_COMPLEX_H

@@ -20,7 +20,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/layout/Refined_faces.h>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
@@ -37,7 +37,7 @@ Refined_faces::Refined_faces(const Chart_mesh& mesh, const Curve_set& curves,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_REFINED_FACES_IMPL_H

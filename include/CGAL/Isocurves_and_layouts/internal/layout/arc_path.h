@@ -28,7 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // Of the corners 3 f, 3 f + 1, 3 f + 2 of a face; rounded.
@@ -135,7 +135,7 @@ inline std::vector<Face_point> path_of_arc(const Chart_mesh& mesh, const Curve_s
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_ARC_PATH_H

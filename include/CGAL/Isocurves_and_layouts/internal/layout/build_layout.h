@@ -33,7 +33,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // A point on a curve. Ends of segments before `end` come before it, those from `begin` on after it.
@@ -392,7 +392,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_BUILD_LAYOUT_H

@@ -30,7 +30,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 struct Layout_input
@@ -57,7 +57,7 @@ struct Layout_data
 void make_layout(Layout_input&& input, Layout_data& data);
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED

@@ -36,7 +36,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 class Layout_maker
@@ -172,7 +172,7 @@ void make_layout(Layout_input&& input, Layout_data& data)
 { Layout_maker(std::move(input), data).run(); }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_MAKE_LAYOUT_IMPL_H

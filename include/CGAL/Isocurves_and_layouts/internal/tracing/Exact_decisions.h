@@ -30,7 +30,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 template <typename Group>
@@ -113,7 +113,7 @@ private:
 using Exact_decisions = Basic_exact_decisions<Quarter_turns>;
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_EXACT_DECISIONS_H

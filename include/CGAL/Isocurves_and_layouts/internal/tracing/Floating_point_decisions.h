@@ -28,7 +28,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 template <typename Group>
@@ -178,7 +178,7 @@ private:
 using Floating_point_decisions = Basic_floating_point_decisions<Quarter_turns>;
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_FLOATING_POINT_DECISIONS_H

@@ -27,7 +27,7 @@
 #include <limits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // Invariant: once it has begun, and until it ends, the state is the edge that the curve is about to
@@ -268,7 +268,7 @@ Isocurve_status run(Walk& walk, const Function& add)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_ISOCURVE_WALK_H

@@ -32,7 +32,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // An end of a segment: the corner of its face at a vertex, or the halfedge of its face on which it
@@ -290,7 +290,7 @@ private:
 using Segment_walker = Basic_segment_walker<Quarter_turns>;
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_SEGMENT_WALKER_H

@@ -34,7 +34,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 enum class Ray_kind : char
@@ -177,7 +177,7 @@ struct Isocurve_rays
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_VERTEX_RAYS_H

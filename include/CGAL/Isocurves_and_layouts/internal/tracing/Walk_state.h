@@ -25,7 +25,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 template <typename Level>
@@ -79,7 +79,7 @@ inline const Walk_limits& no_limits()
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_WALK_STATE_H

@@ -30,7 +30,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Isocurves_and_layouts {
 namespace internal {
 
 // The ray from a vertex that is the fewest corners away when the direction is carried around it,
@@ -251,7 +251,7 @@ Walk_beginning<Decisions> begin_walk(const Basic_chart_mesh<Group>& mesh, const 
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Isocurves_and_layouts
 } // namespace CGAL
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_TRACING_START_WALK_H

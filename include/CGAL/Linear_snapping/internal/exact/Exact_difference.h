@@ -21,7 +21,7 @@
 #include <cmath>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // a - b = rounded + error, exactly, unless the rounded difference overflows (see `is_valid`). Equal
@@ -54,7 +54,7 @@ inline double distance_to_integer(const Exact_difference& d)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_EXACT_DIFFERENCE_H

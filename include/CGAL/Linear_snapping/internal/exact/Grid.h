@@ -26,7 +26,7 @@
 #include <limits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The real number (base + offset) 2^exponent on a grid that the context knows. Keeping the integer
@@ -171,7 +171,7 @@ inline void rescale(Grid_value& v, const int shift)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_GRID_H

@@ -22,7 +22,7 @@
 #include <limits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Invariant: the sums are in units of the largest value, so that they neither overflow nor vanish.
@@ -58,7 +58,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_MAGNITUDES_H

@@ -37,7 +37,7 @@ make impossible: compile without them."
 #endif
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // As long as an object lives, its thread has the environment that programs start with: it rounds to
@@ -143,7 +143,7 @@ inline void require_exact_arithmetic()
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_PROTECT_EXACT_ARITHMETIC_H

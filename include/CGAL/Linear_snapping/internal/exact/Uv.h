@@ -20,7 +20,7 @@
 #include <array>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 using Uv = std::array<double, 2>;
@@ -31,7 +31,7 @@ using Uvw = std::array<double, 3>; // of volumes
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_UV_H

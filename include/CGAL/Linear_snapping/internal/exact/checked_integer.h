@@ -37,7 +37,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 static_assert(
@@ -289,7 +289,7 @@ inline Exact_integer halved(const Exact_integer& a, const int times)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_CHECKED_INTEGER_H

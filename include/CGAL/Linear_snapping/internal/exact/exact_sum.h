@@ -23,7 +23,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // A rounded sum that is large beside its possible error decides; else rationals do.
@@ -44,7 +44,7 @@ inline bool exact_sum_is_zero(const double* const terms, const std::size_t size)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_EXACT_SUM_H

@@ -29,7 +29,7 @@
 #include <system_error>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The end of the decimal number that `text` begins with: digits with at most one point among them,
@@ -126,7 +126,7 @@ inline std::string short_number(const double x)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_LOCALE_FREE_DECIMALS_H

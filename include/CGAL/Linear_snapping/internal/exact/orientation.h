@@ -28,7 +28,7 @@
 #include <cmath>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 using Uv_triangle = std::array<Uv, 3>;
@@ -60,7 +60,7 @@ inline CGAL::Orientation orientation(const Uv_triangle& t)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_ORIENTATION_H

@@ -28,7 +28,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 using Uvw_tetrahedron = std::array<Uvw, 4>;
@@ -67,7 +67,7 @@ inline CGAL::Orientation orientation(const Uvw_tetrahedron& t)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_ORIENTATION_3_H

@@ -23,7 +23,7 @@
 #include <type_traits>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
@@ -48,7 +48,7 @@ inline double rounded_to(const Number_format& format, const double x)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_ROUNDED_TO_H

@@ -23,7 +23,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Invariant: the pivot rows, the core rows, and the equations of the auxiliary unknowns have
@@ -47,7 +47,7 @@ struct Echelon_form
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_ECHELON_FORM_H

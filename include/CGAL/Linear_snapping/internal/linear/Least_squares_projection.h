@@ -36,7 +36,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The power of two by which a row is divided before it becomes one of doubles: 0 unless these
@@ -335,7 +335,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LEAST_SQUARES_PROJECTION_H

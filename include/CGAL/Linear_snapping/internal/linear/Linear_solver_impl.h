@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // How often all right-hand sides can be halved.
@@ -261,7 +261,7 @@ std::optional<std::size_t> Linear_solver::first_contradictory_component() const
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LINEAR_SOLVER_IMPL_H

@@ -29,7 +29,7 @@ __attribute__((weak)) void openblas_set_num_threads(int);
 #endif
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The number of threads is one for the whole process: the first guard keeps it, and the last one
@@ -78,7 +78,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_ONE_BLAS_THREAD_H

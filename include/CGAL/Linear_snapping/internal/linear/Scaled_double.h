@@ -26,7 +26,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // mantissa 2^exponent
@@ -66,7 +66,7 @@ inline double scaled_by_power(const double a, const long exponent)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SCALED_DOUBLE_H

@@ -31,7 +31,7 @@
 #endif
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
@@ -73,7 +73,7 @@ using Sparse_cholesky = Eigen::SimplicialLDLT<Matrix>;
 #endif
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SPARSE_CHOLESKY_H

@@ -35,7 +35,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 using Certificate = std::vector<std::pair<std::size_t, Exact_integer> >; // multiples of rows
@@ -240,7 +240,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SYSTEM_BUILDER_H

@@ -41,7 +41,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Row `target` lost `factor` times row `pivot`; or, where `pivot` is -1, was divided by `factor`.
@@ -600,7 +600,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_UNIT_PIVOT_ELIMINATION_H

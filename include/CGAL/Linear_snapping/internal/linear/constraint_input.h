@@ -33,7 +33,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 template <typename Number>
@@ -257,7 +257,7 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_CONSTRAINT_INPUT_H

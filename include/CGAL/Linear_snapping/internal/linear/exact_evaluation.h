@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Whether C x = b for one row, in rationals.
@@ -89,7 +89,7 @@ inline bool holds(const Integer_system& system, const std::size_t row, const std
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_EXACT_EVALUATION_H

@@ -33,7 +33,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 inline void assign(const Exact_integer& a, mpz_t& result) // whatever type CGAL has chosen
@@ -104,7 +104,7 @@ inline bool reduce_by_fplll(std::vector<std::vector<Exact_integer> >& basis,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_USE_FPLLL

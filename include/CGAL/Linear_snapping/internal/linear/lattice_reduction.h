@@ -32,7 +32,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The integer nearest to quotient 2^exponent, to 53 bits, as mantissa 2^exponent with exponent >=
@@ -226,7 +226,7 @@ Orthogonal_frame reduce_basis(std::vector<std::vector<Integer> >& basis,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_LATTICE_REDUCTION_H

@@ -25,7 +25,7 @@
 #include <cmath>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // The x >= 0 that minimizes 1/2 x^T S x - r^T x, for a symmetric S with a positive diagonal.
@@ -51,7 +51,7 @@ inline Eigen::VectorXd minimize_nonnegative(const Eigen::MatrixXd& s, const Eige
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_NONNEGATIVE_PROGRAM_H

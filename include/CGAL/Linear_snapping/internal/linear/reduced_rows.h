@@ -27,7 +27,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // A reduced basis of the lattice that the rows span; right-hand sides follow.
@@ -64,7 +64,7 @@ inline Integer_system reduced_rows(const Integer_system& system, const std::vect
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_REDUCED_ROWS_H

@@ -29,7 +29,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Replaces `x` by values that solve the system exactly; those of components that hold are left
@@ -39,7 +39,7 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vecto
                                    Linear_report& report, Step_timer& timer);
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED

@@ -37,7 +37,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Any solution has a value of this size or larger.
@@ -363,7 +363,7 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SNAP_VALUES_IMPL_H

@@ -34,7 +34,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Invariant: each unknown is to be an integer of at most p bits, times the step of its grid, near
@@ -296,7 +296,7 @@ solve_on_many_grids(const Component_solver& solver, const Component_solution& va
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SOLVE_ON_MANY_GRIDS_H

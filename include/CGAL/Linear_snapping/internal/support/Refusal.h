@@ -29,7 +29,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // Invariant: the outcome is no success.
@@ -74,7 +74,7 @@ inline std::optional<Refusal> inexact_arithmetic()
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_REFUSAL_H

@@ -21,7 +21,7 @@
 #include <string>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 // "1 face", "2 faces", "2 boundary vertices", "2 branches"
@@ -37,7 +37,7 @@ inline std::string counted(const std::size_t n, const std::string& noun)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_COUNTED_H

@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 struct Chunk
@@ -118,7 +118,7 @@ std::size_t find_first(const std::size_t n, const Function& f)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_FOR_EACH_CHUNK_H

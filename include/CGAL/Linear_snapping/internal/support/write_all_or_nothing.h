@@ -24,7 +24,7 @@
 #include <optional>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Linear_snapping {
 namespace internal {
 
 template <typename Corner, typename Coordinates>
@@ -69,7 +69,7 @@ std::optional<Refusal> write_all_or_nothing(const std::size_t n, const Change& c
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Linear_snapping
 } // namespace CGAL
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_SUPPORT_WRITE_ALL_OR_NOTHING_H

@@ -28,7 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 class Cell_complex
@@ -157,7 +157,7 @@ std::size_t vertex_with_double_edges(const Cell_complex& complex, const Cell_ver
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_COMPLEX_H

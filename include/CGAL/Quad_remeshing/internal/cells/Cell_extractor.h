@@ -43,7 +43,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 struct Extraction_options
@@ -422,7 +422,7 @@ bool Cell_extractor<Group>::find_cells()
 using Quad_extractor = Cell_extractor<Quarter_turns>;
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_EXTRACTOR_H

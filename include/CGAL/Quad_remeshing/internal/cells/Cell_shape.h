@@ -18,7 +18,7 @@
 // The cells between the lines of the grid: squares, or the triangles of the lattice.
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // \tparam Group that of the directions of lines
@@ -37,7 +37,7 @@ struct Cell_shape
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_SHAPE_H

@@ -38,7 +38,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 using Places = boost::container::vector<Place>;
@@ -49,7 +49,7 @@ class Grid_embedding
 {
 public:
   using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                             std::array<double, 3> >;
+                          std::array<double, 3> >;
 
   Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map, const Locate& locate)
     : m_tmesh(tmesh), m_faces(faces(tmesh).begin(), faces(tmesh).end()), m_point_map(point_map),
@@ -152,7 +152,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_GRID_EMBEDDING_H

@@ -28,7 +28,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // From the chart of a corner to that of another one at the same vertex. Both charts differ by whole
@@ -195,7 +195,7 @@ private:
 using Integer_decisions = Basic_integer_decisions<Quarter_turns>;
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_INTEGER_DECISIONS_H

@@ -39,7 +39,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 template <typename ConcurrencyTag, typename Group>
@@ -261,7 +261,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_CELL_OUTPUTS_H

@@ -36,7 +36,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 template <typename NamedParameters>
@@ -109,7 +109,7 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_EXTRACT_CELLS_H

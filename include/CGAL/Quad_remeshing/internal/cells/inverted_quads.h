@@ -25,7 +25,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 using Quad_in_space = std::array<std::array<double, 3>, 4>;
@@ -114,7 +114,7 @@ void count_if_inverted(const Quad_in_space& q, const std::size_t face, Report& r
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_INVERTED_QUADS_H

@@ -25,8 +25,10 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
+
+using Linear_snapping::internal::distance_to_integer; // and for more types:
 
 inline double distance_to_integer(const Uv& u)
 {
@@ -87,7 +89,7 @@ Grid_size grid_size(const Basic_chart_mesh<Group>& mesh, const std::size_t begin
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_MEASURE_GRID_H

@@ -25,7 +25,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // What can be wrong with a dart.
@@ -88,7 +88,7 @@ Dart_failure pair_darts(const Basic_chart_mesh<Group>& mesh, const Lattice_point
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_PAIR_DARTS_H

@@ -26,7 +26,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 using Weights = std::array<double, 3>; // of the corners 3 f, 3 f + 1, 3 f + 2
@@ -78,7 +78,7 @@ Weights weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_PLACE_ON_SURFACE_H

@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 inline bool is_integer(const double x) { return static_cast<double>(std::int64_t(x)) == x; }
@@ -128,7 +129,7 @@ void for_lattice_points_inside(const Uv_triangle& t, const Function& f)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_CELLS_POINTS_IN_TRIANGLE_H

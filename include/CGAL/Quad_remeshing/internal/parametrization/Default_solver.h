@@ -20,6 +20,7 @@
 // next matrix.
 
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Eigen_vector.h>
@@ -31,7 +32,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -121,7 +122,7 @@ private:
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_DEFAULT_SOLVER_H

@@ -18,6 +18,7 @@
 // A triangle mesh in plain arrays with its intrinsic geometry: lengths, angles, and a plane layout
 // of each face, on which all steps of the parametrization work.
 
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
@@ -28,7 +29,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -189,7 +190,7 @@ void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_TRIANGLE_SURFACE_H

@@ -28,7 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -126,7 +126,7 @@ std::vector<double> cross_field(const Triangle_surface& surface,
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_CROSS_FIELD_H

@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -158,7 +158,7 @@ std::vector<double> field_with_cones(const Triangle_surface& surface, const Topo
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_FIELD_WITH_CONES_H

@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -148,7 +148,7 @@ inline void stiffen(const Triangle_surface& surface, const Surface_complex& comp
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_POISSON_H

@@ -27,7 +27,7 @@
 #include <string>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -82,7 +82,7 @@ Prescribed_field read_directions(const TriangleMesh& tmesh,
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_READ_DIRECTIONS_H

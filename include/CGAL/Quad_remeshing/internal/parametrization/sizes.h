@@ -36,7 +36,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -166,7 +166,7 @@ inline void measure_by_sizes(Triangle_surface& surface, const std::vector<double
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_SIZES_H

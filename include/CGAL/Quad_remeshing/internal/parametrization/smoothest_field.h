@@ -28,7 +28,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
@@ -198,7 +198,7 @@ Prescribed_field smoothest_field(const Cross_graph& graph, const Prescribed_fiel
 
 } // namespace parametrization
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_PARAMETRIZATION_SMOOTHEST_FIELD_H

@@ -19,6 +19,7 @@
 // products.
 
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <CGAL/number_utils.h>
@@ -29,7 +30,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 using Grid_vector = std::array<std::int64_t, 2>;
@@ -40,6 +41,8 @@ inline Grid_vector sum(const Grid_vector& a, const Grid_vector& b)
 {
   return {checked_difference(a[0], -b[0]), checked_difference(a[1], -b[1])};
 }
+
+using Linear_snapping::internal::difference; // and of vectors:
 
 inline Grid_vector difference(const Grid_vector& a, const Grid_vector& b)
 {
@@ -128,7 +131,7 @@ inline double length(const Grid_vector& a)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_GRID_VECTOR_H

@@ -26,7 +26,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 struct Integer_corner : Flat_corner
@@ -95,7 +95,7 @@ inline Direction_at_corner find_direction(const Integer_mesh& mesh, Direction_at
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_INTEGER_MESH_H

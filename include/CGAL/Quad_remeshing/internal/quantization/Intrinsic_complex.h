@@ -27,7 +27,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 struct Intrinsic_corner : Integer_corner
@@ -139,7 +139,7 @@ inline std::string defect(const Intrinsic_complex& complex, const std::vector<in
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_INTRINSIC_COMPLEX_H

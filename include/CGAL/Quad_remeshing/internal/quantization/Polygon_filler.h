@@ -26,7 +26,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // A side of the polygon: a halfedge with the polygon at its left, in the chart of the polygon.
@@ -238,7 +238,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_POLYGON_FILLER_H

@@ -31,7 +31,7 @@
 #include <cstdint>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // The end of the way, as seen from its start: (weight[0] side[0] + weight[1] side[1]) / total.
@@ -270,7 +270,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_STRAIGHT_WALK_H

@@ -23,7 +23,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // One flip for each edge at the vertices that are still to be removed: their loops become other
@@ -49,7 +49,7 @@ inline void coarsen(const Integer_mesh& input, Intrinsic_complex& complex)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_COARSEN_H

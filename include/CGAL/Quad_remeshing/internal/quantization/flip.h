@@ -23,7 +23,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // The vectors of the four sides around an edge ab with the apexes c and d, in the chart of the face
@@ -122,7 +122,7 @@ inline std::size_t make_delaunay(const Integer_mesh& input, Intrinsic_complex& c
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_FLIP_H

@@ -27,7 +27,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 inline Uv to_uv(const Grid_vector& v)
@@ -61,7 +61,7 @@ inline Chart_mesh make_chart_mesh(const Intrinsic_complex& complex)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_MAKE_CHART_MESH_H

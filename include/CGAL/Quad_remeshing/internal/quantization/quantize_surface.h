@@ -31,7 +31,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 struct Quantization_options
@@ -69,7 +69,7 @@ Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& i
 Quantization quantize_again(const Quantization& quantization, const Quantization_options& options);
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #ifndef CGAL_SEAMLESS_SNAPPING_COMPILED

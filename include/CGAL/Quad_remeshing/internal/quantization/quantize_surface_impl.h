@@ -38,7 +38,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 inline bool check_options(const Quantization_options& options, Report& report)
@@ -299,7 +299,7 @@ Quantization quantize_again(const Quantization& quantization, const Quantization
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_QUANTIZE_SURFACE_IMPL_H

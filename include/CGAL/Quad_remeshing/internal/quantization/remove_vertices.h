@@ -27,7 +27,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 class Vertex_remover
@@ -203,7 +203,7 @@ inline Intrinsic_complex compacted(const Intrinsic_complex& complex)
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_REMOVE_VERTICES_H

@@ -26,7 +26,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // The vector wanted for a halfedge, in units.
@@ -149,7 +149,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_ROUND_UNITS_H

@@ -35,7 +35,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Invariant: cut vertices lie on the plane as `Mirror::on_plane()` computes it, and so do vertices
@@ -192,7 +192,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HALF_SURFACE_H

@@ -23,7 +23,7 @@
 #include <cmath>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Invariant: the normal has the length 1. Where it is an axis, all is computed in its coordinate
@@ -94,7 +94,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_MIRROR_H

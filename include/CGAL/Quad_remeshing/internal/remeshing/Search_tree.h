@@ -29,7 +29,7 @@
 #endif
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -41,7 +41,7 @@ using Search_tree = CGAL::AABB_tree<CGAL::AABB_traits<Surface_to_remesh::Kernel,
 #endif
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SEARCH_TREE_H

@@ -36,7 +36,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Invariant: vertices stay on the surface, and on the features and borders where they are; they do
@@ -313,7 +313,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_IMPROVE_QUADS_H

@@ -28,7 +28,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Barycentric coordinates of the projection to the plane of the triangle, cut off at 0. In a
@@ -86,7 +86,7 @@ locate_in_face(const Point& point,
 }
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_LOCATE_IN_FACE_H

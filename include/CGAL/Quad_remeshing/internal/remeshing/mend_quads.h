@@ -20,6 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -32,7 +33,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // Invariant: no quad becomes inverted, or turns to the other side of the surface.
@@ -247,7 +248,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_MEND_QUADS_H

@@ -30,7 +30,7 @@
 #include <vector>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 // With the same middle, and sides as long as the lines between the middles of the quad's sides;
@@ -185,7 +185,7 @@ private:
 };
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SHAPE_QUADS_H

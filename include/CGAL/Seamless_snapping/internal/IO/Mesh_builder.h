@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
 #include <CGAL/Seamless_snapping/internal/IO/weld_soup.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -19,6 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <algorithm>
 #include <charconv>

@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
 #include <cstdint>

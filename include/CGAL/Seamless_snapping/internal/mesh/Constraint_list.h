@@ -18,6 +18,7 @@
 // The further constraints that the caller gave, brought into one form.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/Exact_rational.h>
 

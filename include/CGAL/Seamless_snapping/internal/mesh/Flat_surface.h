@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <algorithm>
 #include <cstddef>

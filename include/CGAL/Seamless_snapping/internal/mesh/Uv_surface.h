@@ -22,6 +22,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

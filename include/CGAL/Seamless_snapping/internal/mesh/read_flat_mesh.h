@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>

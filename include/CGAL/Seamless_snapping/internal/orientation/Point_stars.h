@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <array>
 #include <cstddef>

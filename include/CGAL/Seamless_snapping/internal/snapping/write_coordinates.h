@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
 #include <optional>

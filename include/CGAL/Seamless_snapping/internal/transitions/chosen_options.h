@@ -19,6 +19,7 @@
 // compiles the code of one group only.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>

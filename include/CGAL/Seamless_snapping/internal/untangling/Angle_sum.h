@@ -19,6 +19,7 @@
 // flips can turn a cone of 450 degrees into one of 90, and another vertex into one of 720.
 
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cmath>
 #include <cstddef>

@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
