@@ -19,6 +19,7 @@
 // vertices may have several edges. It keeps no coordinates but the vectors along its edges, in two
 // sizes: exactly those of the map, and those in units of quads.
 
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 
 #include <cstddef>
@@ -63,6 +64,8 @@ int axes_around_vertex(const Flat_mesh<Corner>& mesh, const std::size_t v, const
   for_each_corner(mesh, v, [&](const Corner_index h) { sum += axes_at_corner(mesh, h, vector); });
   return sum;
 }
+
+using Linear_snapping::internal::orientation; // and of faces:
 
 inline int orientation(const Intrinsic_complex& complex, const Flat_face_index f,
                        const Edge_vector vector)
