@@ -6,11 +6,11 @@
 #include <CGAL/Quad_remeshing/internal/quad_remesh_impl.h>
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 SEAMLESS_SNAPPING_INSTANTIATE_REMESHING()
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL

@@ -32,13 +32,13 @@ using Features_of_map = std::decay_t<decltype(CGAL::Quad_remeshing::internal::st
   SEAMLESS_SNAPPING_INSTANTIATE_EXTRACTION(PREFIX, CGAL::Parallel_if_available_tag)
 
 namespace CGAL {
-namespace Seamless_snapping {
+namespace Quad_remeshing {
 namespace internal {
 
 SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(extern)
 
 } // namespace internal
-} // namespace Seamless_snapping
+} // namespace Quad_remeshing
 } // namespace CGAL
 
 #endif // SEAMLESS_SNAPPING_PRECOMPILED_REMESHING_H
