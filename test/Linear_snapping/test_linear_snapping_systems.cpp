@@ -368,6 +368,47 @@ LS::Linear_report test_rows(const std::string& name, const Rows& rows, std::vect
   return report;
 }
 
+// Parts that share no unknown are snapped as if they were alone, also if they are equal, or equal
+// but for coefficients, right-hand sides, or a weight.
+void test_parts(const std::uint64_t seed)
+{
+  constexpr std::size_t n = 6, number_of_parts = 12;
+  Random random(seed);
+  System system = random_systems::random_homogeneous_system(random, Kind(seed % 3), n, 3);
+  random_systems::set_right_hand_side(random, Right_hand_side(seed % 2), system);
+  LS::Linear_constraints<Rational> whole(n * number_of_parts);
+  std::vector<double> x, all_weights, expected;
+  for(std::size_t k = 0; k < number_of_parts; ++k) {
+    LS::Linear_constraints<Rational> part(n);
+    std::vector<double> weights(n, 1.), values;
+    weights.back() = 2; // the largest of each part: it is what weights are scaled by
+    if(k % 4 == 3)
+      weights.front() = 1.5;
+    for(std::size_t i = 0; i < system.rows.size(); ++i) {
+      std::vector<std::pair<std::size_t, Rational> > terms;
+      for(const auto& entry : system.rows[i])
+        terms.emplace_back(entry.column, entry.coefficient * Rational(k % 4 == 1 ? i + 2 : 1));
+      if(k % 4 == 1 && !terms.empty())
+        terms.front().second += 1;
+      const Rational b = system.b[i] + Rational(k % 4 == 2 ? 3 : 0);
+      part.add_constraint(terms, b);
+      for(auto& term : terms)
+        term.first += n * k;
+      whole.add_constraint(terms, b);
+    }
+    for(std::size_t j = 0; j < n; ++j)
+      values.push_back(8 * random_real(random));
+    x.insert(x.end(), values.begin(), values.end());
+    all_weights.insert(all_weights.end(), weights.begin(), weights.end());
+    if(!LS::snap_to_linear_constraints(part, values, LS::parameters::value_weights(weights)))
+      return; // so is the whole
+    expected.insert(expected.end(), values.begin(), values.end());
+  }
+  LS::snap_to_linear_constraints(whole, x, LS::parameters::value_weights(all_weights));
+  if(!CHECK(same_bits(x, expected)))
+    std::cerr << "    parts, seed " << seed << std::endl;
+}
+
 // Right-hand sides much smaller or larger than the values, or of parts of the system only.
 void test_right_hand_sides_of_other_sizes()
 {
@@ -701,6 +742,8 @@ void test_files()
 int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
+  for(std::uint64_t i = 0; i < 60; ++i)
+    test_parts(seed + i);
   test_right_hand_sides_of_other_sizes();
   test_outliers();
   test_projection_beyond_range();

@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/Core_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/Least_squares_projection.h>
+#include <CGAL/Linear_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>
 #include <CGAL/Linear_snapping/internal/linear/reduced_rows.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
@@ -52,11 +53,11 @@ struct Component_solution
 class Component_solver
 {
 public:
-  // \param number_of_representable_columns how many of the first must be numbers of the format
-  Component_solver(Integer_system system, std::vector<double> weights, const Number_format& format,
-                   const std::size_t number_of_representable_columns, const bool may_be_finer)
-    : m_system(std::move(system)), m_weights(std::move(weights)), m_format(format),
-      m_number_of_representable_columns(number_of_representable_columns),
+  // \param input is kept by reference
+  Component_solver(const Component_input& input, const Number_format& format,
+                   const bool may_be_finer)
+    : m_system(input.system), m_weights(input.weights), m_format(format),
+      m_number_of_representable_columns(input.number_of_representable_columns),
       m_may_be_finer(may_be_finer), m_form(eliminate(m_system))
   {
     if(!m_form.rows_in_core.empty())
@@ -472,8 +473,8 @@ private:
     return true;
   }
 
-  Integer_system m_system;
-  std::vector<double> m_weights;
+  const Integer_system& m_system;
+  const std::vector<double>& m_weights;
   Number_format m_format;
   std::size_t m_number_of_representable_columns;
   bool m_may_be_finer;

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,12 @@ struct Entry
 
 template <typename Integer>
 using Entries = std::vector<Entry<Integer> >; // sorted by column, no zeros, if not said otherwise
+
+template <typename Integer>
+bool operator<(const Entry<Integer>& a, const Entry<Integer>& b)
+{
+  return std::tie(a.column, a.coefficient) < std::tie(b.column, b.coefficient);
+}
 
 // A row in the making: the coefficients of equal columns add up, the columns end up sorted.
 template <typename Integer>
@@ -81,6 +88,12 @@ struct Integer_row
   Entries<Integer> entries;
   Integer right_hand_side = Integer(0);
 };
+
+template <typename Integer>
+bool operator<(const Integer_row<Integer>& a, const Integer_row<Integer>& b)
+{
+  return std::tie(a.entries, a.right_hand_side) < std::tie(b.entries, b.right_hand_side);
+}
 
 // Invariant: each row has sorted columns and no zeros, and is kept in multiprecision if and only if
 // one of its numbers exceeds 2^62. The right-hand sides are integers times 2^-right_hand_scale: a
@@ -177,6 +190,16 @@ public:
 
   int right_hand_scale() const { return m_right_hand_scale; }
   void set_right_hand_scale(const int scale) { m_right_hand_scale = scale; }
+
+  // Some order, by which equal systems are found.
+  friend bool operator<(const Integer_system& a, const Integer_system& b)
+  {
+    const auto members = [](const Integer_system& s) {
+      return std::tie(s.m_number_of_columns, s.m_right_hand_scale, s.m_row_begin, s.m_entries,
+                      s.m_right_hand_side, s.m_large_row, s.m_large_rows);
+    };
+    return members(a) < members(b);
+  }
 
 private:
   static bool fits(const Integer_row<Exact_integer>& row)

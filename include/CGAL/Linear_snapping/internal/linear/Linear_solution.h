@@ -18,13 +18,30 @@
 // What the linear solver is given, and what it returns, on grids.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
+
+// All that the solutions of one component depend on, but for its values.
+struct Component_input
+{
+  Integer_system system;
+  std::vector<double> weights; // of the least-squares target, one per column, positive
+  std::size_t number_of_representable_columns; // so many of the first are numbers of the format
+
+  friend bool operator<(const Component_input& a, const Component_input& b)
+  {
+    return std::tie(a.number_of_representable_columns, a.system, a.weights) <
+           std::tie(b.number_of_representable_columns, b.system, b.weights);
+  }
+};
 
 // What to snap: values on a grid per component.
 struct Linear_target

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,7 +40,8 @@ class Step_timer;
 
 using Component_index = std::int32_t; // of a linear system; -1 for columns in no row
 
-// Invariant: each component of the rows is eliminated, once.
+// Invariant: each component of the rows is eliminated, once. Those that are equal, as components of
+// meshes often are, share a solver.
 class Linear_solver
 {
 public:
@@ -104,7 +106,8 @@ private:
   std::map<std::size_t, Exact_rational> m_scales; // of rows, where not 1
   std::vector<std::vector<Column_index> > m_columns; // per component
   std::vector<std::vector<std::size_t> > m_rows;     // per component
-  std::vector<Component_solver> m_solvers;           // per component
+  std::map<Component_input, std::unique_ptr<Component_solver> > m_distinct_solvers;
+  std::vector<const Component_solver*> m_solvers;    // per component
   std::optional<std::size_t> m_contradictory_row;    // 0 = c
   Linear_solver_figures m_figures;
 };

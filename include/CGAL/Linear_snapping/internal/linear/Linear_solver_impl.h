@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -82,15 +83,17 @@ Linear_solver::Linear_solver(const Scaled_system& system, const std::vector<doub
   m_solvers.reserve(m_columns.size());
   for(std::size_t c = 0; c < m_columns.size(); ++c) {
     const std::vector<Column_index>& columns = m_columns[c];
-    std::vector<double> component_weights;
-    component_weights.reserve(columns.size());
-    for(const Column_index j : columns)
-      component_weights.push_back(weights[std::size_t(j)]);
     const auto end = std::lower_bound(columns.begin(), columns.end(),
                                       Column_index(number_of_representable_columns));
-    m_solvers.emplace_back(subsystem(system.system, c), std::move(component_weights), format,
-                           std::size_t(end - columns.begin()), may_be_finer);
-    m_solvers.back().add_to(m_figures);
+    Component_input input{subsystem(system.system, c), {}, std::size_t(end - columns.begin())};
+    input.weights.reserve(columns.size());
+    for(const Column_index j : columns)
+      input.weights.push_back(weights[std::size_t(j)]);
+    const auto solver = m_distinct_solvers.try_emplace(std::move(input)).first;
+    if(solver->second == nullptr)
+      solver->second = std::make_unique<Component_solver>(solver->first, format, may_be_finer);
+    m_solvers.push_back(solver->second.get());
+    m_solvers.back()->add_to(m_figures);
   }
 }
 
@@ -100,7 +103,7 @@ Linear_solver::~Linear_solver() = default;
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 const Integer_system& Linear_solver::system(const Component_index c) const
 {
-  return m_solvers[std::size_t(c)].system();
+  return m_solvers[std::size_t(c)]->system();
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
@@ -110,7 +113,7 @@ Certificate Linear_solver::certificate() const
   if(m_contradictory_row) {
     multipliers.emplace_back(*m_contradictory_row, Exact_rational(1));
   } else if(const auto c = first_contradictory_component()) {
-    multipliers = m_solvers[*c].contradiction();
+    multipliers = m_solvers[*c]->contradiction();
     for(auto& multiple : multipliers)
       multiple.first = m_rows[*c][multiple.first];
   }
@@ -140,7 +143,7 @@ bool Linear_solver::solve_component(const Component_index c, const Linear_target
                                     Linear_solution& solution, Step_timer* const timer) const
 {
   Component_solution part = part_of(target, c, columns(c));
-  if(!m_solvers[std::size_t(c)].solve(part, timer))
+  if(!m_solvers[std::size_t(c)]->solve(part, timer))
     return false;
   solution.grids[std::size_t(c)] = part.grid;
   for(std::size_t k = 0; k < columns(c).size(); ++k) {
@@ -156,7 +159,7 @@ std::optional<std::vector<Column_solution> >
 Linear_solver::solve_component_on_many_grids(const Component_index c,
                                              const Linear_target& target) const
 {
-  return solve_on_many_grids(m_solvers[std::size_t(c)], part_of(target, c, columns(c)));
+  return solve_on_many_grids(*m_solvers[std::size_t(c)], part_of(target, c, columns(c)));
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
@@ -169,7 +172,7 @@ std::vector<double> Linear_solver::displacements(const std::vector<double>& shif
       part[Eigen::Index(k)] = shifts[std::size_t(m_columns[c][k])];
     if(part.isZero(0))
       continue;
-    part = m_solvers[c].displacements(part);
+    part = m_solvers[c]->displacements(part);
     for(std::size_t k = 0; k < m_columns[c].size(); ++k)
       result[std::size_t(m_columns[c][k])] = part[Eigen::Index(k)];
   }
@@ -255,7 +258,7 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<std::size_t> Linear_solver::first_contradictory_component() const
 {
   for(std::size_t c = 0; c < m_solvers.size(); ++c)
-    if(!m_solvers[c].is_consistent())
+    if(!m_solvers[c]->is_consistent())
       return c;
   return std::nullopt;
 }

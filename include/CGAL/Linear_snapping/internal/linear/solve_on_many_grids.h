@@ -266,9 +266,9 @@ solve_on_many_grids(const Component_solver& solver, const Component_solution& va
   Component_solution optimum(values);
   if(n > Many_grids_solver::most_columns || !solver.is_dyadic() || !solver.find_optimum(optimum))
     return std::nullopt;
-  const Component_solver relative_solver(solver.system(),
-                                         relative_weights(solver.weights(), values.optimum),
-                                         values.grid.format(), n, true);
+  const Component_input relative{solver.system(),
+                                 relative_weights(solver.weights(), values.optimum), n};
+  const Component_solver relative_solver(relative, values.grid.format(), true);
   std::optional<std::vector<Column_solution> > best;
   double least_distance = 0;
   for(const Component_solver* const other : {&solver, &relative_solver}) {
