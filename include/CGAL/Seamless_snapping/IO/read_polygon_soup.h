@@ -21,10 +21,9 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
-#include <CGAL/Seamless_snapping/internal/IO/OFF_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
-#include <CGAL/Seamless_snapping/internal/IO/STL_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
+#include <CGAL/Seamless_snapping/internal/IO/soup_parsers.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 #include <CGAL/Seamless_snapping/types/Polygon_soup.h>
 

@@ -23,7 +23,6 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/poisson.h>
-#include <CGAL/Seamless_snapping/internal/complex/Coordinate_table.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>

@@ -22,7 +22,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
-#include <CGAL/Seamless_snapping/internal/complex/Coordinate_table.h>
+#include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 
 #include <algorithm>
 #include <array>

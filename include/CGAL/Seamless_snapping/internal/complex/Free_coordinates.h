@@ -138,6 +138,41 @@ private:
   std::vector<Sparse_row> m_coordinates; // of the sectors, as sums of quantities
 };
 
+// The coordinates of the sectors as rows over the free unknowns, one after the other.
+class Coordinate_table
+{
+public:
+  template <typename Group>
+  Coordinate_table(const Free_coordinates<Group>& coordinates, const std::size_t number_of_sectors)
+    : m_begin(1, 0)
+  {
+    for(std::size_t s = 0; s < number_of_sectors; ++s)
+      for(std::size_t c = 0; c < 2; ++c) {
+        append(m_terms, coordinates.coordinate(s, c));
+        m_begin.push_back(m_terms.size());
+      }
+  }
+
+  // row(target) - row(source), as it enters the energy of an edge.
+  void difference(const std::size_t target_sector, const std::size_t source_sector,
+                  const std::size_t c, Sparse_row& row) const
+  {
+    row.clear();
+    const auto add = [&](const std::size_t i, const double sign)
+    {
+      for(std::size_t j = m_begin[i]; j < m_begin[i + 1]; ++j)
+        row.emplace_back(m_terms[j].first, sign * m_terms[j].second);
+    };
+    add(2 * target_sector + c, 1);
+    add(2 * source_sector + c, -1);
+    normalize(row);
+  }
+
+private:
+  std::vector<std::size_t> m_begin;
+  Sparse_row m_terms;
+};
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -21,8 +21,8 @@
 
 #include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Vertex_moves.h>
 
 #include <algorithm>
 #include <array>

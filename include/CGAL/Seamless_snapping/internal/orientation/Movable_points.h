@@ -19,10 +19,11 @@
 // the numbers are that they can take.
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
-#include <CGAL/Seamless_snapping/internal/complex/Sector_links.h>
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -31,6 +32,44 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// The few faces whose orientation the moves of sectors can change. A face whose corners all move by
+// no more than its height allows needs no second look; what is left is checked exactly, as often as
+// it takes. Invariant: contains each face once.
+class Watched_faces
+{
+public:
+  void add(const Face_index f)
+  {
+    if(m_is_known.size() <= std::size_t(f))
+      m_is_known.resize(std::size_t(f) + 1, false);
+    if(!m_is_known[std::size_t(f)])
+      m_faces.push_back(f);
+    m_is_known[std::size_t(f)] = true;
+  }
+
+  void add(const std::vector<Face_index>& faces)
+  {
+    for(const Face_index f : faces)
+      add(f);
+  }
+
+  // Those that are not positive, among the faces that were positive in the input, or all others.
+  template <typename Points>
+  std::vector<Face_index> not_positive(const Points& points, const Uv_state& state,
+                                       const bool were_positive) const
+  {
+    std::vector<Face_index> result;
+    for(const Face_index f : m_faces)
+      if(points.domain_face(f).was_positive == were_positive && !points.is_positive(state, f))
+        result.push_back(f);
+    return result;
+  }
+
+private:
+  std::vector<Face_index> m_faces;
+  std::vector<bool> m_is_known; // per face that was met
+};
 
 // Invariant: what is computed when it is first asked for is kept; most runs repair nothing.
 template <typename Group_>
@@ -119,6 +158,75 @@ private:
   mutable std::optional<Sector_links<Group> > m_links;
   mutable std::vector<double> m_grid_steps; // per sector
 };
+
+// How a vertex can move while all else stays ([MC19] Sec. 5.4). The sectors around it that cuts
+// link move together, each turned by the cuts' rotations, so that translations of branches are
+// kept; alignments fix a functional; cones and ends of further constraints can't move.
+
+// Points that move together: by g d, for a displacement d along one direction, or any.
+template <typename Group>
+struct Vertex_move
+{
+  struct Member { Point_index point; typename Group::Element element; };
+  enum Freedom { ANY_DIRECTION, ONE_DIRECTION, NONE };
+
+  std::vector<Member> members;
+  Freedom freedom = ANY_DIRECTION;
+  std::array<int, 2> direction{{0, 0}}; // if there is one
+  bool is_on_grid = false; // whether coordinates must remain elements of the grid
+
+  bool is_possible() const { return freedom != NONE; }
+
+  // The displacement along the one direction is a multiple of it.
+  void restrict_to(const std::array<int, 2>& only)
+  {
+    const bool is_parallel = only[0] * direction[1] == only[1] * direction[0];
+    freedom = freedom == ANY_DIRECTION || (freedom == ONE_DIRECTION && is_parallel) ? ONE_DIRECTION
+                                                                                    : NONE;
+    direction = only;
+  }
+
+  const Member* find(const Point_index p) const
+  {
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [&](const Member& m) { return m.point == p; });
+    return found == members.end() ? nullptr : &*found;
+  }
+};
+
+// How a point can move.
+template <typename Group>
+Vertex_move<Group> find_vertex_move(const Movable_points<Group>& points, const Point_index p)
+{
+  Vertex_move<Group> move;
+  move.members.push_back({p, Group::identity()});
+  if(!points.is_sector(p))
+    return move;
+  const Sector_links<Group>& links = points.links();
+  for(std::size_t i = 0; i < move.members.size(); ++i) {
+    const auto here = move.members[i];
+    for(auto link = links.begin(here.point); link != links.end(here.point); ++link) {
+      move.is_on_grid = true;
+      const auto element = Group::compose(link->element, here.element);
+      if(const auto* member = move.find(link->sector)) {
+        if(member->element != element) // a cone: only d = 0 returns to itself
+          move.freedom = Vertex_move<Group>::NONE;
+      } else {
+        move.members.push_back({link->sector, element});
+      }
+    }
+  }
+  for(const auto& member : move.members) {
+    if(links.is_pinned(member.point))
+      move.freedom = Vertex_move<Group>::NONE;
+    for(auto f = links.functionals_begin(member.point); f != links.functionals_end(member.point);
+        ++f) {
+      const auto fixed = Group::functional(Group::act(Group::inverse(member.element), *f).index);
+      move.restrict_to({{-fixed[1], fixed[0]}});
+    }
+  }
+  return move;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -19,8 +19,8 @@
 // orientation, exactly, and gives it back to them where an exact solution near by has it.
 
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Watched_faces.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <Eigen/Core>

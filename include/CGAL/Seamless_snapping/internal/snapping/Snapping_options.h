@@ -22,7 +22,6 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
-#include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -36,6 +35,9 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// Relative to the extent of the coordinates.
+constexpr double default_connection_tolerance = 0.01;
 
 template <typename Halfedge>
 struct Snapping_options

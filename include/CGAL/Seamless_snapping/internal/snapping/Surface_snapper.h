@@ -28,7 +28,6 @@
 #include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Snapping_options.h>
-#include <CGAL/Seamless_snapping/internal/snapping/check_paths.h>
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/snapping/write_coordinates.h>
 #include <CGAL/Seamless_snapping/types/Flip_repair.h>

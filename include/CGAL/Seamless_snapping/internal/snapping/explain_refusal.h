@@ -16,16 +16,24 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // Translates a refusal of the solver into the words of the caller: which edges and constraints of
-// the mesh the rows of the system, and roundings, stand for.
+// the mesh the rows of the system, and roundings, stand for. And refuses paths that miss.
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
+#include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
+#include <CGAL/number_utils.h>
+
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -104,6 +112,38 @@ Refusal explained(Refusal refusal, const Surface& surface,
     refusal.message += ", and " + std::to_string(count - at_most) + " more";
   refusal.message += "; remove or correct one of them";
   return refusal;
+}
+
+// How far connections and cycles are from being met before anything moves. Returns a refusal if one
+// misses by more than the tolerance, relative to the extent: it would distort the whole map.
+// \param report its extent is set; receives the largest distance by which a path misses
+template <typename Group, typename Halfedge>
+std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
+                                   const Constraint_list<Halfedge>& constraints,
+                                   const double tolerance, Snapping_report& report)
+{
+  if(!(tolerance >= 0))
+    return Refusal(Outcome::INVALID_ARGUMENT, "connection_tolerance is " +
+                   short_number(tolerance) + "; it must not be negative");
+  std::size_t worst = 0, count = 0;
+  for(std::size_t i = 0; i < complex.paths.size(); ++i) {
+    const double distance =
+      std::abs(CGAL::to_double(path_misfit(complex, complex.paths[i], complex.coordinates)));
+    if(distance > tolerance * report.extent)
+      ++count;
+    if(distance > report.connection_violation_before) {
+      report.connection_violation_before = distance;
+      worst = i;
+    }
+  }
+  if(count == 0)
+    return std::nullopt;
+  return Refusal(Outcome::NOT_CONNECTED, constraints.paths[worst].name + " misses by " +
+                 short_number(report.connection_violation_before / report.extent) +
+                 " of the extent, more than the connection_tolerance of " +
+                 short_number(tolerance) +
+                 (count > 1 ? ", as with " + counted(count - 1, "other") : std::string()) +
+                 "; see whether its path is the one that is meant, and raise the tolerance if so");
 }
 
 } // namespace internal

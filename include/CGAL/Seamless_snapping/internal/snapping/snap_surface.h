@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
-#include <CGAL/Seamless_snapping/internal/mesh/coinciding_border_edges.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Integer_grid_snapper.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>

@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/untangling/Angle_sum.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
-#include <CGAL/Seamless_snapping/internal/untangling/Distortion_minimizer.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Distortion.h>
 
 #include <algorithm>
 #include <array>

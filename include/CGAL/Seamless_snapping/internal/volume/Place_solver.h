@@ -19,8 +19,8 @@
 // and lets each member go to the grid point nearest to its optimum.
 
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
-#include <CGAL/Seamless_snapping/internal/volume/Place_freedom.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
 #include <algorithm>
 #include <array>

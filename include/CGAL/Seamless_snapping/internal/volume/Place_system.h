@@ -16,11 +16,16 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The constraint system of [MC19] Sec. 5.3 for volumes: the coordinates of the slots of all places,
-// such that the arcs of a sheet have one translation, and levels one value.
+// such that the arcs of a sheet have one translation, and levels one value. They approximate the
+// mean of the members of a place, on a common grid for all that depend on each other.
 
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/volume/Place_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -29,6 +34,129 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// Classes of coordinates that some arc or level links; named by their least member. Coordinate c of
+// slot s is 3 s + c. It is a coarser partition than that into components of the reduced system,
+// where sheets with one arc have no row.
+class Coordinate_classes
+{
+  using Group = Cube_rotations;
+
+public:
+  Coordinate_classes(const Volume_sectors& sectors, const Volume_places& places)
+    : m_root(3 * places.number_of_slots)
+  {
+    const std::size_t first_sheet = m_root.size();
+    const std::size_t first_level = first_sheet + 3 * sectors.sheet_element.size();
+    Signed_union_find classes(first_level + sectors.number_of_levels);
+    for(const Volume_places::Place& place : places.places) {
+      for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
+        const Sector_arc& arc = places.arcs[i];
+        const int g = sectors.sheet_element[std::size_t(arc.sheet)];
+        for(std::size_t c = 0; c < 3; ++c) {
+          const std::size_t minus = column(place, arc.minus, c);
+          classes.unite(minus, column(place, arc.plus, Group::source(g, c)));
+          classes.unite(minus, first_sheet + 3 * std::size_t(arc.sheet) + c);
+        }
+      }
+      for(std::size_t i = place.first_level; i < place.end_of_levels; ++i) {
+        const Sector_level& level = places.levels[i];
+        classes.unite(column(place, level.sector, std::size_t(level.coordinate)),
+                      first_level + std::size_t(level.level));
+      }
+    }
+    for(std::size_t j = 0; j < m_root.size(); ++j)
+      m_root[j] = classes.root(j);
+  }
+
+  static std::size_t column(const Volume_places::Place& place, const Sector_number slot,
+                            const std::size_t c)
+  {
+    return 3 * (place.first_slot + std::size_t(slot)) + c;
+  }
+
+  std::size_t size() const { return m_root.size(); }
+  std::size_t root(const std::size_t j) const { return m_root[j]; }
+
+private:
+  std::vector<std::size_t> m_root; // per coordinate of a slot
+};
+
+// The mean of the corners of sectors: they are one place in the result.
+class Sector_means
+{
+public:
+  Sector_means(const Flat_volume& volume, const Volume_sectors& sectors,
+               const Volume_charts& charts)
+    : m_volume(volume), m_sectors(sectors), m_charts(charts)
+  { }
+
+  // As numbers of a grid, with what is left.
+  Grid_value operator()(const Sector_number s, const std::size_t c, const Grid& grid) const
+  {
+    const double first = coordinate(*m_sectors.corners_begin(s), c);
+    double deviation = 0;
+    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
+      deviation += coordinate(*i, c) - first;
+    Grid_value result = grid.split(first);
+    if(deviation != 0)
+      result.offset += grid.in_steps(
+        deviation / static_cast<double>(m_sectors.corners_end(s) - m_sectors.corners_begin(s)));
+    return result;
+  }
+
+  // In the chart of the system, and in that of the input.
+  double largest(const Sector_number s, const std::size_t c) const
+  {
+    double result = 0;
+    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i) {
+      const double u = coordinate(*i, c);
+      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(*i), c))});
+    }
+    return result;
+  }
+
+private:
+  double coordinate(const Corner_index i, const std::size_t c) const
+  {
+    return m_charts.coordinate(m_volume.uvw(i), std::size_t(i), c);
+  }
+
+  const Flat_volume& m_volume;
+  const Volume_sectors& m_sectors;
+  const Volume_charts& m_charts;
+};
+
+// The mean of grid values, without loss of digits: relative to the first, and in two parts whose
+// sums have room for 2^31 values.
+class Mean_of_grid_values
+{
+public:
+  void add(const Grid_value& v)
+  {
+    if(m_count == 0)
+      m_first = v.base;
+    const std::int64_t d = v.base - m_first;
+    const std::int64_t high = (d >= 0 ? d : d - (radix - 1)) / radix;
+    m_high += high;
+    m_low += d - high * radix;
+    m_offset += v.offset;
+    ++m_count;
+  }
+
+  Grid_value mean() const
+  {
+    const double offset = m_offset / static_cast<double>(m_count);
+    const std::int64_t rest = (m_high % m_count) * radix + m_low;
+    return {m_first + (m_high / m_count) * radix + rest / m_count,
+            static_cast<double>(rest % m_count) / static_cast<double>(m_count) + offset};
+  }
+
+private:
+  static constexpr std::int64_t radix = std::int64_t(1) << 28;
+  std::int64_t m_first = 0, m_high = 0, m_low = 0, m_count = 0;
+  double m_offset = 0;
+};
 
 // Invariant: column 3 s + c is coordinate c of slot s, the mean over the members of the place, and
 // weighs as much as they do. So this system has the optimum of that of all members.

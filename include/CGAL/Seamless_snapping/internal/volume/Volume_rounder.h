@@ -21,7 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
-#include <CGAL/Seamless_snapping/internal/volume/Integer_grid_check.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Rounding_displacement.h>
 #include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>
 

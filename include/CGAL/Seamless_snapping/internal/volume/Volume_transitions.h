@@ -17,7 +17,7 @@
 
 // Which rotation each open facet has, and whether it is a cut: what is noise, and what is meant.
 
-#include <CGAL/Seamless_snapping/internal/volume/Facet_ring.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 
 #include <algorithm>
 #include <array>

@@ -22,8 +22,8 @@
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_fitter.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
-#include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
+#include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 

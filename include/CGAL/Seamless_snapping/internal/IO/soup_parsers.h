@@ -10,20 +10,22 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OFF_PARSER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OFF_PARSER_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Reads the format OFF: polygons, and no coordinates per corner.
+// Reads the formats OFF and STL, which have no coordinates per corner.
 
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -93,8 +95,80 @@ inline Corner_soup<double, void> parse_OFF(const std::string_view text)
   return soup;
 }
 
+inline void add_triangle(const std::array<std::array<double, 3>, 3>& points, const std::size_t line,
+                         Corner_soup<double, void>& soup)
+{
+  const std::size_t n = soup.points.size();
+  soup.points.insert(soup.points.end(), points.begin(), points.end());
+  soup.polygons.push_back({{n, n + 1, n + 2}, line});
+}
+
+// Only what stands at 'vertex' matters.
+inline Corner_soup<double, void> parse_STL_text(const std::string_view text)
+{
+  OBJ_scanner scanner(text);
+  Corner_soup<double, void> soup;
+  std::array<std::array<double, 3>, 3> points;
+  std::size_t n = 0, line = 0;
+  for(std::string_view keyword = scanner.next_statement(); !keyword.empty();
+      keyword = scanner.next_statement()) {
+    if(keyword == "outer")
+      line = scanner.line();
+    else if(keyword == "endloop") {
+      if(n != 3)
+        scanner.refuse("the face has " + std::to_string(n) + " corners, but needs 3");
+      add_triangle(points, line, soup);
+      n = 0;
+    } else if(keyword == "vertex") {
+      const auto point = parse_point(scanner, scanner.next_token());
+      if(n == 3)
+        scanner.refuse("the face has more than 3 corners");
+      points[n++] = point;
+    }
+  }
+  if(n != 0)
+    scanner.refuse("the file ends within a face");
+  return soup;
+}
+
+constexpr std::size_t size_of_STL_head = 84, size_of_STL_face = 50;
+
+inline std::size_t number_of_binary_STL_faces(const std::string_view text)
+{
+  return from_bytes<std::uint32_t>(text.substr(size_of_STL_head - 4, 4),
+                                                 PLY_format::LITTLE_ENDIAN_BYTES);
+}
+
+inline Corner_soup<double, void> parse_binary_STL(const std::string_view text)
+{
+  Corner_soup<double, void> soup;
+  const std::size_t number = number_of_binary_STL_faces(text);
+  for(std::size_t i = 0; i < number; ++i) {
+    if(text.size() < size_of_STL_head + (i + 1) * size_of_STL_face)
+      throw File_refusal(0, "the file ends in face " + std::to_string(i) + " of " +
+                              std::to_string(number));
+    std::array<std::array<double, 3>, 3> points;
+    for(std::size_t k = 0; k < 9; ++k)
+      points[k / 3][k % 3] = from_bytes<float>(
+        text.substr(size_of_STL_head + i * size_of_STL_face + 12 + 4 * k, 4),
+        PLY_format::LITTLE_ENDIAN_BYTES);
+    add_triangle(points, 0, soup);
+  }
+  return soup;
+}
+
+// Some programs begin binary files with "solid", too: these have zeros, or the size that they tell.
+inline Corner_soup<double, void> parse_STL(const std::string_view text)
+{
+  const bool is_binary =
+    text.size() >= size_of_STL_head &&
+    (text.substr(0, 5) != "solid" || text.find('\0') != text.npos ||
+     text.size() == size_of_STL_head + number_of_binary_STL_faces(text) * size_of_STL_face);
+  return is_binary ? parse_binary_STL(text) : parse_STL_text(text);
+}
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OFF_PARSER_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
