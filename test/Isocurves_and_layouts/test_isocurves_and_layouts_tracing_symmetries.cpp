@@ -3,17 +3,15 @@
 // again that noise made them miss.
 
 #include "checking.h"
+#include "hexagonal_data.h"
 #include "hexagonal_maps.h"
 #include "lattice_walk.h"
 #include "random_complexes.h"
-#include "test_data.h"
 #include "tracing_checks.h"
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
 #include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
-#include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/FPU.h>
@@ -264,18 +262,14 @@ void test_isocurve_constraints()
 
 void test_data_file()
 {
-  const auto path =
-    test_data::further_data("uv/dir_torus_hexparam_translations.obj", "a torus with N = 6");
-  if(path.empty())
-    return;
   Mesh mesh;
   const UV_map uv = uv_map(mesh);
-  CHECK(IL::IO::read_OBJ(path.string(), mesh, uv));
-  IL::convert_to_lattice_coordinates(mesh, uv);
+  if(!hexagonal_maps::read_torus(mesh, uv))
+    return;
   CHECK(bool(IL::snap_to_seamless(mesh, uv, symmetry<6>())));
   const IL::Isocurve_tracer tracer(mesh, uv, symmetry<6>());
   CHECK(tracer.separatrices().empty());
-  std::cout << path.filename() << check_isocurves<6>(tracer, mesh, uv, 10, "data") << std::endl;
+  std::cout << "torus" << check_isocurves<6>(tracer, mesh, uv, 10, "data") << std::endl;
 }
 
 int main()

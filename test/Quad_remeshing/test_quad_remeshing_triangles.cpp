@@ -2,16 +2,14 @@
 // code that shares nothing with the packages; and the triangles that some were made of.
 
 #include "checking.h"
+#include "hexagonal_data.h"
 #include "hexagonal_maps.h"
 #include "lattice_walk.h"
 #include "random_complexes.h"
-#include "test_data.h"
 #include "test_meshes.h"
 #include "triangle_checks.h"
 
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>
-#include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/FPU.h>
@@ -252,14 +250,10 @@ void test_integer_grid_measure()
 
 void test_data_file()
 {
-  const auto path =
-    test_data::further_data("uv/dir_torus_hexparam_translations.obj", "a torus with N = 6");
-  if(path.empty())
-    return;
   Mesh mesh;
   const UV_map uv = uv_map(mesh);
-  CHECK(QR::IO::read_OBJ(path.string(), mesh, uv));
-  QR::convert_to_lattice_coordinates(mesh, uv);
+  if(!hexagonal_maps::read_torus(mesh, uv))
+    return;
   CHECK(bool(QR::snap_to_seamless(mesh, uv, symmetry<6>())));
   for(const double scale : {1., 2.}) {
     const auto integers = QR::snap_to_seamless(

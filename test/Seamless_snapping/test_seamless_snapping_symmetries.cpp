@@ -5,13 +5,12 @@
 
 #include "checking.h"
 #include "exact_reference.h"
+#include "hexagonal_data.h"
 #include "hexagonal_maps.h"
 #include "net_of_cuts.h"
 #include "random_complexes.h"
-#include "test_data.h"
 #include "test_meshes.h"
 
-#include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/lattice_coordinates.h>
@@ -639,14 +638,10 @@ void test_wrong_symmetries()
 
 void test_data_file()
 {
-  const auto path =
-    test_data::further_data("uv/dir_torus_hexparam_translations.obj", "a torus with N = 6");
-  if(path.empty())
-    return;
   Mesh mesh;
   const UV_map uv = uv_map(mesh);
-  CHECK(SS::IO::read_OBJ(path.string(), mesh, uv));
-  SS::convert_to_lattice_coordinates(mesh, uv);
+  if(!hexagonal_maps::read_torus(mesh, uv))
+    return;
   CHECK(!is_exact<6>(mesh, uv));
   const std::vector<int> before = signs(mesh, uv);
   const auto report = SS::snap_to_seamless(mesh, uv, symmetry<6>());
