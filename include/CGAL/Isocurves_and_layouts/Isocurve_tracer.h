@@ -291,15 +291,7 @@ public:
     const internal::Protect_exact_arithmetic protect;
     const internal::Chart_segment& segment = arrival.chart_segment();
     CGAL_precondition(segment.exit.place == Isocurve_place::VERTEX);
-    internal::Walk_state<internal::Exact_level> state;
-    state.is_at_vertex = true;
-    state.halfedge = segment.exit.halfedge;
-    state.direction = segment.direction;
-    if(segment.along != internal::no_index)
-      state.arrival_key = m_mesh.edge_key(segment.along);
-    const auto rays = internal::rays_from_vertex(m_mesh, m_mesh.vertex(state.halfedge));
-    return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const internal::Vertex_ray& ray)
-                                    { return state.arrived_by(m_mesh, ray); }) - rays.begin());
+    return internal::slot_of_arrival(m_mesh, segment, segment.direction);
   }
 
   /*!

@@ -23,7 +23,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Walk_state.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -74,21 +73,6 @@ struct Layout_curve
   Curve_index partner = no_index;        // that it meets head on, at the end of both
   Segment_index last = no_index;         // in which it does
 };
-
-// Which of the rays around the vertex that a segment ends at leads back along it.
-inline std::size_t slot_of_arrival(const Chart_mesh& mesh, const Curve_segment& segment,
-                                   const Direction direction)
-{
-  Walk_state<Exact_level> state;
-  state.is_at_vertex = true;
-  state.halfedge = segment.exit.halfedge;
-  state.direction = direction;
-  if(segment.along != no_index)
-    state.arrival_key = mesh.edge_key(segment.along);
-  const Vertex_rays rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
-  return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
-                                  { return state.arrived_by(mesh, ray); }) - rays.begin());
-}
 
 // Invariant: each chord is in the list of its face, and each segment that ends at a vertex in the
 // list of the vertex, unless curves start there.

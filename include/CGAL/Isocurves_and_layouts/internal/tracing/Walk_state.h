@@ -19,6 +19,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -51,6 +52,23 @@ struct Walk_state
            (ray.kind == Ray_kind::ALONG_LAST_EDGE && came_along_halfedge && ray.corner == halfedge);
   }
 };
+
+// Which of the rays around the vertex that a segment ends at leads back along it; their number, if
+// none does.
+template <typename Group, typename Segment>
+std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Segment& segment,
+                            const Direction direction)
+{
+  Walk_state<double> state;
+  state.is_at_vertex = true;
+  state.halfedge = segment.exit.halfedge;
+  state.direction = direction;
+  if(segment.along != no_index)
+    state.arrival_key = mesh.edge_key(segment.along);
+  const auto rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
+  return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
+                                  { return state.arrived_by(mesh, ray); }) - rays.begin());
+}
 
 // A component as a level: rounded where that is a `double`.
 template <typename Level, typename Component>
