@@ -9,6 +9,7 @@
 #include "random_complexes.h"
 
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
 
 #include <CGAL/Exact_rational.h>

@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
 #include <vector>
