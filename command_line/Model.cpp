@@ -158,10 +158,10 @@ std::string text_of_model(const Model& model, const std::string& filename)
                : write_as(format, model, text);
   if(!status)
     throw Failure(UNWRITABLE, filename + ": " + status.message);
-  const SS::IO::Mesh_text written(std::move(text), format);
+  SS::IO::Mesh_text written(std::move(text), format);
   if(!reads_back(model, written, is_of_file))
     throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
-  return written.text();
+  return std::move(written).text();
 }
 
 bool changes_format(const Model& model, const std::string& filename)

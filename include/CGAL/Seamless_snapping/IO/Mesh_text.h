@@ -114,7 +114,8 @@ public:
   { }
 
   /// returns the text as it was given.
-  const std::string& text() const { return m_text; }
+  const std::string& text() const & { return m_text; }
+  std::string text() && { return std::move(m_text); } ///< the same, without a copy
 
   /// returns the format: `"obj"` or `"ply"`.
   std::string format() const { return m_is_ply ? "ply" : "obj"; }

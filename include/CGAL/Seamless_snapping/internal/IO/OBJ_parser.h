@@ -24,6 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -46,7 +47,10 @@ public:
 
   explicit OBJ_parser(std::string_view text)
     : m_scanner(text)
-  { }
+  {
+    if constexpr(has_uvs)
+      m_soup.triangles.reserve(text.size() / 80); // in large files, so many bytes for each
+  }
 
   // To be called once. Throws `File_refusal`.
   Soup parse();
@@ -113,20 +117,25 @@ private:
     m_soup.triangles.push_back(triangle);
   }
 
+  // That of the slash or of the token; tokens are so short that `find()` would take longer.
+  static std::size_t end_of_index(const std::string_view token, std::size_t i)
+  {
+    while(i < token.size() && token[i] != '/')
+      ++i;
+    return i;
+  }
+
   // A corner is v/vt or v/vt/vn; the normal is checked to be an index and dropped.
   void parse_corner(const std::string_view token, std::size_t& vertex, std::size_t& uv) const
   {
-    const std::size_t first = token.find('/');
-    if(first == token.npos)
+    const std::size_t first = end_of_index(token, 0);
+    const std::size_t second = end_of_index(token, (std::min)(first + 1, token.size()));
+    if(second < first + 2)
       m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
-    const std::size_t second = token.find('/', first + 1);
-    const std::string_view uv_token = token.substr(first + 1, second - first - 1);
-    if(uv_token.empty())
-      m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
-
     vertex = parse_index(token.substr(0, first), m_soup.points.size(), "vertex");
-    uv = parse_index(uv_token, m_soup.uvs.size(), "texture coordinate");
-    if(second != token.npos && second + 1 < token.size())
+    uv = parse_index(token.substr(first + 1, second - first - 1), m_soup.uvs.size(),
+                     "texture coordinate");
+    if(second + 1 < token.size())
       parse_signed_index(token.substr(second + 1), "normal");
   }
 

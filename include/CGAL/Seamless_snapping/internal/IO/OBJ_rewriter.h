@@ -41,19 +41,20 @@ class OBJ_uv_layout
 public:
   using UV = Distinct_uvs::UV;
 
-  // `uvs` are the new coordinates of all corners, `old_indices` their old statements, of which
-  // there are `n`.
-  OBJ_uv_layout(const std::size_t n, const std::vector<std::size_t>& old_indices,
-                const std::vector<UV>& uvs)
-    : m_first(n + 1, 0)
+  // `uvs` are the new coordinates of all corners.
+  template <typename Soup>
+  OBJ_uv_layout(const Soup& soup, const std::vector<UV>& uvs)
+    : m_first(soup.uvs.size() + 1, 0)
   {
+    const std::size_t n = soup.uvs.size(); // old statements
     Distinct_uvs distinct(n);
     std::vector<std::size_t> old_index; // of each distinct pair
     m_index.reserve(uvs.size());
     for(std::size_t c = 0; c < uvs.size(); ++c) {
-      m_index.push_back(distinct.insert(old_indices[c], uvs[c]));
+      const std::size_t old = soup.triangles[c / 3].uvs[c % 3];
+      m_index.push_back(distinct.insert(old, uvs[c]));
       if(m_index.back() == old_index.size())
-        old_index.push_back(old_indices[c]);
+        old_index.push_back(old);
     }
 
     std::vector<std::size_t> count(n, 0);
@@ -98,7 +99,7 @@ public:
   // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
   // coordinates of its corners.
   OBJ_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
-    : m_soup(soup), m_layout(soup.uvs.size(), old_indices(soup), uvs), m_scanner(text), m_copy(text)
+    : m_soup(soup), m_layout(soup, uvs), m_scanner(text), m_copy(text)
   { }
 
   // To be called once. Throws if a coordinate is not finite.
@@ -121,15 +122,6 @@ public:
   }
 
 private:
-  static std::vector<std::size_t> old_indices(const Soup& soup)
-  {
-    std::vector<std::size_t> result;
-    result.reserve(3 * soup.triangles.size());
-    for(const typename Soup::Triangle& triangle : soup.triangles)
-      result.insert(result.end(), triangle.uvs.begin(), triangle.uvs.end());
-    return result;
-  }
-
   void rewrite_uv()
   {
     const std::size_t k = m_number_of_uvs++;

@@ -70,8 +70,9 @@ bool parse_integer(const std::string_view token, Integer& value)
 template <typename Number, typename Scanner>
 Number parse_number(const Scanner& scanner, const std::string_view token)
 {
-  const bool minus = token.substr(0, 1) == "-";
-  const bool plus = token.substr(0, 1) == "+"; // which `std::from_chars` does not know
+  const char sign = token.empty() ? ' ' : token[0];
+  const bool minus = sign == '-';
+  const bool plus = sign == '+'; // which `std::from_chars` does not know
   const std::string_view digits = token.substr(minus || plus ? 1 : 0);
   const std::string_view number = plus ? digits : token;
   const char first = digits.empty() ? ' ' : digits[0];
