@@ -15,7 +15,12 @@
 
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace SS = CGAL::Seamless_snapping;
 
@@ -105,10 +110,21 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
     os << "note: " << in_words_of_user(summary.report.message, model) << std::endl;
 }
 
+// Large blocks that were freed are used again. Else the system takes them back, and clears pages for
+// the next ones, which for large files takes as long as snapping does.
+void keep_freed_memory()
+{
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, (std::numeric_limits<int>::max)());
+#endif
+}
+
 } // namespace
 
 void snap(const Arguments& arguments)
 {
+  keep_freed_memory();
   if(is_volume(arguments))
     return snap_volume(arguments);
   Snap_options options;
