@@ -5,7 +5,7 @@
 #include "plain_meshes.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
+#include <CGAL/Seamless_snapping/IO/Mesh_text.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -25,6 +25,7 @@ namespace {
 
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
+using CGAL::Seamless_snapping::IO::Mesh_text;
 
 // The corners of a face, in the order of the coordinates of a location.
 std::array<Halfedge, 3> corners(const Mesh& mesh, const Face f)
@@ -134,17 +135,10 @@ struct OBJ_attributes
   std::string libraries;            // of materials
   bool has_coordinates = false;
 
-  explicit OBJ_attributes(const std::string& text) : parts(1)
+  explicit OBJ_attributes(const Mesh_text& file) : parts(1)
   {
-    CGAL::Seamless_snapping::internal::OBJ_scanner scanner(text);
-    for(auto keyword = scanner.next_statement(); !keyword.empty();
-        keyword = scanner.next_statement()) {
-      const std::string name(keyword);
-      std::vector<std::string> tokens;
-      for(auto token = scanner.next_token(); !token.empty(); token = scanner.next_token())
-        tokens.emplace_back(token);
-      add(name, tokens);
-    }
+    file.for_each_statement([&](const std::vector<std::string>& words)
+                            { add(words[0], {words.begin() + 1, words.end()}); });
     if(colors.size() != points.size())
       colors.clear();
   }
@@ -342,7 +336,7 @@ void write_vertices(const Model& model, const OBJ_attributes& file, const Locate
 
 std::string OBJ_text(const Model& model, const std::string& text, const Located_quads& quads)
 {
-  const OBJ_attributes file(text);
+  const OBJ_attributes file(Mesh_text(text, "obj"));
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os.precision(17);

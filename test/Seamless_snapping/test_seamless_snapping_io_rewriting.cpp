@@ -46,6 +46,22 @@ void check_mesh_text(const std::string& text, const Surface_model& model, const 
   std::string result;
   CHECK_EQUAL(file.rewrite(result, own.mesh, own.uv_map).message, "");
   CHECK_EQUAL(result, expected);
+
+  // by a map of points that stands elsewhere
+  std::vector<Kernel::Point_3> points;
+  for(const auto v : vertices(own.mesh)) {
+    points.push_back(own.mesh.point(v));
+    own.mesh.point(v) = CGAL::ORIGIN;
+  }
+  CHECK(!file.rewrite(result, own.mesh, own.uv_map));
+  const auto point_map = CGAL::make_property_map(points);
+  const auto point_of = boost::make_function_property_map<Surface_model::Mesh::Vertex_index>(
+    [&](const auto v) { return get(point_map, std::size_t(v)); });
+  CHECK(file.rewrite(result, own.mesh, own.uv_map, SS::parameters::vertex_point_map(point_of)));
+  CHECK_EQUAL(result, expected);
+  for(const auto v : vertices(own.mesh))
+    own.mesh.point(v) = points[std::size_t(v)];
+
   const SS::IO::Mesh_text other(result, "obj");
   CHECK(other.holds(own.mesh, own.uv_map, np));
   const auto h = halfedge(*faces(own.mesh).begin(), own.mesh);

@@ -22,6 +22,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
@@ -160,20 +161,47 @@ public:
   \param result receives the new text
   \param tmesh the mesh that `read()` has made, of an empty one
   \param uv_map the coordinates of each corner
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
+         of `rewrite_OBJ()`
 
   \return what `rewrite_OBJ()` returns
 
   \par Complexity
   Linear in the size of the text, as long as each vertex has few different coordinates.
   */
-  template <typename TriangleMesh, typename HalfedgeUVMap>
-  File_status rewrite(std::string& result, const TriangleMesh& tmesh, HalfedgeUVMap uv_map) const
+  template <typename TriangleMesh, typename HalfedgeUVMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  File_status rewrite(std::string& result, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
+                      const NamedParameters& np = CGAL::parameters::default_values()) const
   {
+    const auto points = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::vertex_point),
+      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     return internal::status_of_writing([&] {
       result = m_is_ply
-        ? rewritten<internal::PLY_parser, internal::PLY_rewriter>(tmesh, uv_map)
-        : rewritten<internal::OBJ_parser, internal::OBJ_rewriter>(tmesh, uv_map);
+        ? rewritten<internal::PLY_parser, internal::PLY_rewriter>(tmesh, uv_map, points)
+        : rewritten<internal::OBJ_parser, internal::OBJ_rewriter>(tmesh, uv_map, points);
     });
+  }
+
+  /*!
+  calls `function(words)` for each statement of a text in the format OBJ, in their order, for what
+  `read()` leaves out, such as groups and materials. `words` is a `std::vector<std::string>` that
+  starts with the keyword.
+
+  \par Complexity
+  Linear in the size of the text.
+  */
+  template <typename Function>
+  void for_each_statement(const Function& function) const
+  {
+    internal::OBJ_scanner scanner(m_text);
+    for(auto word = scanner.next_statement(); !word.empty(); word = scanner.next_statement()) {
+      std::vector<std::string> words;
+      for(; !word.empty(); word = scanner.next_token())
+        words.emplace_back(word);
+      function(words);
+    }
   }
 
   /*!
@@ -231,14 +259,15 @@ private:
   }
 
   template <template <typename, typename> class Parser, template <typename> class Rewriter,
-            typename TriangleMesh, typename HalfedgeUVMap>
-  std::string rewritten(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map) const
+            typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
+  std::string rewritten(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                        const VertexPointMap& points) const
   {
     if(!m_soup)
       return internal::rewritten_text<Parser, Rewriter>(
-        m_text, tmesh, uv_map, internal::strip(parameters::weld_borders(m_is_welded)));
-    const auto uvs = internal::uvs_of_mesh(*m_soup, tmesh, uv_map,
-                                           CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+        m_text, tmesh, uv_map,
+        internal::strip(parameters::weld_borders(m_is_welded).vertex_point_map(points)));
+    const auto uvs = internal::uvs_of_mesh(*m_soup, tmesh, uv_map, points);
     return Rewriter<Soup>(m_text, *m_soup, uvs).rewrite();
   }
 
