@@ -196,7 +196,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *
  * \brief The functions that start a sequence of named parameters.
  *
- * The functions of this package take their optional arguments as \ref bgl_namedparameters
+ * The functions of all packages take their optional arguments as \ref bgl_namedparameters
  * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that
  * uses one of these starts here, and goes on with any of the names below, in any order:
  *
@@ -208,10 +208,11 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *                                                      .verbose(true));
  * \endcode
  *
+ * Each package above has these functions, too, such as `CGAL::Quad_remeshing::parameters`.
  * A sequence that starts in `CGAL::parameters` is accepted as well; it can hold \cgal's names only.
  * If a name occurs twice, the last one counts.
  *
- * Names of this package:
+ * Names of the packages:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
  * - `align_boundary`: whether boundary facets of a volume are to lie in planes of constant
  *   coordinates (`bool`)

@@ -17,14 +17,9 @@
 
 // The names of the package below are those of this package, too.
 
+#include <CGAL/Linear_snapping/types/parameters.h>
+
 namespace CGAL {
-namespace Linear_snapping {
-
-namespace internal { }
-namespace parameters { }
-
-} // namespace Linear_snapping
-
 namespace Seamless_snapping {
 
 using namespace Linear_snapping;
