@@ -35,6 +35,7 @@ std::string with_options(const std::string& message)
      "; let curves end where they meet others: leave out --base-complex"},
     {"by grid_scale", "by --grid-scale or --number"},
     {"more than maximum_number", "more than --maximum-number"},
+    {"by maximum_feature_loss", "by --feature-loss"},
     {"symmetry_plane", "--symmetry"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};

@@ -29,6 +29,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace QR = CGAL::Quad_remeshing;
 
@@ -59,8 +60,8 @@ struct Remesh_options
 {
   std::string input, output, field, sizes, symmetry, picture, report;
   Plain_reading_options reading;
-  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, curvature = 0,
-         adaptivity = 1;
+  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, feature_loss = 0,
+         curvature = 0, adaptivity = 1;
   bool coarsest = false, verbose = false;
 
   // Returns whether there is something to do.
@@ -86,6 +87,9 @@ struct Remesh_options
                 "(default: 100 times the number wanted, and at least 100000)");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
                 "keep edges that are sharper");
+    options.add("feature-loss", "PART", feature_loss, {0, 1},
+                "the part of the length of these that may be released where they force quads:\n"
+                "those that force most for their length go first (default: 0)");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature");
     options.add("field", "FILE", field,
@@ -148,7 +152,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
                    .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
-                   .verbose(options.verbose)
+                   .verbose(options.verbose).maximum_feature_loss(options.feature_loss)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
     return QR::quad_remesh(model.mesh, quads.mesh, np,
@@ -192,6 +196,14 @@ void write_summary(std::ostream& os, const Remesh_options& options,
        << counted(report.number_of_released_edges, "feature edge") << "\n";
 }
 
+nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
+{
+  nlohmann::json result = nlohmann::json::array();
+  for(const auto& f : features)
+    result.push_back({{"source", f.source}, {"target", f.target}, {"length", f.length}});
+  return result;
+}
+
 nlohmann::json json_of(const QR::Remeshing_report& report, const std::string& message,
                        const Repairs& repairs, const double diagonal)
 {
@@ -212,6 +224,7 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const std::string& me
           {"relative_largest_distance", report.largest_distance / diagonal},
           {"diagonal", diagonal},
           {"number_of_released_edges", report.number_of_released_edges},
+          {"released_features", json_of(report.released_features)},
           {"steps", json_of_steps(report.step_times)}};
 }
 

@@ -402,12 +402,13 @@ void test_optimum()
       if(!CHECK(coarse.number_of_faces() <= 8))
         continue;
       const std::vector<double> scales{scale * input.steps[0]};
-      internal::Complex_quantizer quantizer(input, coarse, scales);
-      quantizer.start();
+      Intrinsic_complex found =
+        internal::Unit_ladder(input, coarse, input.steps, 0).find(scale).complex;
+      internal::Complex_quantizer quantizer(input, found, scales);
       quantizer.improve();
       CHECK(quantizer.is_feasible());
-      Exhaustive_search search(coarse, scales);
-      const double ours = search.energy(coarse), least = search.run(ours);
+      Exhaustive_search search(found, scales);
+      const double ours = search.energy(found), least = search.run(ours);
       CHECK(least <= ours * (1 + 1e-8) + 1e-8);
       ++number;
       number_of_optima += ours <= least * (1 + 1e-8) + 1e-8 ? 1 : 0;
@@ -439,9 +440,10 @@ void test_strips_in_both_directions()
     const Grid_map map(complex, 16, 4);
     const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
     for(const double scale : {0.05, 0.1, 0.2, 0.4}) {
-      Intrinsic_complex intrinsic = internal::make_complex(input);
       const std::vector<double> scales{scale * input.steps[0]};
-      internal::Complex_quantizer(input, intrinsic, scales).start();
+      const Intrinsic_complex all = internal::make_complex(input);
+      const Intrinsic_complex intrinsic =
+        internal::Unit_ladder(input, all, input.steps, 0).find(scale).complex;
       const internal::Strip_rules rules(intrinsic, scales);
       internal::Strip_search one(rules), other(rules);
       for(Corner_index h = 0; h < intrinsic.number_of_halfedges(); h += 4)
@@ -746,6 +748,93 @@ void test_quads_without_features()
   }
   std::cout << number_of_forced << " quads are forced by features" << std::endl;
   CHECK(number_of_forced > 0);
+}
+
+// A plate of 16 x 16 in one chart, with a feature from border to border, and a short one close to
+// it: three columns and three rows are the fewest with both, two and one with the long one alone.
+struct Plate_with_features
+{
+  using Edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  static constexpr double close_by = 8.0625;
+
+  Mesh mesh;
+  Edge_map is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+
+  Plate_with_features()
+  {
+    const std::array<double, 6> x{0, 4, 8, close_by, 12, 16};
+    const std::array<double, 5> y{0, 4, 8, 12, 16};
+    for(const double b : y)
+      for(const double a : x)
+        mesh.add_vertex(Point_3(a, b, 0));
+    const auto at = [&](const std::size_t i, const std::size_t j)
+      { return Vertex(Mesh::size_type(x.size() * j + i)); };
+    for(std::size_t j = 0; j + 1 < y.size(); ++j)
+      for(std::size_t i = 0; i + 1 < x.size(); ++i) {
+        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    for(std::size_t j = 0; j + 1 < y.size(); ++j)
+      is_feature[mesh.edge(mesh.halfedge(at(2, j), at(2, j + 1)))] = true;
+    is_feature[mesh.edge(mesh.halfedge(at(3, 1), at(3, 2)))] = true;
+  }
+};
+
+// Features go where they force quads, as far as that is allowed, the ones that are dear first.
+void test_release_of_features()
+{
+  const Plate_with_features plate;
+  std::vector<std::size_t> short_feature;
+  Mesh copy(plate.mesh);
+  UV_map uv = copy.add_property_map<Halfedge, Point_2>("h:uv").first;
+  for(const auto h : copy.halfedges())
+    uv[h] = Point_2(copy.point(copy.target(h)).x(), copy.point(copy.target(h)).y());
+  for(const auto v : copy.vertices())
+    if(copy.point(v).x() == plate.close_by && (copy.point(v).y() == 4 || copy.point(v).y() == 8))
+      short_feature.push_back(std::size_t(v));
+  const auto np = parameters::edge_is_constrained_map(plate.is_feature).target_number_of_quads(4);
+  CHECK_EQUAL(QR::quantize(copy, uv, np).number_of_quads, 9u);
+  for(const double loss : {0., 0.1, 0.19, 0.2, 0.5, 1.}) {
+    const std::string context = "loss " + std::to_string(loss);
+    const bool is_released = loss >= 0.2; // of 16 + 4
+    auto quantization = QR::quantize(copy, uv, np.maximum_feature_loss(loss));
+    CHECK_IN(context + ": " + quantization.message, bool(quantization));
+    CHECK_IN(context, quantization.number_of_quads == (is_released ? 4u : 9u));
+    CHECK_IN(context, quantization.released_features.size() == (is_released ? 1u : 0u));
+    CHECK_IN(context, (quantization.message.find("20 % of the length") != std::string::npos) ==
+                        is_released);
+    for(std::vector<std::size_t>& f : quantization.released_features) {
+      std::sort(f.begin(), f.end());
+      CHECK(f == short_feature);
+    }
+    Mesh quads;
+    const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
+    CHECK(bool(QR::extract_quad_mesh(quantization, copy, quads, parameters::default_values(),
+                                     parameters::edge_is_constrained_map(is_kept))));
+    double length = 0; // of features inside
+    for(const auto e : quads.edges())
+      if(is_kept[e] && !quads.is_border(e)) {
+        const auto side = quads.point(quads.vertex(e, 1)) - quads.point(quads.vertex(e, 0));
+        CHECK(std::abs(side.x()) < 1e-12);
+        length += std::abs(side.y());
+      }
+    CHECK(std::abs(length - (is_released ? 16 : 20)) < 1e-12);
+  }
+  for(const double loss : {-0.5, 1.5, std::numeric_limits<double>::quiet_NaN()})
+    CHECK(QR::quantize(copy, uv, np.maximum_feature_loss(loss)).status == Status::INVALID_ARGUMENT);
+
+  const auto report = QR::quad_remesh(plate.mesh, *std::make_unique<Mesh>(),
+                                      np.maximum_feature_loss(0.25));
+  CHECK_IN(report.message, bool(report));
+  CHECK(report.number_of_quads <
+        QR::quad_remesh(plate.mesh, *std::make_unique<Mesh>(), np).number_of_quads);
+  if(CHECK_EQUAL(report.released_features.size(), 1u)) {
+    const QR::Released_feature& f = report.released_features.front();
+    CHECK_EQUAL(f.length, 4.);
+    CHECK_EQUAL(f.source[0], plate.close_by);
+    CHECK_EQUAL(f.target[0], plate.close_by);
+    CHECK_EQUAL(f.source[1] + f.target[1], 12.);
+  }
 }
 
 // --- borders off isocurves -----------------------------------------------------------------------
@@ -1592,6 +1681,7 @@ int main()
     const Floating_point_traps traps; // for public functions
     test_maps();
     test_quads_without_features();
+    test_release_of_features();
     test_unaligned_borders();
     test_folds();
     test_empty_mesh();

@@ -42,6 +42,15 @@
 namespace CGAL {
 namespace Quad_remeshing {
 
+/// \ingroup PkgQuadRemeshingQuads
+/// A feature that `quad_remesh()` has released, between two points where it turned, ended, or met
+/// others.
+struct Released_feature
+{
+  std::array<double, 3> source, target; ///< its ends
+  double length = 0;                    ///< on the surface
+};
+
 /*!
 \ingroup PkgQuadRemeshingQuads
 
@@ -58,6 +67,8 @@ struct Remeshing_report
   /// where there are more than 1.1 times as many quads as wanted: how many of them the features
   /// force; the message tells of it, too
   std::size_t number_of_forced_quads = 0;
+  /// features that are not kept as they force quads, with `maximum_feature_loss`
+  std::vector<Released_feature> released_features;
   double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
   double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
   /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
@@ -323,8 +334,9 @@ function says so.
 Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this
-condition: quads are made, or a quarter as many and divided into four each, or a sixteenth and into
-sixteen, which always helps. There are at most 254 quantizations, and 149 with
+condition (up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are
+made, or a quarter as many and divided into four each, or a sixteenth and into sixteen, which always
+helps. There are at most 254 quantizations, and 149 with
 `minimize_number_of_quads`; as many again where there are far more quads than wanted, to tell how
 many the features force. The result has about as many quads as wanted, or as few as were found,
 which the message tells; and at least 95 % of those that are made where fewer are wanted. The quad
@@ -362,6 +374,14 @@ around a vertex of one edge is left out.
                           many, this is said, and nothing is made}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_feature_loss}
+    \cgalParamDescription{where features force more than 1.1 times the number of quads wanted: which
+                          part of their length, measured in the map, may be released. Those that
+                          force most for their length go first, in at most eight rounds, until there
+                          are about as many quads as wanted; the report lists them.}
+    \cgalParamType{`double`, from 0 to 1}
+    \cgalParamDefault{`0`: all are kept}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the feature edges}

@@ -110,6 +110,8 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   options.maximum_number = static_cast<double>(
     choose_parameter(get_parameter(np, CGAL::internal_np::maximum_number),
                      (std::max)(100 * options.number_of_quads, least_maximum)));
+  options.maximum_feature_loss = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::maximum_feature_loss), 0.));
   return options;
 }
 
@@ -262,6 +264,14 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_feature_loss}
+    \cgalParamDescription{where features force more than 1.1 times the number of quads wanted: which
+                          part of their length, measured in the map, may be released. Those that
+                          force most for their length go first, in at most eight rounds, until there
+                          are about as many quads as wanted; the report lists them.}
+    \cgalParamType{`double`, from 0 to 1}
+    \cgalParamDefault{`0`: all are kept}
+  \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -310,7 +320,8 @@ that `quantize()` returns for the map, to the bit.
 \param tmesh the mesh that has been quantized, not changed since
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
        for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
-       `minimize_number_of_quads`, `needs_face_graph`, and `maximum_number`; and `vertex_point_map`
+       `minimize_number_of_quads`, `needs_face_graph`, `maximum_number`, and `maximum_feature_loss`,
+       which releases further features; and `vertex_point_map`
 
 \return the quantization, or why there is none
 

@@ -57,6 +57,7 @@
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
   F(least_cone_distance_t, least_cone_distance, least_cone_distance)                               \
+  F(maximum_feature_loss_t, maximum_feature_loss, maximum_feature_loss)                            \
   F(maximum_length_t, maximum_length, maximum_length)                                              \
   F(untangling_iterations_t, untangling_iterations, number_of_untangling_iterations)               \
   F(minimize_number_of_quads_t, minimize_number_of_quads, minimize_number_of_quads)                \
@@ -239,6 +240,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `least_cone_distance`: the distance up to which opposite cones of a field cancel (`double`)
+ * - `maximum_feature_loss`: which part of the length of features may be released where they force
+ *   quads (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `minimize_number_of_quads`: whether a quantization has as few quads as are found (`bool`)
  * - `near_distance`: where isocurves are traced in floating point, the distance below which a curve

@@ -128,6 +128,28 @@ private:
     m_report.number_of_released_edges = released.size();
   }
 
+  // Those that force quads. The map stays: only quads need not follow them.
+  // \param features the vertices along each
+  void release_features(const std::vector<std::vector<std::size_t> >& features)
+  {
+    const Flat_numbering<Mesh> numbering(surface_mesh());
+    const auto point = [&](const std::size_t v) {
+      const Point& p = surface_mesh().point(numbering.vertices_in_order()[v]);
+      return std::array<double, 3>{m_surface.unscaled(p.x()), m_surface.unscaled(p.y()),
+                                   m_surface.unscaled(p.z())};
+    };
+    for(const std::vector<std::size_t>& f : features) {
+      Released_feature released{point(f.front()), point(f.back()), 0};
+      for(std::size_t i = 1; i < f.size(); ++i) {
+        const auto h = surface_mesh().halfedge(numbering.vertices_in_order()[f[i - 1]],
+                                               numbering.vertices_in_order()[f[i]]);
+        m_surface.is_feature()[surface_mesh().edge(h)] = false;
+        released.length += norm(vector_to(point(f[i - 1]), point(f[i])));
+      }
+      m_report.released_features.push_back(released);
+    }
+  }
+
   // Of opposite cones: there are quads between them at the wanted size. Sizes that vary need cones.
   double least_cone_distance() const
   {
@@ -187,6 +209,7 @@ private:
                                       (m_surface.mirror() ? 2 : 1);
     if(!quantization)
       return refuse(m_report, quantization);
+    release_features(quantization.released_features);
     const Extraction_report extracted = extract_quad_mesh(
       quantization, surface_mesh(), m_quads, CGAL::parameters::default_values(),
       parameters::edge_is_constrained_map(m_is_feature));

@@ -50,6 +50,9 @@ public:
   /// where there are more than 1.1 times as many as wanted: how many of them the features force, as
   /// so many fewer were found where these need not lie on edges of quads
   std::size_t number_of_forced_quads = 0;
+  /// features that were released with `maximum_feature_loss`: the vertices along each, in the order
+  /// of iteration over all vertices that have faces, from 0
+  std::vector<std::vector<std::size_t> > released_features;
   std::size_t number_of_coarse_vertices = 0; ///< of the coarse triangulation, with all cones
   std::size_t number_of_coarse_faces = 0;    ///< of the coarse triangulation
   /// @}

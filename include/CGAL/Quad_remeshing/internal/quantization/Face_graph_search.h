@@ -104,9 +104,11 @@ class Face_graph_search
 
 public:
   // \param maximum_number of quads: what has more is neither checked nor searched on
+  // \param stride in steps of 2.5 %, where quantizing takes long
   explicit Face_graph_search(const Quantize& quantize,
-                             const double maximum_number = (std::numeric_limits<double>::max)())
-    : m_quantize(quantize), m_maximum(maximum_number)
+                             const double maximum_number = (std::numeric_limits<double>::max)(),
+                             const int stride = 1)
+    : m_quantize(quantize), m_maximum(maximum_number), m_stride(stride)
   { }
 
   // The result, divided as often as it has to be; or an undivided one that is none, or has more
@@ -139,7 +141,10 @@ private:
   void search()
   {
     const int wanted = m_best;
-    m_first = step_of((std::max)(1., 0.9 * at(0).number_of_quads));
+    const double coarsest = at(m_best = 0).number_of_quads;
+    if(coarsest / 2 > m_maximum)
+      return;
+    m_first = step_of((std::max)(1., 0.9 * coarsest));
     const int begin = m_best = (std::max)(m_first, wanted);
     if(begin > wanted)
       try_smaller_numbers();
@@ -151,10 +156,11 @@ private:
   // are tried for luck, the same ones whatever is wanted.
   void try_smaller_numbers()
   {
+    const int interval = (std::max)(steps_per_division / 4, 4 * m_stride);
     for(int d = 0; d <= most_divisions; ++d) {
       try_divisions(0, d);
-      for(int step = m_first - steps_per_division / 4;
-          step > 0 && step > m_first - 2 * steps_per_division; step -= steps_per_division / 4)
+      for(int step = m_first - interval;
+          step > 0 && step > m_first - 2 * steps_per_division; step -= interval)
         try_divisions(step, d);
     }
   }
@@ -163,10 +169,10 @@ private:
   // that end before would not find it.
   void climb(const int begin)
   {
-    for(int step = begin; step <= begin + most_steps; ++step)
+    for(int step = begin; step < begin + most_steps + m_stride; step += m_stride)
       for(int d = 0; d <= most_divisions; ++d) {
         const bool is_next_enough = step == begin && d > 0;
-        if(m_least <= number_at(is_next_enough ? step + 1 : step))
+        if(m_least <= number_at(is_next_enough ? step + m_stride : step))
           return;
         const int divided = (std::max)(m_first, step - d * steps_per_division);
         if(at(divided).number_after(d) >= (1 - tolerance) * number_at(step))
@@ -195,7 +201,9 @@ private:
 
   const Quantize& m_quantize;
   std::map<int, Quantized_complex> m_known; // by step
-  double m_maximum, m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
+  double m_maximum;
+  int m_stride;
+  double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
   int m_first = 0; // the least step whose number may be reached
   int m_best = 0, m_divisions = 0;
 };

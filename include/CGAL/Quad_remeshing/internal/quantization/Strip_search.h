@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -129,7 +130,8 @@ class Strip_search
 {
 public:
   explicit Strip_search(const Strip_rules& rules)
-    : m_rules(rules), m_reached(4 * rules.complex().corners.size())
+    : m_rules(rules), m_reached(4 * rules.complex().corners.size()),
+      m_reached_faces(rules.complex().corners.size() / 3)
   { }
 
   // Of a strip through the state whose other costs add up to less than `bound`, gains not counted.
@@ -187,6 +189,12 @@ private:
     std::int32_t round = 0; // valid if it is the current one
   };
 
+  struct Reached_face
+  {
+    double least_distance; // of its states, but for the start
+    std::int32_t round = 0;
+  };
+
   const Reached& reached(const Strip_state s) const { return m_reached[std::size_t(s)]; }
   bool is_reached(const Strip_state s) const { return reached(s).round == m_round; }
 
@@ -208,11 +216,18 @@ private:
   // less than this, it has not passed the face yet.
   double least_distance(const Flat_face_index f) const
   {
-    double result = std::numeric_limits<double>::infinity();
-    for(Strip_state s = strip_state(3 * f, 0); s < strip_state(3 * f + 3, 0); ++s)
-      if(is_reached(s) && s != m_start)
-        result = (std::min)(result, reached(s).distance);
-    return result;
+    const Reached_face& face = m_reached_faces[std::size_t(f)];
+    return face.round == m_round ? face.least_distance : std::numeric_limits<double>::infinity();
+  }
+
+  void set_reached(const Strip_state s, const double distance, const Strip_state parent,
+                   const Corner_index entry)
+  {
+    m_reached[std::size_t(s)] = {distance, parent, entry, m_round};
+    if(s == m_start)
+      return;
+    const Flat_face_index f = halfedge_of(s) / 3;
+    m_reached_faces[std::size_t(f)] = {(std::min)(distance, least_distance(f)), m_round};
   }
 
   void expand(const Strip_state s, const double distance)
@@ -235,22 +250,23 @@ private:
              const double distance)
   {
     const Flat_face_index f = entry / 3;
-    const std::int64_t before = determinant(m_rules.units_of_face(f));
-    const Face_units entered = units_on_the_way(f, from);
+    std::optional<Face_units> entered; // most ways are not shorter, and end before
     for(const Corner_index exit :
         {Intrinsic_complex::next(entry), Intrinsic_complex::prev(entry)}) {
       const Strip_state s = strip_state(exit, direction);
       if(!m_rules.is_allowed(s))
         continue;
-      Face_units after = entered;
-      add_to(after, entry, negated(change_of(s)));
-      add_to(after, exit, change_of(s));
-      if(!m_rules.is_no_worse(f, before, determinant(after)))
-        continue;
       const double d = s == m_start ? distance : distance + positive(m_rules.cost(s));
       if(d >= m_bound || (is_reached(s) && reached(s).distance <= d))
         continue;
-      m_reached[std::size_t(s)] = {d, from, entry, m_round};
+      if(!entered)
+        entered = units_on_the_way(f, from);
+      Face_units after = *entered;
+      add_to(after, entry, negated(change_of(s)));
+      add_to(after, exit, change_of(s));
+      if(!m_rules.is_no_worse(f, determinant(m_rules.units_of_face(f)), determinant(after)))
+        continue;
+      set_reached(s, d, from, entry);
       m_queue.emplace(d, s);
     }
   }
@@ -259,7 +275,8 @@ private:
   using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued> >;
 
   const Strip_rules& m_rules;
-  std::vector<Reached> m_reached; // per state
+  std::vector<Reached> m_reached;            // per state
+  std::vector<Reached_face> m_reached_faces; // per face
   std::int32_t m_round = 0;
   Strip_state m_start = no_strip_state;
   double m_bound = 0;

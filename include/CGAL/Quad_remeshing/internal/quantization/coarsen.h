@@ -48,6 +48,13 @@ inline void coarsen(const Integer_mesh& input, Intrinsic_complex& complex)
   make_delaunay(input, complex);
 }
 
+inline Intrinsic_complex make_coarse_complex(const Integer_mesh& input)
+{
+  Intrinsic_complex complex = make_complex(input);
+  coarsen(input, complex);
+  return compacted(complex);
+}
+
 } // namespace internal
 } // namespace Quad_remeshing
 } // namespace CGAL

@@ -25,7 +25,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,7 +53,7 @@ inline double number_of_quads(const Intrinsic_complex& complex)
   return twice_area / 2;
 }
 
-// Invariant: once `start` has succeeded, the units are feasible.
+// Invariant: once the units are feasible, they stay so.
 class Complex_quantizer
 {
 public:
@@ -60,46 +64,71 @@ public:
       m_angles(angles_around_vertices(complex))
   { }
 
-  // Feasible units, at a larger scale where there are none at the wanted one. At the scale of the
-  // input's grid, the vectors themselves are such units.
-  void start()
+  // Rounds what is wanted to units, and repairs them. Returns whether they are feasible.
+  bool round()
   {
-    const Unit_rounder rounder(m_complex, m_scales);
-    for(growth = least_growth();; growth *= std::sqrt(2.)) {
-      if(rounder.round(m_scales, growth, m_complex) && is_repairable() && repair())
-        return;
-      if(is_as_fine_as_input()) {
-        take_multiples_of_vectors();
-        return;
-      }
+    return has_room() && Unit_rounder(m_complex, m_scales).round(m_scales, 1, m_complex) &&
+           is_repairable() && repair();
+  }
+
+  // Whether the vectors of the input, times integers, can be the units.
+  bool is_as_fine_as_input() const
+  {
+    return std::all_of(m_scales.begin(), m_scales.end(), [](const double s) { return s >= 1; });
+  }
+
+  void take_multiples_of_vectors()
+  {
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
+      Intrinsic_corner& corner = m_complex.corners[std::size_t(h)];
+      const double scale = m_scales[std::size_t(m_complex.part[std::size_t(h / 3)])];
+      for(std::size_t c = 0; c < 2; ++c)
+        corner.units[c] = checked_product(std::llround(scale), corner.vector[c]);
     }
   }
 
-  // Brings the units nearer to the wanted ones; from a larger scale in steps, so that no part of
-  // the surface stays behind. One round is enough before the scale changes again.
-  void improve()
+  // Brings the units nearer to the wanted ones, in one round: enough before the scale changes
+  // again. Returns the number of moves.
+  std::size_t approach()
   {
-    for(; growth > 1; growth = (std::max)(1., growth * std::sqrt(std::sqrt(0.5)))) {
-      number_of_moves += Strip_moves(m_complex, grown_scales()).improve(1);
-      flip_edges();
-    }
-    move_and_flip();
+    const std::size_t moves = Strip_moves(m_complex, m_scales).improve(1);
+    flip_edges();
+    return moves;
   }
 
-  // Changes all scales so that there are about so many quads.
-  void adjust(const double number)
+  // The same, until few moves are left. A round over many faces takes long.
+  std::size_t improve()
   {
+    const std::size_t most_rounds =
+      (std::max)(std::size_t(3), (std::min)(std::size_t(20), 80000 / m_complex.corners.size()));
+    std::size_t sum = 0;
+    for(int i = 0; i < 3; ++i) {
+      const std::size_t moves = Strip_moves(m_complex, m_scales).improve(most_rounds);
+      sum += moves;
+      if((moves <= few_moves(m_complex) && i > 0) || flip_edges() == 0)
+        break;
+    }
+    return sum;
+  }
+
+  // Changes all scales so that there are about so many quads, as long as they come nearer to that.
+  // Returns the number of moves.
+  std::size_t adjust(const double number)
+  {
+    std::size_t sum = 0;
+    double distance = std::numeric_limits<double>::infinity();
     for(int i = 0; i < 4; ++i) {
-      const double ratio = number / number_of_quads(m_complex);
-      if(ratio > 0.95 && ratio < 1.05)
-        return;
+      const double ratio = number / number_of_quads(m_complex), before = distance;
+      distance = std::abs(std::log(ratio));
+      if((ratio > 0.95 && ratio < 1.05) || distance > 0.98 * before)
+        break;
       for(double& s : m_scales)
         s *= std::sqrt(ratio);
-      move_and_flip();
+      sum += improve();
     }
+    return sum;
   }
 
-  const std::vector<int>& angles() const { return m_angles; }
   bool is_feasible() const
   { return defect(m_complex, m_angles, &Intrinsic_corner::units).empty(); }
 
@@ -115,12 +144,9 @@ public:
     return number;
   }
 
-  double growth = 1;               // of the scale, until there were feasible units
-  std::size_t number_of_moves = 0; // along strips
-
 private:
   // Each triangle has at least half a quad.
-  double least_growth() const
+  bool has_room() const
   {
     double wanted = 0;
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); h += 3) {
@@ -128,42 +154,7 @@ private:
       wanted += scale * scale *
                 approximate_cross(m_complex.corner(h).vector, m_complex.corner(h + 1).vector);
     }
-    return (std::max)(1., std::sqrt(static_cast<double>(m_complex.number_of_faces()) / wanted));
-  }
-
-  bool is_as_fine_as_input() const
-  {
-    return std::all_of(m_scales.begin(), m_scales.end(),
-                       [&](const double s) { return s * growth >= 1; });
-  }
-
-  void take_multiples_of_vectors()
-  {
-    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
-      Intrinsic_corner& corner = m_complex.corners[std::size_t(h)];
-      const double scale = m_scales[std::size_t(m_complex.part[std::size_t(h / 3)])] * growth;
-      for(std::size_t c = 0; c < 2; ++c)
-        corner.units[c] = checked_product(std::llround(scale), corner.vector[c]);
-    }
-  }
-
-  std::vector<double> grown_scales() const
-  {
-    std::vector<double> scales(m_scales);
-    for(double& s : scales)
-      s *= growth;
-    return scales;
-  }
-
-  void move_and_flip()
-  {
-    constexpr std::size_t most_rounds = 20;
-    for(int i = 0; i < 3; ++i) {
-      const std::size_t moves = Strip_moves(m_complex, grown_scales()).improve(most_rounds);
-      number_of_moves += moves;
-      if((moves <= few_moves(m_complex) && i > 0) || flip_edges() == 0)
-        break;
-    }
+    return wanted >= static_cast<double>(m_complex.number_of_faces());
   }
 
   // Of many triangles, an eighth is the most that is worth trying.
@@ -179,7 +170,7 @@ private:
   bool repair()
   {
     constexpr std::size_t most_failures = 4;
-    Strip_moves moves(m_complex, grown_scales());
+    Strip_moves moves(m_complex, m_scales);
     std::size_t before = m_complex.corners.size(), number = before - 1; // of triangles left
     while(number > 0 && number < before) {
       before = number;
@@ -208,6 +199,77 @@ private:
   Intrinsic_complex& m_complex;
   std::vector<double> m_scales; // wanted units per step of the input's grid, per part
   std::vector<int> m_angles;    // around vertices, in quarter turns
+};
+
+// Feasible units at scales that are powers of the fourth root of 2, each found once: rounded ones
+// on every second rung, where that succeeds; elsewhere those of the next rung are brought nearer,
+// so that no part of the surface stays behind. At the scale of the input's grid, the vectors
+// themselves are such units.
+class Unit_ladder
+{
+public:
+  struct Rung
+  {
+    Intrinsic_complex complex;
+    double first_scale = 1; // where there were units first
+    std::size_t number_of_moves = 0;
+  };
+
+  // \param scales units per step of the input's grid, per part, at the scale 1
+  // \param offset of all rungs: another one leads to other units
+  // \pre the complex is compact
+  Unit_ladder(const Integer_mesh& input, const Intrinsic_complex& complex,
+              const std::vector<double>& scales, const double offset)
+    : m_input(input), m_complex(complex), m_scales(scales), m_offset(offset)
+  { }
+
+  std::vector<double> scales(const double scale) const
+  {
+    std::vector<double> result(m_scales);
+    for(double& s : result)
+      s *= scale;
+    return result;
+  }
+
+  // Rounded at this very scale; between two rungs, that is tried until it fails. Else those of the
+  // next rung.
+  Rung find(const double scale)
+  {
+    const double height = 4 * std::log2(scale) - m_offset;
+    const int rounded_rung = 2 * int(std::ceil(height / 2));
+    if(m_is_hopeless.count(rounded_rung) == 0) {
+      Rung result{m_complex, scale, 0};
+      if(Complex_quantizer(m_input, result.complex, scales(scale)).round())
+        return result;
+      m_is_hopeless.insert(rounded_rung);
+    }
+    return at(int(std::ceil(height)));
+  }
+
+private:
+  const Rung& at(const int i)
+  {
+    const auto found = m_rungs.find(i);
+    if(found != m_rungs.end())
+      return found->second;
+    const double scale = std::exp2((i + m_offset) / 4);
+    Rung rung{m_complex, scale, 0};
+    Complex_quantizer quantizer(m_input, rung.complex, scales(scale));
+    if(quantizer.is_as_fine_as_input()) {
+      quantizer.take_multiples_of_vectors();
+    } else if(i % 2 != 0 || !quantizer.round()) {
+      rung = at(i + 1);
+      rung.number_of_moves += quantizer.approach();
+    }
+    return m_rungs.emplace(i, std::move(rung)).first->second;
+  }
+
+  const Integer_mesh& m_input;
+  const Intrinsic_complex& m_complex;
+  std::vector<double> m_scales;
+  double m_offset;
+  std::set<int> m_is_hopeless; // rungs below which rounding has failed
+  std::map<int, Rung> m_rungs;
 };
 
 } // namespace internal

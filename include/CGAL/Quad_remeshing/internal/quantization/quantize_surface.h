@@ -38,6 +38,7 @@ struct Quantization_options
 {
   double number_of_quads = 0;
   double maximum_number = (std::numeric_limits<double>::max)(); // of quads; more are refused
+  double maximum_feature_loss = 0; // the part of the features' length that may be released
   bool is_coarsest = false; // as few as are found
   bool needs_face_graph = false; // of more quads, if there is none of so many
 };

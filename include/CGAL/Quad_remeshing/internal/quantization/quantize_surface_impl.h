@@ -27,6 +27,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
 #include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/release_features.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,18 +45,14 @@ namespace internal {
 inline bool check_options(const Quantization_options& options, Report& report)
 {
   const double largest = (std::min)(std::ldexp(1., 28), options.maximum_number);
+  if(!(options.maximum_feature_loss >= 0 && options.maximum_feature_loss <= 1))
+    return refuse(report, Outcome::INVALID_ARGUMENT,
+                  "maximum_feature_loss must be at least 0 and at most 1");
   return options.is_coarsest ||
          (options.number_of_quads >= 1 && options.number_of_quads <= largest) ||
          refuse(report, Outcome::INVALID_ARGUMENT,
                 "the target is " + short_number(options.number_of_quads) +
                   " quads; it must be at least 1 and at most 2^28, and at most maximum_number");
-}
-
-inline Intrinsic_complex make_coarse_complex(const Integer_mesh& input)
-{
-  Intrinsic_complex complex = make_complex(input);
-  internal::coarsen(input, complex);
-  return compacted(complex);
 }
 
 class Surface_coarsener
@@ -131,6 +128,9 @@ private:
   Quantization& m_result;
 };
 
+inline void add_note(Quantization& result, const std::string& note)
+{ result.message += (result.message.empty() ? "" : "; ") + note; }
+
 // Invariant: the result tells why there are no units, if it is no success.
 class Unit_finder
 {
@@ -139,6 +139,10 @@ public:
               Quantization& result)
     : m_coarse(std::move(coarse)), m_options(options), m_result(result)
   {
+    const int number = (std::max)(1, (std::min)(8, 8000 / number_of_faces()));
+    for(int i = 0; i < number; ++i)
+      m_ladders.emplace_back(m_coarse->input, m_coarse->complex, relative_steps(m_coarse->input),
+                             double(i) / number);
     if(m_options.is_coarsest)
       m_options.number_of_quads = 1;
   }
@@ -155,68 +159,89 @@ public:
       return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
     if(!m_options.is_coarsest && has_more_than_wanted()) {
       m_result.number_of_forced_quads = number_of_forced_quads();
-      add_note(words_for_number());
+      add_note(m_result, words_for_number());
     }
     if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
-      add_note(counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
+      add_note(m_result, counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
                " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
     if(found.number_of_quads > m_options.maximum_number)
       return refuse(m_result, Outcome::TOO_LARGE,
                     "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
                       words_for_number() + ". That is more than maximum_number: raise it, or ask "
-                      "for about as many, or mark fewer features");
+                      "for about as many, mark fewer features, or release some by "
+                      "maximum_feature_loss");
     m_result.set_surface(std::make_shared<const Quantized_surface>(
       Quantized_surface{m_coarse, std::move(found.complex), m_options.needs_face_graph}));
     return true;
   }
 
-private:
-  void add_note(const std::string& note)
-  { m_result.message += (m_result.message.empty() ? "" : "; ") + note; }
+  // Of the first quantization that is tried, a face graph or not.
+  double first_number_of_quads()
+  { return quantize(m_options.number_of_quads, m_options.is_coarsest).number_of_quads; }
 
-  // Units per step of each part's grid. Steps, which are powers of two, are measured by the largest
-  // one, so that no square is too large.
-  std::vector<double> scales(const double number_of_quads) const
+  std::vector<double> wanted_scales() const
+  { return m_ladders.front().scales(scale(m_options.number_of_quads)); }
+
+private:
+  // Of the largest step, so that no square is too large; steps are powers of two.
+  static std::vector<double> relative_steps(const Integer_mesh& input)
   {
-    std::vector<double> result(m_coarse->input.steps);
+    std::vector<double> result(input.steps);
     const double largest = *std::max_element(result.begin(), result.end());
     for(double& s : result)
       s /= largest;
-    double area = 0;
+    return result;
+  }
+
+  Flat_face_index number_of_faces() const { return m_coarse->complex.number_of_faces(); }
+
+  // Between numbers of quads that are tried, in steps of 2.5 %: where there are many faces, a
+  // quantization takes long.
+  int stride() const { return (std::max)(1, (std::min)(14, number_of_faces() / 700)); }
+
+  // Units per largest step.
+  double scale(const double number_of_quads) const { return std::sqrt(number_of_quads / area()); }
+
+  // In squares of the largest step.
+  double area() const
+  {
+    const std::vector<double> steps = relative_steps(m_coarse->input);
+    double result = 0;
     const Intrinsic_complex& complex = m_coarse->complex;
     for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
-      const double step = result[std::size_t(complex.part[std::size_t(h / 3)])];
-      area += step * step *
-              approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
+      const double step = steps[std::size_t(complex.part[std::size_t(h / 3)])];
+      result += step * step *
+                approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
     }
-    for(double& s : result)
-      s *= std::sqrt(number_of_quads / area);
     return result;
   }
 
   // About so many quads, or as few as are found.
-  Quantized_complex quantize(const double number_of_quads, const bool is_coarsest) const
+  Quantized_complex quantize(const double number_of_quads, const bool is_coarsest)
   {
+    const double wanted = scale(number_of_quads);
+    const double step = 28 * std::log2(number_of_quads) / stride(); // as the search counts
+    Unit_ladder& ladder = m_ladders[std::size_t(std::lround(step)) % m_ladders.size()];
+    Unit_ladder::Rung start = ladder.find(wanted);
     Quantized_complex result;
-    result.complex = m_coarse->complex;
-    Complex_quantizer quantizer(m_coarse->input, result.complex, scales(number_of_quads));
-    quantizer.start();
-    result.first_scale = quantizer.growth;
-    quantizer.improve();
+    result.complex = std::move(start.complex);
+    result.first_scale = start.first_scale / wanted;
+    result.number_of_moves = start.number_of_moves;
+    Complex_quantizer quantizer(m_coarse->input, result.complex, ladder.scales(wanted));
+    result.number_of_moves += quantizer.improve();
     if(!is_coarsest)
-      quantizer.adjust(number_of_quads);
-    result.number_of_moves = quantizer.number_of_moves;
+      result.number_of_moves += quantizer.adjust(number_of_quads);
     result.number_of_long_edges = quantizer.number_of_long_edges();
     result.number_of_quads = internal::number_of_quads(result.complex);
     return result;
   }
 
-  Quantized_complex find_quads() const
+  Quantized_complex find_quads()
   {
     if(!m_options.needs_face_graph)
       return quantize(m_options.number_of_quads, m_options.is_coarsest);
     const auto quantize_to = [&](const double number) { return quantize(number, false); };
-    return Face_graph_search<decltype(quantize_to)>(quantize_to, m_options.maximum_number)
+    return Face_graph_search<decltype(quantize_to)>(quantize_to, m_options.maximum_number, stride())
       .run(m_options.number_of_quads);
   }
 
@@ -226,17 +251,11 @@ private:
   // So many fewer are found for the same map where features are no walls.
   std::size_t number_of_forced_quads() const
   {
-    const auto without = std::make_shared<Coarse_surface>();
-    without->input = m_coarse->input;
-    bool has_features = false;
-    for(Integer_corner& corner : without->input.corners)
-      if(corner.is_wall && corner.opposite != no_index) {
-        corner.is_wall = false;
-        has_features = true;
-      }
-    if(!has_features)
+    const std::vector<Feature_chain> features = feature_chains(m_coarse->input);
+    if(features.empty())
       return 0;
-    without->complex = make_coarse_complex(without->input);
+    const auto without =
+      std::make_shared<const Coarse_surface>(without_features(*m_coarse, features));
     const double number = Unit_finder(without, m_options, m_result).find_quads().number_of_quads;
     const std::size_t rounded = std::size_t(std::llround(number));
     return rounded < m_result.number_of_quads ? m_result.number_of_quads - rounded : 0;
@@ -251,7 +270,76 @@ private:
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;
+  // Numbers that are tried one after the other begin on different ones: else what is wrong with one
+  // result, for a face graph, would be wrong with the next ones, too.
+  std::vector<Unit_ladder> m_ladders;
   Quantization_options m_options;
+  Quantization& m_result;
+};
+
+// Where features force quads, releases those that force most for their length. Each round may lose
+// twice as much as all before; the first one that has about as many quads as wanted is taken, or
+// else the one with the fewest.
+class Feature_releaser
+{
+public:
+  Feature_releaser(const Quantization_options& options, Quantization& result)
+    : m_options(options), m_result(result)
+  { }
+
+  std::shared_ptr<const Coarse_surface> run(std::shared_ptr<const Coarse_surface> surface)
+  {
+    if(m_options.maximum_feature_loss == 0)
+      return surface;
+    constexpr int most_rounds = 8;
+    const double total = length_in_map(surface->input, feature_chains(surface->input));
+    const double most = m_options.maximum_feature_loss * total;
+    std::shared_ptr<const Coarse_surface> best = surface;
+    std::vector<Feature_chain> released, kept_released;
+    double first = 0, least = 0;
+    for(int round = 0; round <= most_rounds; ++round) {
+      Unit_finder finder(surface, m_options, m_result);
+      const double number = finder.first_number_of_quads();
+      if(round == 0 || number < least) {
+        best = surface;
+        kept_released = released;
+        least = number;
+      }
+      first = round == 0 ? number : first;
+      if(round == most_rounds ||
+         (!m_options.is_coarsest && number <= 1.1 * m_options.number_of_quads))
+        break;
+      const double lost = length_in_map(surface->input, released);
+      const auto found = Costly_features(*surface, finder.wanted_scales())
+                           .find(std::ldexp(most, round + 1 - most_rounds) - lost, most - lost);
+      if(found.empty())
+        break;
+      surface = std::make_shared<const Coarse_surface>(without_features(*surface, found));
+      released.insert(released.end(), found.begin(), found.end());
+    }
+    if(!kept_released.empty())
+      report(best->input, kept_released, total, first - least);
+    return best;
+  }
+
+private:
+  void report(const Integer_mesh& input, const std::vector<Feature_chain>& released,
+              const double total, const double saved)
+  {
+    for(const Feature_chain& chain : released) {
+      std::vector<std::size_t> vertices{input.source(chain.front())};
+      for(const Corner_index h : chain)
+        vertices.push_back(input.vertex(h));
+      m_result.released_features.push_back(vertices);
+    }
+    add_note(m_result, counted(released.size(), "feature") +
+                         (released.size() == 1 ? " is" : " are") + " released, " +
+                         short_number(100 * length_in_map(input, released) / total) +
+                         " % of the length of all, which saves about " +
+                         std::to_string(std::llround(saved)) + " quads");
+  }
+
+  const Quantization_options& m_options;
   Quantization& m_result;
 };
 
@@ -278,7 +366,7 @@ Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& i
     const auto coarse = std::make_shared<Coarse_surface>();
     if(check_options(options, result) &&
        Surface_coarsener(mesh, is_feature, vertex_name, result).run(*coarse))
-      Unit_finder(coarse, options, result).run();
+      Unit_finder(Feature_releaser(options, result).run(coarse), options, result).run();
   };
   refuse_overflow(run, result);
   return result;
@@ -293,8 +381,10 @@ Quantization quantize_again(const Quantization& quantization, const Quantization
   result.number_of_unaligned_features = quantization.number_of_unaligned_features;
   result.number_of_unaligned_border_edges = quantization.number_of_unaligned_border_edges;
   if(check_options(options, result))
-    refuse_overflow([&] { Unit_finder(quantization.surface().coarse, options, result).run(); },
-                    result);
+    refuse_overflow([&] {
+      Unit_finder(Feature_releaser(options, result).run(quantization.surface().coarse), options,
+                  result).run();
+    }, result);
   return result;
 }
 
