@@ -213,6 +213,11 @@ were read.
 \param original a stream with the file that `uvw` was read from
 \param os receives the copy
 \param uvw the coordinates of each corner
+
+\return whether that was done; if not, it holds the reason, and nothing was written
+
+\par Complexity
+Linear in the size of the file.
 */
 inline File_status rewrite_HEXEX(std::istream& original, std::ostream& os,
                                  const std::vector<std::array<double, 3> >& uvw)
