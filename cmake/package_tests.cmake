@@ -132,6 +132,8 @@ seamless_snapping_benchmark_table(parametrization_table 0 "genus;borders;aligned
   "${data}/genus0.obj" "${data}/genus2_border.obj" --align-border)
 seamless_snapping_benchmark_table(quad_comparison 0 "inverted" "${data}/genus2.obj" --quads 1000
   --blender none)
+seamless_snapping_benchmark_table(remeshing_growth 0 "" "${data}/genus2.obj"
+  --subdivide 0 --subdivide 1)
 seamless_snapping_benchmark_table(size_table 0 "" "${data}/genus2.obj" --quads 500)
 seamless_snapping_benchmark_table(tracing_speed 7 "" "${data}" --runs 1)
 seamless_snapping_benchmark_table(layout_speed 8 "" "${data}/genus2.obj" --runs 1 --faces 20000
