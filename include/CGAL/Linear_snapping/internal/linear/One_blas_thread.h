@@ -15,9 +15,10 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Keeps OpenBLAS, if the program has it, from using several threads. On the small blocks of sparse
-// factors these gain nothing, and on a machine with other work they wait for each other, many times
-// as long as they compute; and sums would depend on their number.
+// Keeps OpenBLAS and OpenMP, if the program has them, from using several threads. On the small
+// blocks of sparse factors these gain nothing, and on a machine with other work they wait for each
+// other, many times as long as they compute; and sums would depend on their number. CHOLMOD asks
+// OpenMP for four, however many there are.
 
 #include <mutex>
 
@@ -25,6 +26,8 @@
 extern "C" { // null in programs without it
 __attribute__((weak)) int openblas_get_num_threads();
 __attribute__((weak)) void openblas_set_num_threads(int);
+__attribute__((weak)) int omp_get_max_active_levels();
+__attribute__((weak)) void omp_set_max_active_levels(int);
 }
 #endif
 
@@ -32,14 +35,18 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-// The number of threads is one for the whole process: the first guard keeps it, and the last one
-// sets it again, whatever threads they are in.
+// The number of threads of OpenBLAS is one for the whole process: the first guard keeps it, and the
+// last one sets it again, whatever threads they are in. OpenMP has its levels for each thread.
 class One_blas_thread
 {
 public:
 #if defined(__ELF__) && defined(__GNUC__)
   One_blas_thread()
   {
+    if(has_levels()) {
+      m_levels = omp_get_max_active_levels();
+      omp_set_max_active_levels(0);
+    }
     const std::lock_guard<std::mutex> lock(state().mutex);
     if(has_threads() && state().guards++ == 0) {
       state().threads = openblas_get_num_threads();
@@ -49,6 +56,8 @@ public:
 
   ~One_blas_thread()
   {
+    if(has_levels())
+      omp_set_max_active_levels(m_levels);
     const std::lock_guard<std::mutex> lock(state().mutex);
     if(has_threads() && --state().guards == 0)
       openblas_set_num_threads(state().threads);
@@ -72,6 +81,11 @@ private:
 
   static bool has_threads()
   { return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr; }
+
+  static bool has_levels()
+  { return omp_get_max_active_levels != nullptr && omp_set_max_active_levels != nullptr; }
+
+  int m_levels = 1;
 #else
   One_blas_thread() { } // not trivial, so that guards are no unused variables
 #endif

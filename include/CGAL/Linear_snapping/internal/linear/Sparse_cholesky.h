@@ -47,8 +47,18 @@ public:
 
   void compute(const Matrix& matrix)
   {
-    this->analyzePattern(matrix);
+    analyzePattern(matrix);
     factorize(matrix);
+  }
+
+  // CHOLMOD would try METIS as well, which takes several times as long on large matrices as the
+  // factorizations gain that follow.
+  void analyzePattern(const Matrix& matrix)
+  {
+    constexpr int large = 110000;
+    this->cholmod().nmethods = matrix.cols() > large ? 1 : 0;
+    this->cholmod().method[0].ordering = CHOLMOD_AMD;
+    Base::analyzePattern(matrix);
   }
 
   void factorize(const Matrix& matrix)

@@ -44,7 +44,8 @@ public:
   using Compressed = Eigen::SparseMatrix<double>;
 
   Matrix_of_terms(const int rows, const int columns)
-    : m_sum(rows, columns)
+    : m_sum(rows, columns),
+      m_most_terms((std::max)(std::size_t(1) << 20, 4 * std::size_t(rows)))
   { }
 
   void add_coef(const std::size_t row, const std::size_t column, const double value)
@@ -53,7 +54,7 @@ public:
       m_sum.coeffRef(Eigen::Index(row), Eigen::Index(column)) += value;
       return;
     }
-    if(m_terms.size() == largest_number_of_terms)
+    if(m_terms.size() == m_most_terms)
       add_terms();
     m_terms.emplace_back(int(row), int(column), value);
   }
@@ -81,10 +82,9 @@ private:
     m_sum.swap(sum);
   }
 
-  static constexpr std::size_t largest_number_of_terms = std::size_t(1) << 20;
-
   std::vector<Eigen::Triplet<double> > m_terms;
   Compressed m_sum;
+  std::size_t m_most_terms;
   bool m_is_compressed = false;
 };
 
