@@ -751,10 +751,9 @@ void test_equations_without_units()
 // --- what is for large meshes --------------------------------------------------------------------
 
 // More terms than are kept at a time, with two sets of values: solutions meet the sums of terms.
-void test_matrix_of_many_terms()
+void test_matrix_of_many_terms(const std::size_t size, const std::size_t number_of_edges)
 {
   namespace P = QR::internal::parametrization;
-  constexpr std::size_t size = 20000, number_of_edges = 400000;
   double seconds = 0;
   P::Timed_solver<P::Default_solver> solver(seconds);
   P::Sparse_system<P::Default_solver> system(size, solver);
@@ -784,6 +783,69 @@ void test_matrix_of_many_terms()
                       [](const double r) { return std::abs(r) < 1e-9; }));
     system.set_zero();
   }
+}
+
+// Where flips are few, untangling looks at the faces around them alone: where these are enough, it
+// changes the same unknowns to the same values, and the same faces stay flipped, as with all faces.
+void test_parts_of_a_map()
+{
+  namespace P = QR::internal::parametrization;
+  using QR::internal::Coordinate_table;
+  using QR::internal::Quarter_turns;
+  using Unknowns = std::vector<double>;
+  const Mesh mesh = perturbed(icosphere(4), 0.01, 5);
+  const QR::internal::Flat_numbering<Mesh> numbering(mesh);
+  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
+  P::find_components(surface);
+  P::read_geometry(numbering, mesh.points(), surface);
+  surface.is_aligned.resize(std::size_t(surface.number_of_halfedges()), false);
+  double seconds = 0;
+  P::Timed_solver<P::Default_solver> solver(seconds);
+  const P::Prescribed_field prescribed(std::size_t(surface.number_of_faces()));
+  std::vector<double> angles =
+    P::cross_field(surface, prescribed, P::Parametrization_options(), solver);
+  const P::Matching matching = P::match_crosses(surface, angles);
+  const std::vector<int> index = P::singularities(surface, P::topology(surface), matching).index;
+  P::Cut_graph cuts(surface);
+  cuts.connect(std::vector<char>(index.begin(), index.end()));
+  const auto rotation = P::comb(surface, cuts.is_cut(), matching, angles);
+  const P::Surface_complex complex(surface, cuts.is_cut(), rotation, angles);
+  const QR::internal::Free_coordinates<Quarter_turns> coordinates(complex.complex());
+  const Coordinate_table table(coordinates, complex.number_of_sectors());
+  P::Sparse_system<P::Default_solver> system(coordinates.number_of_unknowns(), solver);
+  const Unknowns smooth = P::solve_poisson(
+    surface, [&](const auto h) { return P::wanted_difference(surface, angles, h); }, complex, table,
+    std::vector<double>(prescribed.size(), 1), system);
+
+  std::vector<std::size_t> all(prescribed.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::size_t number_of_flips = 0, number_of_changes = 0;
+  for(std::size_t moved = 0; moved < smooth.size(); moved += 97) {
+    Unknowns start = smooth;
+    start[moved] += moved % 2 == 0 ? 0.1 : 0.3; // more than an edge
+    const P::Coordinates uv = coordinates.evaluate(start);
+    const std::vector<std::size_t> around = P::faces_near_flips(surface, complex, uv, 20);
+    CHECK(around.size() < all.size());
+    if(around.empty())
+      continue; // it is not enough for a flip
+    std::array<Unknowns, 2> ends{start, start};
+    std::array<std::vector<std::size_t>, 2> left;
+    for(const std::size_t i : {0, 1}) {
+      const P::Map_part part(surface, index, complex, table, start.size(), uv,
+                             i == 0 ? all : around);
+      CHECK_EQUAL(part.map().triangles.size(), i == 0 ? all.size() : around.size());
+      QR::internal::Untangler<double> untangler(part.map());
+      number_of_flips += part.map().not_positive(untangler.unknowns()).size();
+      untangler.run(500, QR::internal::Untangling::CLOSE_BY);
+      part.add(untangler.unknowns(), ends[i]);
+      for(const std::size_t t : part.map().not_positive(untangler.unknowns()))
+        left[i].push_back(i == 0 ? t : around[t]);
+    }
+    CHECK(left[0] == left[1]);
+    CHECK(ends[0] == ends[1]);
+    number_of_changes += ends[0] != start;
+  }
+  CHECK(number_of_flips > 0 && number_of_changes > 0);
 }
 
 // Crosses of clusters go to their faces and back; nothing of the surface is lost on the way.
@@ -889,6 +951,13 @@ extern "C" void openblas_set_num_threads(const int n)
   times_at_one += n == 1 ? 1 : 0;
 }
 
+// And these for those of OpenMP.
+int openmp_levels = 3;
+
+extern "C" int omp_get_max_active_levels() { return openmp_levels; }
+
+extern "C" void omp_set_max_active_levels(const int n) { openmp_levels = n; }
+
 // Threads that wait for each other would take many times as long on a machine with other work.
 void test_blas_threads()
 {
@@ -899,11 +968,11 @@ void test_blas_threads()
   CHECK(times_at_one > 0 && blas_threads == 7);
   {
     const CGAL::Quad_remeshing::internal::One_blas_thread first;
-    CHECK(blas_threads == 1);
+    CHECK(blas_threads == 1 && openmp_levels == 0);
     { const CGAL::Quad_remeshing::internal::One_blas_thread second; }
-    CHECK(blas_threads == 1);
+    CHECK(blas_threads == 1 && openmp_levels == 0);
   }
-  CHECK(blas_threads == 7);
+  CHECK(blas_threads == 7 && openmp_levels == 3);
 }
 
 #else
@@ -940,7 +1009,9 @@ int main()
   test_spikes();
   test_tiny_meshes();
   test_equations_without_units();
-  test_matrix_of_many_terms();
+  test_matrix_of_many_terms(20000, 400000);
+  test_matrix_of_many_terms(120000, 200000); // so large that one order of elimination is tried only
+  test_parts_of_a_map();
   test_clusters();
   test_large_surface();
   test_poor_meshes();

@@ -19,19 +19,19 @@
 // untangling, and, where alignment leaves no such coordinates, the release of edges.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Map_part.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/poisson.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
-#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/untangle.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -39,6 +39,9 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
+
+// Where it takes less time to look at few faces by themselves than at all.
+inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
 
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
@@ -49,12 +52,13 @@ std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
-                      const long number_of_rounds, const Untangle& untangle,
+                      const Coordinate_table& table, const long number_of_rounds,
+                      const Untangle& untangle,
                       Timed_solver<Solver>& solver, Report& report)
 {
-  constexpr std::size_t faces_of_a_flip = 50000;
-  const std::size_t few_flips = std::size_t(surface.number_of_faces()) / faces_of_a_flip;
-  const Coordinate_table table(coordinates, complex.number_of_sectors());
+  constexpr std::size_t faces_of_a_flip = 2000;
+  const std::size_t few_flips =
+    is_large(surface) ? std::size_t(surface.number_of_faces()) / faces_of_a_flip : 0;
   Sparse_system<Solver> system(coordinates.number_of_unknowns(), solver);
   std::vector<double> weights(surface.number_of_faces(), 1), best;
   for(long round = 0; ; ++round, system.set_zero()) {
@@ -90,15 +94,14 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
 template <typename Solver>
 std::vector<double>
 unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
-            const Free_coordinates<Quarter_turns>& coordinates, Timed_solver<Solver>& solver)
+            const Coordinate_table& table, const std::size_t number, Timed_solver<Solver>& solver)
 {
   const auto difference = [&](const Corner_index h) {
     const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
     return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
   };
-  Sparse_system<Solver> system(coordinates.number_of_unknowns(), solver);
-  return solve_poisson(surface, difference, complex,
-                       Coordinate_table(coordinates, complex.number_of_sectors()),
+  Sparse_system<Solver> system(number, solver);
+  return solve_poisson(surface, difference, complex, table,
                        std::vector<double>(surface.number_of_faces(), 1), system);
 }
 
@@ -165,7 +168,7 @@ public:
       const Coordinates reached = m_uv; // in the last round, before attempts close by
       bool is_untangled = false;
       std::vector<double> unknowns = solve_with_stiffening(
-        m_surface, m_angles, *m_complex, *m_rows,
+        m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
         [&](std::vector<double>& u) {
           is_untangled = m_options.may_release && m_iterations_left > 0 &&
@@ -203,13 +206,15 @@ private:
   {
     m_complex.emplace(m_surface, m_is_cut, m_rotation, m_angles);
     m_rows.emplace(m_complex->complex());
+    m_table.emplace(*m_rows, m_complex->number_of_sectors());
   }
 
   // What untangling reached before edges were released meets the constraints that are left: goes
   // on from there if it has fewer flips.
   void keep_better(const Coordinates& uv, std::vector<double>& unknowns)
   {
-    std::vector<double> reached = unknowns_of(m_surface, uv, *m_complex, *m_rows, m_solver);
+    std::vector<double> reached =
+      unknowns_of(m_surface, uv, *m_complex, *m_table, m_rows->number_of_unknowns(), m_solver);
     const std::size_t flips =
       number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
     if(flips < m_report.number_of_flipped_faces) {
@@ -218,58 +223,49 @@ private:
     }
   }
 
-  // Returns the faces that are not positive afterwards.
+  // Returns the faces that are not positive afterwards. On large surfaces, what is around flips is
+  // tried by itself first: unknowns such as the translations of cuts make patches of all faces.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
-    const Constrained_triangles map = triangles(unknowns);
-    Untangler<double> untangler(map);
-    const std::size_t iterations = untangler.run(m_iterations_left, how);
+    constexpr std::size_t edges_around = 10;
+    std::vector<std::size_t> faces(std::size_t(m_surface.number_of_faces()));
+    if(is_large(m_surface)) {
+      const std::vector<std::size_t> stuck =
+        untangle(unknowns, how,
+                 faces_near_flips(m_surface, *m_complex, m_rows->evaluate(unknowns), edges_around));
+      if(stuck.empty() || how == Untangling::CLOSE_BY)
+        return stuck;
+    }
+    std::iota(faces.begin(), faces.end(), std::size_t(0));
+    return untangle(unknowns, how, faces);
+  }
+
+  std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how,
+                                    const std::vector<std::size_t>& faces)
+  {
+    const Map_part part(m_surface, m_index, *m_complex, *m_table, unknowns.size(),
+                        m_rows->evaluate(unknowns), faces);
+    Untangler<double> untangler(part.map());
+    const double iterations_on_all = double(untangler.run(m_iterations_left, how)) *
+                                     double(faces.size()) / double(m_surface.number_of_faces());
+    const std::size_t iterations = std::size_t(std::ceil(iterations_on_all));
     m_iterations_left -= (std::min)(iterations, m_iterations_left);
     m_report.number_of_untangling_iterations += iterations;
-    for(std::size_t i = 0; i < unknowns.size(); ++i)
-      unknowns[i] += untangler.unknowns()[i];
+    part.add(untangler.unknowns(), unknowns);
     m_uv = m_rows->evaluate(unknowns);
-    return map.not_positive(untangler.unknowns());
-  }
-
-  // The triangles of the surface, each as it would be laid out without distortion.
-  Constrained_triangles triangles(const std::vector<double>& unknowns) const
-  {
-    Constrained_triangles result;
-    result.number_of_unknowns = m_rows->number_of_unknowns();
-    result.start = m_rows->evaluate(unknowns);
-    for(std::size_t s = 0; s < m_complex->number_of_sectors(); ++s)
-      result.rows.push_back({{m_rows->coordinate(s, 0), m_rows->coordinate(s, 1)}});
-    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); h += 3) {
-      const double angle = m_surface.direction[h + 1], length = m_surface.length[h + 1];
-      result.triangles.push_back(
-        {{{m_complex->sector(h), m_complex->sector(h + 1), m_complex->sector(h + 2)}},
-         Reference_shape({{length * std::cos(angle), length * std::sin(angle)}},
-                         {{-m_surface.length[h], 0}})});
-    }
-    add_angles(result);
-    return result;
-  }
-
-  // Those of the field, which leaves the border out.
-  void add_angles(Constrained_triangles& map) const
-  {
-    map.vertex.resize(m_complex->number_of_sectors());
-    for(Corner_index h = 0; h < m_surface.number_of_halfedges(); ++h)
-      map.vertex[m_complex->sector(h)] = m_surface.vertex(h);
-    for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
-      map.angle.push_back(m_surface.is_border[v] ? std::numeric_limits<double>::quiet_NaN()
-                                                 : full_turn - m_index[v] * quarter_turn);
+    std::vector<std::size_t> stuck = part.map().not_positive(untangler.unknowns());
+    for(std::size_t& f : stuck)
+      f = faces[f];
+    return stuck;
   }
 
   // Those that the constraints give the same u, or the same v, at all corners.
   std::vector<std::size_t> degenerate_faces() const
   {
-    const Coordinate_table table(*m_rows, m_complex->number_of_sectors());
     std::vector<std::size_t> result;
     Sparse_row row;
     const auto is_constant = [&](const Corner_index h, const std::size_t c) {
-      table.difference(m_complex->sector(h), m_complex->sector(m_surface.prev(h)), c, row);
+      m_table->difference(m_complex->sector(h), m_complex->sector(m_surface.prev(h)), c, row);
       return row.empty();
     };
     for(Flat_face_index f = 0; f < m_surface.number_of_faces(); ++f)
@@ -315,6 +311,7 @@ private:
   std::size_t m_iterations_left = 0;
   std::optional<Surface_complex> m_complex;
   std::optional<Coordinate_rows> m_rows;
+  std::optional<Coordinate_table> m_table; // of these
   Coordinates m_uv;
   std::vector<Corner_index> m_released;
 };

@@ -247,6 +247,9 @@ Parametrization_result parametrize(Triangle_surface& surface,
     comb(surface, graph.is_cut(), matching, angles);
   if(!log_size.empty())
     measure_by_sizes(surface, log_size);
+  matching = Matching(); // frees memory: the system that follows is large
+  prescribed = Prescribed_field();
+  surface.bending = std::vector<double>();
   timer.finish("cut graph");
 
   Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, singular.index,

@@ -87,13 +87,20 @@ inline double doubled_uv_area(const Surface_complex& complex, const Coordinates&
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
+// Exact.
+inline bool is_positive(const Surface_complex& complex, const Coordinates& uv,
+                        const Flat_face_index f)
+{
+  return orientation({{uv[complex.sector(3 * f)], uv[complex.sector(3 * f + 1)],
+                       uv[complex.sector(3 * f + 2)]}}) == CGAL::POSITIVE;
+}
+
 inline std::size_t number_of_flips(const Triangle_surface& surface, const Surface_complex& complex,
                                    const Coordinates& uv)
 {
   std::size_t count = 0;
-  for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3)
-    count += orientation({{uv[complex.sector(h)], uv[complex.sector(h + 1)],
-                           uv[complex.sector(h + 2)]}}) == CGAL::POSITIVE ? 0 : 1;
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
+    count += is_positive(complex, uv, f) ? 0 : 1;
   return count;
 }
 

@@ -153,18 +153,23 @@ public:
       }
   }
 
+  // visit(unknown, factor) for the terms of coordinate `c` of a sector.
+  template <typename Visit>
+  void for_each_term(const std::size_t sector, const std::size_t c, const Visit& visit) const
+  {
+    for(std::size_t j = m_begin[2 * sector + c]; j < m_begin[2 * sector + c + 1]; ++j)
+      visit(m_terms[j].first, m_terms[j].second);
+  }
+
   // row(target) - row(source), as it enters the energy of an edge.
   void difference(const std::size_t target_sector, const std::size_t source_sector,
                   const std::size_t c, Sparse_row& row) const
   {
     row.clear();
-    const auto add = [&](const std::size_t i, const double sign)
-    {
-      for(std::size_t j = m_begin[i]; j < m_begin[i + 1]; ++j)
-        row.emplace_back(m_terms[j].first, sign * m_terms[j].second);
-    };
-    add(2 * target_sector + c, 1);
-    add(2 * source_sector + c, -1);
+    for_each_term(target_sector, c, [&](const std::size_t i, const double factor)
+                  { row.emplace_back(i, factor); });
+    for_each_term(source_sector, c, [&](const std::size_t i, const double factor)
+                  { row.emplace_back(i, -factor); });
     normalize(row);
   }
 
