@@ -20,8 +20,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Exact_decisions.h>
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Floating_point_decisions.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/start_walk.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

@@ -18,7 +18,7 @@
 // Checking and measuring integer-grid maps.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
-#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/remove_faces.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>

@@ -21,12 +21,18 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -111,6 +117,51 @@ offset(const Component<Group>& from, const int sign, const Component<Group>& to)
     result.transform(-sign, to);
     return result;
   }
+}
+
+// The faces that are flipped or degenerate in the domain: no isocurve can be followed through them.
+
+template <typename Group>
+Uv_triangle triangle(const Basic_chart_mesh<Group>& mesh, const std::size_t face)
+{
+  const Corner_index h = Corner_index(3 * face);
+  return {mesh.uv(h), mesh.uv(h + 1), mesh.uv(h + 2)};
+}
+
+// In order.
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename Group>
+std::vector<std::size_t> nonpositive_faces(const Basic_chart_mesh<Group>& mesh)
+{
+  using Faces = std::vector<std::size_t>;
+  Faces result;
+  const auto of_chunk = [&](const Chunk& chunk) {
+    Faces faces;
+    for(std::size_t f = chunk.begin; f < chunk.end; ++f)
+      if(orientation(triangle(mesh, f)) != CGAL::POSITIVE)
+        faces.push_back(f);
+    return faces;
+  };
+  for(const Faces& faces : results_of_chunks<Faces, ConcurrencyTag>(mesh.corners.size() / 3,
+                                                                    of_chunk))
+    result.insert(result.end(), faces.begin(), faces.end());
+  return result;
+}
+
+// How many there are, and the first, in words. `what` they are, such as "flipped".
+inline std::string name_of_faces(const std::vector<std::size_t>& faces, const std::string& what)
+{
+  return std::to_string(faces.size()) + (faces.size() == 1 ? " face is " : " faces are ") + what +
+         ", the first is face " + std::to_string(faces.front());
+}
+
+// Tells the report why no isocurve can be followed, if there is such a face.
+inline bool are_positive(const std::vector<std::size_t>& nonpositive, Report& report,
+                         const std::string& remedy =
+                           "repair them by snap_to_seamless() with repair_flips(true)")
+{
+  return nonpositive.empty() ||
+         refuse(report, Outcome::NOT_POSITIVE,
+                name_of_faces(nonpositive, "flipped or degenerate in the domain") + "; " + remedy);
 }
 
 } // namespace internal

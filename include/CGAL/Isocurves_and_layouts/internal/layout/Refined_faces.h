@@ -21,7 +21,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/Points_on_edges.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_place.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Polygon_complex.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/arc_path.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>

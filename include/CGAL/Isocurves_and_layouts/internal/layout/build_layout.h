@@ -20,7 +20,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_race.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/add_seeds.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
 
 #include <CGAL/Exact_rational.h>
 

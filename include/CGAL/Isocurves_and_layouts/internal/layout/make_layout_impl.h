@@ -18,9 +18,9 @@
 // From a chart mesh to its layout, step by step, with all checks. Nothing here depends on the mesh
 // data structure.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/remove_faces.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/add_seeds.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/build_layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/make_layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/make_patches.h>

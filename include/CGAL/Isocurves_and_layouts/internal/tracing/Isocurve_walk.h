@@ -19,7 +19,7 @@
 // decided exactly and what in floating point is up to the template argument, so that both kinds of
 // tracing are this same walk.
 
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Walk_state.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 
 #include <cmath>

@@ -21,7 +21,7 @@
 // and exact.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Exact_decisions.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Isocurve_walk.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/start_walk.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

@@ -18,8 +18,8 @@
 // From a chart mesh to the cells of the grid, step by step, with all checks. Nothing here depends
 // on the mesh data structure.
 
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
-#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/remove_faces.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

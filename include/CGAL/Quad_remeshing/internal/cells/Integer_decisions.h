@@ -19,7 +19,7 @@
 // are integers, which stay exact in a `double` through all transitions. The walk ends where the
 // next face, edge, or vertex contains the end.
 
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Exact_decisions.h>
+#include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>

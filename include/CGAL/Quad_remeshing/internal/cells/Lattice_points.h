@@ -20,7 +20,6 @@
 // its coordinates.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
-#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Quad_remeshing/internal/cells/points_in_triangle.h>
 

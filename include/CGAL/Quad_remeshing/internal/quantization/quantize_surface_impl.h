@@ -18,7 +18,7 @@
 // From a chart mesh to its quantization, step by step, with all checks. Nothing here depends on the
 // mesh data structure.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/nonpositive_faces.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/counted.h>
