@@ -489,6 +489,32 @@ file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 
 seamless(1 remesh tilted.off mirrored.off --symmetry auto)
 expect_message("${err}" "not symmetric, exactly")
 
+# a torus has no map with one cone of each sign: other cones are taken then
+set(torus "OFF\n48 96 0\n")
+set(cosines 100 87 50 0 -50 -87 -100 -87 -50 0 50 87)
+set(radii 13 10 7 10)
+set(heights 0 300 0 -300)
+set(faces "")
+foreach(i RANGE 11)
+  math(EXPR i_sine "(${i} + 9) % 12")
+  list(GET cosines ${i} cosine)
+  list(GET cosines ${i_sine} sine)
+  foreach(j RANGE 3)
+    list(GET radii ${j} r)
+    list(GET heights ${j} z)
+    math(EXPR x "${cosine} * ${r}")
+    math(EXPR y "${sine} * ${r}")
+    string(APPEND torus "${x} ${y} ${z}\n")
+    math(EXPR a "4 * ${i} + ${j}")
+    math(EXPR b "4 * ((${i} + 1) % 12) + ${j}")
+    math(EXPR c "4 * ((${i} + 1) % 12) + (${j} + 1) % 4")
+    math(EXPR d "4 * ${i} + (${j} + 1) % 4")
+    string(APPEND faces "3 ${a} ${b} ${c}\n3 ${a} ${c} ${d}\n")
+  endforeach()
+endforeach()
+file(WRITE "${WORK_DIR}/torus.off" "${torus}${faces}")
+seamless(0 remesh torus.off torus_quads.off --number 20)
+
 # what hangs on a file: the colors and texture coordinates of the square are linear
 set(obj "mtllib square.mtl\nv 0 0 0 0 0 0.5\nv 1 0 0 1 0 0.5\nv 1 1 0 1 1 0.5\nv 0 1 0 0 1 0.5\n")
 string(APPEND obj "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng first\nusemtl red\nf 1/1 2/2 3/3\n"

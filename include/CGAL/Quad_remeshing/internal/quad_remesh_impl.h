@@ -63,9 +63,8 @@ public:
 
   Remeshing_report run()
   {
-    if(check_mirror() && parametrize() && make_quads()) {
+    if(check_mirror() && make_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
-    }
     return m_report;
   }
 
@@ -125,7 +124,7 @@ private:
   {
     for(const auto& [v, w] : released)
       m_surface.is_feature()[surface_mesh().edge(surface_mesh().halfedge(v, w))] = false;
-    m_report.number_of_released_edges = released.size();
+    m_report.number_of_released_edges += released.size();
   }
 
   // Those that force quads. The map stays: only quads need not follow them.
@@ -163,8 +162,22 @@ private:
     return 2 * std::sqrt(area / number);
   }
 
-  // An exactly seamless map without flips.
-  bool parametrize()
+  // An exactly seamless map without flips: where none was found with few cones, with all of them.
+  // No map of a torus has one cone of each sign alone, but cones cancel down to that.
+  bool make_map()
+  {
+    const double distance = least_cone_distance();
+    if(!parametrize(distance) || (!m_report.remaining_flips.empty() && distance > 0 &&
+                                  !parametrize(0)))
+      return false;
+    return m_report.remaining_flips.empty() ||
+           refuse(m_report, Outcome::NOT_POSITIVE,
+                  name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
+                    "; mark fewer features, or remesh the input there");
+  }
+
+  // An exactly seamless map, and what stays flipped in it.
+  bool parametrize(const double least_cone_distance)
   {
     const auto made = approximate_seamless_parametrization(
       surface_mesh(), m_surface.uv_map(),
@@ -174,7 +187,7 @@ private:
                                 .face_direction_map(m_surface.directions())
                                 .vertex_sizing_map(m_surface.sizes())
                                 .largest_cone_index(largest_cone_index)
-                                .least_cone_distance(least_cone_distance()));
+                                .least_cone_distance(least_cone_distance));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
@@ -192,10 +205,6 @@ private:
                                     snapped.lost_faces.end());
     for(std::size_t& face : m_report.remaining_flips)
       face = m_surface.original(face);
-    if(!m_report.remaining_flips.empty())
-      return refuse(m_report, Outcome::NOT_POSITIVE,
-                    name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
-                      "; mark fewer features, or remesh the input there");
     return true;
   }
 
