@@ -18,4 +18,21 @@ struct Failure : public std::runtime_error
   Exit status;
 };
 
+// Runs `work()`; then `tell(status, message)` reports how it ended, and a failure is thrown again.
+template <typename Work, typename Tell>
+void run_and_tell(const Work& work, const Tell& tell)
+{
+  Exit status = SUCCESS;
+  std::string message;
+  try {
+    work();
+  } catch(const Failure& failure) {
+    status = failure.status;
+    message = failure.what();
+  }
+  tell(status, message);
+  if(status != SUCCESS)
+    throw Failure(status, message);
+}
+
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H

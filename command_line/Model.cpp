@@ -26,6 +26,12 @@ std::string with_options(const std::string& message)
 {
   static const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
+    {"raise the tolerance", "raise --tolerance"},
+    {"; raise it, or scale the map up by grid_scale",
+     "; ask for a number of quads by --number, which finds integers for each map without flips, or "
+     "raise it"},
+    {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
+    {"and at most maximum_number", "and at most --maximum-number"},
     {"by grid_scale, or call extract_quad_soup()",
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
      "a mesh of quads"},
@@ -74,8 +80,12 @@ void parse(const Reading_options& options, Model& model)
     const bool lacks_coordinates =
       status.message.find("has no texture coordinate") != status.message.npos ||
       status.message.find("has no list texcoord") != status.message.npos;
+    const bool is_manifold = status.message.find("is not manifold") == status.message.npos;
     throw Failure(UNREADABLE, model.filename + ": " + status.message +
-                                (lacks_coordinates ? "; 'seamless parametrize' computes some" : ""));
+                                (lacks_coordinates ? "; 'seamless parametrize' computes some"
+                                 : is_manifold     ? ""
+                                                   : "; 'seamless parametrize' cuts such edges, and "
+                                                     "computes other coordinates"));
   }
   model.file_vertices = model.file.vertex_numbers();
   model.number_of_split_vertices = status.number_of_split_vertices;
@@ -146,6 +156,14 @@ std::string notes_on_reading(const Model& model)
               (model.number_of_split_vertices == 1 ? " was" : " were") +
               " added where the faces around a vertex form several fans\n";
   return result;
+}
+
+std::string note_on_features(const bool are_asked_for, const Model& model)
+{
+  const auto edges = model.mesh.edges();
+  return !are_asked_for || std::any_of(edges.begin(), edges.end(),
+                                       [&](const Edge e) { return model.is_feature[e]; })
+           ? "" : "note: " + model.filename + " marks no edges as features ('l' elements)\n";
 }
 
 std::string text_of_model(const Model& model, const std::string& filename)

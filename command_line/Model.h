@@ -58,6 +58,9 @@ void read_again(const Model& other, const Reading_options& options, Model& model
 // empty if there is nothing.
 std::string notes_on_reading(const Model& model);
 
+// That there are no features, if they are asked for; else nothing.
+std::string note_on_features(bool are_asked_for, const Model& model);
+
 // The model as a text in the format that the suffix of a name asks for: that of its file with other
 // coordinates, if it is of this format; else what the mesh holds. Checks that it reads back as it is,
 // floats also as doubles. Throws `Failure`.

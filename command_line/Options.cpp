@@ -116,8 +116,12 @@ void Options::add(const std::string& name, const std::string& placeholder, int& 
 void Options::add(const std::string& name, const std::string& placeholder, std::string& value,
                   const std::string& help)
 {
-  m_declarations->shown.add_options()(name.c_str(), po::value(&value)->value_name(placeholder),
-                                      help.c_str());
+  const auto check = [name](const std::string& text) {
+    if(text.empty())
+      throw Failure(USAGE, "--" + name + " is empty");
+  };
+  m_declarations->shown.add_options()(
+    name.c_str(), po::value(&value)->value_name(placeholder)->notifier(check), help.c_str());
 }
 
 // "--svg" and "--svg=FILE" become "--picture" and "--picture=FILE".

@@ -243,6 +243,8 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
        << ", as the file has one for each corner";
   os << "\nread: " << counted(repairs.faces, "triangle") << ", "
      << counted(repairs.vertices, "vertex") << ", " << counted(repairs.pieces, "piece") << "\n";
+  if(repairs.unused_points > 0)
+    os << "note: left out, as no face has them: " << counted(repairs.unused_points, "point") << "\n";
   if(repairs.faces_without_area > 0)
     os << "note: among them without area: " << counted(repairs.faces_without_area, "triangle")
        << "\n";

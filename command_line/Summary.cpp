@@ -1,5 +1,6 @@
 #include "Summary.h"
 
+#include "Failure.h"
 #include "json_report.h"
 #include "words.h"
 
@@ -105,6 +106,16 @@ std::string to_text(const CGAL::Seamless_snapping::Snapping_report& report)
   std::ostringstream os;
   os << report;
   return os.str();
+}
+
+void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const Model& model,
+                   const double tolerance)
+{
+  if(report)
+    return;
+  const Misfits misfits = count_misfits(model, tolerance);
+  throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(to_text(report), model) +
+                              (misfits.number_of_misfits > 0 ? "\n" + to_text(misfits) : ""));
 }
 
 std::string to_text(const Misfits& misfits)

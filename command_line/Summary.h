@@ -29,6 +29,10 @@ struct Summary
 // Status and message.
 std::string to_text(const CGAL::Seamless_snapping::Snapping_report& report);
 
+// Throws `Failure` unless the model was snapped: why not, and what its cut edges look like.
+void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const Model& model,
+                   double tolerance);
+
 // "208 of 300 cut edges don't fit", and what that looks like.
 std::string to_text(const Misfits& misfits);
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <locale>
 #include <map>
@@ -334,7 +335,20 @@ void write_vertices(const Model& model, const OBJ_attributes& file, const Locate
   }
 }
 
-std::string OBJ_text(const Model& model, const std::string& text, const Located_quads& quads)
+// By their parts where some have no group or material, but others do, which can't be taken back.
+std::vector<Face> ordered_faces(const OBJ_attributes& file, const std::vector<std::size_t>& parts,
+                                const Mesh& quads)
+{
+  std::vector<Face> result(quads.faces().begin(), quads.faces().end());
+  const auto number_of_lines = [&](const std::string& part)
+    { return std::count(part.begin(), part.end(), '\n'); };
+  if(file.parts.size() > 1 && number_of_lines(file.parts[1]) < number_of_lines(file.parts.back()))
+    std::stable_sort(result.begin(), result.end(), [&](const Face f, const Face g)
+                     { return parts[std::size_t(f)] < parts[std::size_t(g)]; });
+  return result;
+}
+
+std::string OBJ_text(const Model& model, const std::string& text, Located_quads& quads)
 {
   const OBJ_attributes file(Mesh_text(text, "obj"));
   std::ostringstream os;
@@ -349,12 +363,15 @@ std::string OBJ_text(const Model& model, const std::string& text, const Located_
   if(file.has_coordinates)
     texture.emplace(model, file);
   std::map<Texture::Coordinates, std::size_t> known;
+  std::vector<std::size_t> parts(quads.mesh.num_faces());
+  for(const Face f : quads.mesh.faces())
+    parts[std::size_t(f)] = file.part_of[file_face(model, quads.of_face[f].first)];
+  quads.written = ordered_faces(file, parts, quads.mesh);
   std::size_t part = 0;
-  for(const Face f : quads.mesh.faces()) {
+  for(const Face f : quads.written) {
     const Location& middle = quads.of_face[f];
-    const std::size_t part_of_quad = file.part_of[file_face(model, middle.first)];
-    if(part_of_quad != part)
-      os << file.parts[part = part_of_quad];
+    if(parts[std::size_t(f)] != part)
+      os << file.parts[part = parts[std::size_t(f)]];
     std::string face = "f";
     for(const Vertex v : quads.mesh.vertices_around_face(quads.mesh.halfedge(f))) {
       face += " " + std::to_string(numbers[v]);
@@ -376,9 +393,13 @@ std::string OBJ_text(const Model& model, const std::string& text, const Located_
 std::string text_with_attributes(const Model& model, const std::string& input, Located_quads& quads,
                                  const std::string& filename)
 {
-  const std::string format = suffix_of(filename);
+  const std::string format = is_special_file(filename) ? "obj" : suffix_of(filename);
   if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
     return OBJ_text(model, read_file(input), quads);
+  if(!is_special_file(input) && format != suffix_of(input) &&
+     (suffix_of(input) == "obj" || suffix_of(input) == "ply"))
+    std::cerr << "note: what " << input << " holds besides the mesh is not in " << filename
+              << ", which is of another format" << std::endl;
   Mesh file;
   const bool has_properties =
     format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
@@ -420,6 +441,9 @@ read_sizes(const std::string& property_or_file, const std::string& input,
      (read_property<float>(model, file, property_or_file, sizes) ||
       read_property<double>(model, file, property_or_file, sizes)))
     return sizes;
+  if(suffix_of(input) == "ply" && !std::filesystem::exists(property_or_file))
+    throw Failure(UNREADABLE, "'" + property_or_file + "' is neither a number at each vertex of " +
+                                input + " nor a file");
   std::istringstream stream(read_file(property_or_file));
   stream.imbue(std::locale::classic());
   std::vector<double> values;
@@ -428,6 +452,11 @@ read_sizes(const std::string& property_or_file, const std::string& input,
   if(!stream.eof() || values.size() != file_points)
     throw Failure(UNREADABLE, property_or_file + ": the file is not a number for each of " +
                                 counted(file_points, "vertex") + " of the mesh");
+  for(const double& x : values)
+    if(!(x > 0) || std::isinf(x))
+      throw Failure(UNREADABLE, property_or_file + ": number " +
+                                  std::to_string(&x - values.data() + 1) +
+                                  " of the file is not positive and finite");
   for(const Vertex v : model.mesh.vertices())
     sizes[v] = values[model.file_vertices[v]];
   return sizes;

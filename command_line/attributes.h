@@ -22,6 +22,7 @@ struct Located_quads
     mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
   Mesh::Property_map<Mesh::Face_index, Location> of_face =
     mesh.add_property_map<Mesh::Face_index, Location>("f:location").first;
+  std::vector<Mesh::Face_index> written; // in this order; empty: in that of the mesh
 };
 
 // The quads with what hangs on the file of the model, if they are to be of the same format; else the

@@ -66,7 +66,8 @@ void snap(const Layout_options& options, Model& model, const Alignment& alignmen
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
   const IL::Snapping_report report = snap_in_double(model, alignment, options.seams);
-  if(!report || report.status == IL::Outcome::FLIPS_REMAIN)
+  check_snapped(report, model, options.seams.tolerance);
+  if(report.status == IL::Outcome::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
@@ -80,7 +81,7 @@ void layout(const Arguments& arguments)
   Model model;
   read_model(options.input, options.seams.reading, model);
   std::ostream& os = summary_stream({options.output, options.picture});
-  os << notes_on_reading(model) << std::flush;
+  os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
   const Alignment alignment(model, options.seams);
   snap(options, model, alignment);
   const Progress progress("dividing the surface", options.seams.reading.verbose);

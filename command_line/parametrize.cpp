@@ -179,22 +179,16 @@ void parametrize(const Arguments& arguments)
   Outcome outcome;
   outcome.repairs = read_plain_model(options.input, options.reading, model);
   write_repairs(os, options.input, outcome.repairs);
+  os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
   const std::size_t released = release_one_of_three(model.mesh, model.is_feature);
   if(released > 0)
     os << "not aligned, as all three of a face would be: " << counted(released, "feature edge")
        << "\n";
-  std::string message;
-  Exit status = SUCCESS;
-  try {
-    make_parametrization(options, model, outcome, os);
-  } catch(const Failure& failure) {
-    status = failure.status;
-    message = failure.what();
-  }
-  if(!options.report.empty())
-    write_json(options.report, outcome.json(message));
-  if(status != SUCCESS)
-    throw Failure(status, message);
+  run_and_tell([&] { make_parametrization(options, model, outcome, os); },
+               [&](Exit, const std::string& message) {
+    if(!options.report.empty())
+      write_json(options.report, outcome.json(message));
+  });
 }

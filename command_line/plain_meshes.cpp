@@ -45,7 +45,7 @@ std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)
 void check_quad_file(const std::string& filename)
 {
   const std::string suffix = suffix_of(filename);
-  if(suffix != "obj" && suffix != "off" && suffix != "ply")
+  if(!is_special_file(filename) && suffix != "obj" && suffix != "off" && suffix != "ply")
     throw Failure(USAGE, "'" + filename + "': quads are written to .obj, .off, and .ply files");
 }
 
@@ -58,7 +58,8 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
      << " inverted: at a corner, the sides turn the other way than the quad as a whole does. ";
   os << (number == 1 ? "It is face" : number == first.size() ? "They are faces"
                                                              : "The first are faces");
-  const std::size_t first_number = suffix_of(filename) == "obj" ? 1 : 0;
+  const std::string suffix = suffix_of(filename);
+  const std::size_t first_number = suffix == "off" || suffix == "ply" ? 0 : 1;
   for(const std::size_t f : first)
     os << (f == first.front() ? " " : ", ") << f + first_number;
   os << " of " << filename << "\n";

@@ -31,8 +31,8 @@ void check_quad_file(const std::string& filename);
 void write_inverted_quads(std::ostream& os, std::size_t number,
                           const std::vector<std::size_t>& first, const std::string& filename);
 
-// In the format that the suffix of the file's name asks for: OFF, OBJ, or PLY, which has all numbers
-// that hang on the mesh, too. Throws `Failure`.
+// In the format that the suffix of the file's name asks for: OFF, OBJ, which is also that of standard
+// streams, or PLY, which has all numbers that hang on the mesh, too. Throws `Failure`.
 std::string text_of_quads(const Mesh& quads, const std::string& filename);
 std::string text_of_quads(const Quad_soup& quads, const std::string& filename);
 

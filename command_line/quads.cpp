@@ -49,7 +49,7 @@ struct Quad_options
                     "and extracts the quad mesh that it describes: its edges are the lines on which\n"
                     "a coordinate is an integer. IN is a .obj file, a .ply file with a list\n"
                     "'texcoord' for each face, or - for the standard input; OUT is a .obj, .off,\n"
-                    "or .ply file.\n");
+                    "or .ply file, or - for the standard output, in the OBJ format.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
@@ -78,6 +78,7 @@ struct Quad_options
     if(!options.parse(arguments))
       return false;
     seams.check(options);
+    seams.check_repair(options);
     has_rounding = options.is_given("rounding");
     if(options.is_given("number") && !has_rounding)
       rounding = 0.5;
@@ -88,16 +89,20 @@ struct Quad_options
   }
 };
 
-// Known before the seams are, so that it is their refusal that users see.
+// Known before the seams are, so that it is their refusal that users see. Where most of it is
+// flipped, which can be repaired, the area without signs.
 double area_in_domain(const Model& model)
 {
   const Mesh& mesh = model.mesh;
-  double result = 0;
+  double result = 0, without_signs = 0;
   for(const auto f : mesh.faces()) {
     const Halfedge h = mesh.halfedge(f);
-    result += CGAL::area(model.uv_map[h], model.uv_map[mesh.next(h)], model.uv_map[mesh.prev(h)]);
+    const double area =
+      CGAL::area(model.uv_map[h], model.uv_map[mesh.next(h)], model.uv_map[mesh.prev(h)]);
+    result += area;
+    without_signs += std::abs(area);
   }
-  return result;
+  return result > 0 ? result : without_signs;
 }
 
 // The area in the domain becomes the number of quads.
@@ -122,13 +127,6 @@ QR::Snapping_report snap_to_integers(const Quad_options& options, const double r
     model.mesh, model.uv_map,
     snapping_parameters(alignment, options.seams).integer_grid(true).rounding_tolerance(rounding)
       .grid_scale(scale_for_number(model, options)));
-}
-
-void check_snapped(const Quad_options& options, const Model& model,
-                   const QR::Snapping_report& report)
-{
-  if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
 // What is written, and how it was made.
@@ -168,7 +166,7 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
   QR::Snapping_report snapped;
   const auto snap_and_quantize = [&] {
     snapped = snap_in_double(model, alignment, seams);
-    check_snapped(options, model, snapped);
+    check_snapped(snapped, model, seams.tolerance);
     return QR::quantize(model.mesh, model.uv_map,
                         QR::parameters::edge_is_constrained_map(model.is_feature)
                           .needs_face_graph(!options.soup)
@@ -228,7 +226,7 @@ void extract_rounded(const Quad_options& options, Model& model, const double rou
                      Result& result)
 {
   result.snapped = snap_to_integers(options, rounding, model);
-  check_snapped(options, model, result.snapped);
+  check_snapped(result.snapped, model, options.seams.tolerance);
   extract(options, model, result, model.mesh, model.uv_map);
 }
 
@@ -321,7 +319,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
        << " flipped, and repaired\n";
   if(result.snapped.run.number_of_faces > 0)
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
-       << "\n";
+       << " of the side of a cell\n";
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
@@ -334,10 +332,12 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
                        options.output);
 }
 
-nlohmann::json json_of(const Result& result)
+nlohmann::json json_of(const Result& result, const bool is_written, const std::string& message)
 {
   const QR::Extraction_report& report = result.report;
-  return {{"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
+  return {{"written", is_written},
+          {"message", message},
+          {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
           {"number_of_cones", report.number_of_cones},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
@@ -361,18 +361,22 @@ void quads(const Arguments& arguments)
   Model model;
   read_model(options.input, options.seams.reading, model);
   std::ostream& os = summary_stream({options.output, options.picture, options.report});
-  os << notes_on_reading(model) << std::flush;
+  os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
   Result result;
-  if(options.number > 0)
-    make_number_of_quads(options, model, result);
-  else
-    extract_rounded(options, model, options.rounding, result);
-  check_report(options, model, result.report);
-  write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
-                                          : text_of_quads(result.mesh, options.output));
-  if(!options.picture.empty())
-    write_file(options.picture, quad_picture(result.mesh, result.is_feature));
-  write_summary(os, options, result);
-  if(!options.report.empty())
-    write_json(options.report, json_of(result));
+  const auto work = [&] {
+    if(options.number > 0)
+      make_number_of_quads(options, model, result);
+    else
+      extract_rounded(options, model, options.rounding, result);
+    check_report(options, model, result.report);
+    write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
+                                            : text_of_quads(result.mesh, options.output));
+    if(!options.picture.empty())
+      write_file(options.picture, quad_picture(result.mesh, result.is_feature));
+    write_summary(os, options, result);
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    if(!options.report.empty())
+      write_json(options.report, json_of(result, status == SUCCESS, message));
+  });
 }

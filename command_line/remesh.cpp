@@ -17,9 +17,12 @@
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,6 +34,7 @@
 #include <string>
 #include <vector>
 
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace QR = CGAL::Quad_remeshing;
 
 namespace {
@@ -72,9 +76,10 @@ struct Remesh_options
     Options options("remesh IN OUT",
                     "Remeshes a mesh with quads only, aligned to borders. IN is a .obj, .ply, .off,\n"
                     "or .stl file, or one of another format that CGAL reads, or - for the standard\n"
-                    "input; OUT is a .obj, .off, or .ply file. What has to be repaired in IN is\n"
-                    "told. From .obj to .obj, texture coordinates, colors, groups, and materials are\n"
-                    "carried over, from .ply to .ply all properties that are numbers.\n");
+                    "input; OUT is a .obj, .off, or .ply file, or - for the standard output, in the\n"
+                    "OBJ format. What has to be repaired in IN is told. From .obj to .obj, texture\n"
+                    "coordinates, colors, groups, and materials are carried over, from .ply to .ply\n"
+                    "all properties that are numbers.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, {1, largest_number},
@@ -142,9 +147,9 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
                                 const Direction_map& directions, const Sizing_map& sizes,
-                                Located_quads& quads, const Edge_bool_map is_kept)
+                                const std::optional<Kernel::Plane_3>& plane, Located_quads& quads,
+                                const Edge_bool_map is_kept)
 {
-  const auto plane = symmetry_plane(options, model.mesh);
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
                           options.verbose);
   const auto parameters =
@@ -168,14 +173,65 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                                  : make_at_most(parameters);
 }
 
+std::string why_not(const QR::Remeshing_report& report, const Model& model)
+{
+  static const char* const words[][2] = {
+    {"shrink the map by --grid-scale, or ask", "ask"},
+    {"and at most --maximum-number", "and at most --maximum-number; see --number and --edge-length"}};
+  return with_words(in_words_of_user(to_string(report.status) + (": " + report.message), model),
+                    words);
+}
+
 double diagonal(const Mesh& mesh)
 {
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
+// That a plane has no half on its other side, which would be replaced; else nothing.
+std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mesh& mesh)
+{
+  const bool has_half =
+    !plane || std::any_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const auto v) {
+      return plane->has_on_negative_side(mesh.point(v));
+    });
+  return has_half ? "" : "note: no vertex is on the negative side of the plane of --symmetry: the "
+                         "mesh as a whole is mirrored, not one half of it\n";
+}
+
+// The largest distances of vertices from the other mesh, and of middles of quads from the input.
+struct Distances
+{
+  double of_quads, of_input, diagonal;
+};
+
+// \param is_mirrored whether the report is of one half of the input
+Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_mirrored,
+                            const QR::Remeshing_report& report)
+{
+  const double size = diagonal(input);
+  const int exponent = size > 0 ? -std::ilogb(size) : 0; // no square is too large or small then
+  const auto scaled = [&](const Mesh& mesh) {
+    Mesh result(mesh);
+    for(const auto v : result.vertices()) {
+      const Kernel::Point_3& p = mesh.point(v);
+      result.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                        std::ldexp(p.z(), exponent));
+    }
+    PMP::triangulate_faces(result);
+    return result;
+  };
+  const auto distance = [&](const Mesh& a, const Mesh& b) {
+    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(
+                        CGAL::make_range(a.points().begin(), a.points().end()), b), -exponent);
+  };
+  const Mesh from = scaled(input), to = scaled(quads);
+  return {(std::max)(report.largest_distance, is_mirrored ? distance(to, from) : 0.),
+          distance(from, to), size};
+}
+
 void write_summary(std::ostream& os, const Remesh_options& options,
-                   const QR::Remeshing_report& report, const double diagonal)
+                   const QR::Remeshing_report& report, const Distances& distances)
 {
   os << counted(report.number_of_quads, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
@@ -183,8 +239,10 @@ void write_summary(std::ostream& os, const Remesh_options& options,
      << (report.message.empty() ? "" : "note: " + report.message + "\n")
      << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
      << report.mean_scaled_jacobian << "\n"
-     << "largest distance from the input: " << report.largest_distance << ", that is "
-     << report.largest_distance / diagonal << " of its diagonal\n";
+     << "largest distance from the input: " << distances.of_quads << ", that is "
+     << distances.of_quads / distances.diagonal << " of its diagonal; of its vertices from the "
+     << "quads: " << distances.of_input << ", that is " << distances.of_input / distances.diagonal
+     << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
   if(report.number_of_displaced_vertices > 0)
@@ -204,10 +262,12 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
   return result;
 }
 
-nlohmann::json json_of(const QR::Remeshing_report& report, const std::string& message,
-                       const Repairs& repairs, const double diagonal)
+nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written,
+                       const std::string& message, const Repairs& repairs,
+                       const Distances& distances)
 {
-  return {{"status", to_string(report.status)},
+  return {{"written", is_written},
+          {"status", to_string(report.status)},
           {"message", message},
           {"input", json_of(repairs)},
           {"number_of_quads", report.number_of_quads},
@@ -220,9 +280,10 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const std::string& me
           {"largest_displacement", report.largest_displacement},
           {"least_scaled_jacobian", report.least_scaled_jacobian},
           {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-          {"largest_distance", report.largest_distance},
-          {"relative_largest_distance", report.largest_distance / diagonal},
-          {"diagonal", diagonal},
+          {"largest_distance", distances.of_quads},
+          {"relative_largest_distance", distances.of_quads / distances.diagonal},
+          {"largest_distance_of_input", distances.of_input},
+          {"diagonal", distances.diagonal},
           {"number_of_released_edges", report.number_of_released_edges},
           {"released_features", json_of(report.released_features)},
           {"steps", json_of_steps(report.step_times)}};
@@ -239,24 +300,35 @@ void remesh(const Arguments& arguments)
   Model model;
   const Repairs repairs = read_plain_model(options.input, options.reading, model);
   write_repairs(os, options.input, repairs);
+  os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
   const Direction_map directions = read_directions(options.field, repairs, model.mesh);
   const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  const QR::Remeshing_report report =
-    make_quads(options, model, directions, sizes, quads, is_kept);
-  const std::string message =
-    report ? report.message
-           : in_words_of_user(to_string(report.status) + (": " + report.message), model);
-  const double size = diagonal(model.mesh);
-  if(!options.report.empty())
-    write_json(options.report, json_of(report, message, repairs, size));
-  if(!report)
-    throw Failure(NOT_SOLVED, options.input + ": " + message);
-  write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
-  if(!options.picture.empty())
-    write_file(options.picture, quad_picture(quads.mesh, is_kept));
-  write_summary(os, options, report, size);
+  QR::Remeshing_report report;
+  Distances distances{0, 0, diagonal(model.mesh)};
+  const auto work = [&] {
+    const auto plane = symmetry_plane(options, model.mesh);
+    os << note_on_plane(plane, model.mesh);
+    report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
+    if(!report)
+      throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
+    distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
+    write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
+    for(std::size_t& f : report.first_inverted_quads) // as written
+      if(!quads.written.empty())
+        f = std::size_t(std::find(quads.written.begin(), quads.written.end(),
+                                  Mesh::Face_index(Mesh::size_type(f))) - quads.written.begin());
+    if(!options.picture.empty())
+      write_file(options.picture, quad_picture(quads.mesh, is_kept));
+    write_summary(os, options, report, distances);
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    if(!options.report.empty())
+      write_json(options.report, json_of(report, status == SUCCESS,
+                                         message.empty() ? report.message : message, repairs,
+                                         distances));
+  });
 }

@@ -78,13 +78,7 @@ void snap(const Snap_options& options, Model& model, const Alignment& alignment,
                                   : snap_in_double(model, alignment, options.seams);
   summary.has_report = true;
   summary.snapping_time = timer.time();
-  if(!summary.report) {
-    std::string message = in_words_of_user(to_text(summary.report), model);
-    const Misfits misfits = count_misfits(model, options.seams.tolerance);
-    if(misfits.number_of_misfits > 0)
-      message += "\n" + to_text(misfits);
-    throw Failure(NOT_SOLVED, options.input + ": " + message);
-  }
+  check_snapped(summary.report, model, options.seams.tolerance);
   summary.after = measure(model, alignment);
   if(!summary.after.is_exact())
     throw Failure(NOT_SOLVED, options.input + ": the result is not exact; please report this");
@@ -133,26 +127,21 @@ void snap(const Arguments& arguments)
   CGAL::Real_timer timer;
   timer.start();
   Model model;
-  std::string message;
-  Exit status = SUCCESS;
   read_model(options.input, options.seams.reading, model);
   const Alignment alignment(model, options.seams);
   Summary summary(model, alignment);
   summary.reading_time = timer.time();
   summary.before = measure(model, alignment);
   const Uv_map old_uv_map = options.picture.empty() ? model.uv_map : copy_of_uv_map(model);
-  try {
+  const auto work = [&] {
     snap(options, model, alignment, summary);
     write_results(options, model, old_uv_map, summary);
     if(summary.report.status == SS::Outcome::FLIPS_REMAIN)
       throw Failure(STILL_FLIPPED,
                     options.input + ": " + in_words_of_user(to_text(summary.report), model));
-  } catch(const Failure& failure) {
-    status = failure.status;
-    message = failure.what();
-  }
-  if(!options.report.empty())
-    write_report(options.report, summary, status == SUCCESS || status == STILL_FLIPPED, message);
-  if(status != SUCCESS)
-    throw Failure(status, message);
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    if(!options.report.empty())
+      write_report(options.report, summary, status == SUCCESS || status == STILL_FLIPPED, message);
+  });
 }

@@ -6,6 +6,7 @@
 #include "Model.h"
 #include "Options.h"
 #include "Progress.h"
+#include "Summary.h"
 #include "commands.h"
 #include "files.h"
 #include "pictures/tracing_constraint_figure.h"
@@ -152,18 +153,16 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
                .tolerance(options.tolerance).connection_constraints(connections)
                .cycle_constraints(cycles)
                .connection_tolerance((std::max)(0.01, 2 * options.near_by)));
-  std::ostringstream outcome;
-  outcome << report;
-  if(!report)
-    throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(outcome.str(), model));
+  check_snapped(report, model, options.tolerance);
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
-            << " cycles: " << outcome.str() << ", largest change " << report.largest_change;
+            << " cycles: " << to_text(report) << ", largest change " << report.largest_change;
   if(report.extent > 0)
     std::cout << ", that is " << report.largest_change / report.extent << " of the extent";
   std::cout << std::endl;
 }
 
-void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after)
+void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after,
+                 const int maximum_number)
 {
   std::map<IL::Isocurve_status, std::pair<std::size_t, std::size_t> > counts;
   for(const Curve& curve : before)
@@ -173,8 +172,13 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
   std::cout << std::left << std::setw(22) << "end of the curve" << std::right << std::setw(10)
             << "inexact" << std::setw(10) << "exact" << "\n";
   for(const auto& [status, count] : counts)
-    std::cout << std::left << std::setw(22) << IL::to_string(status) << std::right << std::setw(10)
-              << count.first << std::setw(10) << count.second << "\n";
+    std::cout << std::left << std::setw(22)
+              << (status == IL::Isocurve_status::MAXIMUM_NUMBER
+                    ? "--maximum-number " + std::to_string(maximum_number) : IL::to_string(status))
+              << std::right << std::setw(10) << count.first << std::setw(10) << count.second
+              << "\n";
+  if(counts.empty())
+    std::cout << "no curve, as no vertex is singular; --all starts at all vertices\n";
   std::cout << std::flush;
 }
 
@@ -190,7 +194,7 @@ void write_overview(std::ostream& os, const Overview& before, const Overview& af
   after.write_projection(os, 920, 950, 540);
   os << "<path stroke-width=\"3\" stroke=\"#0072b2\" d=\"M60 1275H90\"/>"
         "<path stroke-width=\"3\" stroke=\"#d55e00\" d=\"M420 1275H450\"/>\n";
-  write_text(os, 100, 1281, "isocurves that end as they should", "");
+  write_text(os, 100, 1281, "isocurves that do not fail", "");
   write_text(os, 460, 1281, "isocurves that fail, and where", "");
   os << "</svg>\n";
 }
@@ -247,17 +251,18 @@ void trace(const Arguments& arguments)
     for(const Edge e : model.mesh.edges())
       model.is_feature[e] = false;
 
-  std::cout << notes_on_reading(model) << std::flush;
+  std::cout << notes_on_reading(model) << note_on_features(options.features, model) << std::flush;
   const Progress progress("tracing", options.reading.verbose);
   const Tracer inexact_tracer(model.mesh, model.uv_map, parameters::tolerance(options.tolerance));
   if(!inexact_tracer)
-    throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance");
+    throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance; 'seamless snap' "
+                                "tells where, and --tolerance raises it");
   const auto before = trace(model.mesh, inexact_tracer, options, false);
   snap(model, exact_map, model.is_feature,
        options.constrain ? before : std::vector<Curve>(), options);
   const Tracer exact_tracer(model.mesh, exact_map);
   const auto after = trace(model.mesh, exact_tracer, options, true);
-  print_table(before, after);
+  print_table(before, after, options.maximum_number);
   const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
   if(options.output.empty())
     std::cout << "nothing is written; name a beginning of names, or a folder, to have pictures and "

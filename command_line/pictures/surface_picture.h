@@ -84,11 +84,9 @@ public:
 
   std::string svg() const
   {
-    const double width = m_box.xmax() - m_box.xmin(), height = m_box.ymax() - m_box.ymin();
-    const double ratio = height / (std::max)((std::max)(width, height), 1e-300);
     std::ostringstream os;
     os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << size << ' '
-       << (std::max)(size * ratio, 1.) << "\">\n"
+       << 2 * margin + scale() * (m_box.ymax() - m_box.ymin()) << "\">\n"
        << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" << m_svg.str() << "</svg>\n";
     return os.str();
   }
@@ -96,17 +94,18 @@ public:
 private:
   static constexpr double size = 900;
   static constexpr double slack = 0.004 * size;
+  static constexpr double margin = 6; // in which dots at the silhouette fit
 
   double scale() const
   {
     const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
-    return (size - 4) / (std::max)(extent, 1e-300);
+    return (size - 2 * margin) / (std::max)(extent, 1e-300);
   }
 
   Depth_buffer::Point pixel(const Point& p) const
   {
-    return {2 + scale() * (m_view.across(p) - m_box.xmin()),
-            2 + scale() * (m_box.ymax() - m_view.up(p)), scale() * m_view.depth(p)};
+    return {margin + scale() * (m_view.across(p) - m_box.xmin()),
+            margin + scale() * (m_box.ymax() - m_view.up(p)), scale() * m_view.depth(p)};
   }
 
   // A corner, and the side that leads to it: an edge, or one between two triangles of a face, which

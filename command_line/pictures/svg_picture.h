@@ -53,8 +53,10 @@ public:
           "<text x=\"40\" y=\"52\" font-size=\"26\">" << escaped(title) << "</text>\n";
     write_domain(os);
     write_legend(os);
-    os << "<text x=\"1160\" y=\"100\" text-anchor=\"middle\" fill=\"#d55e00\">before</text>\n"
-          "<text x=\"1430\" y=\"100\" text-anchor=\"middle\" fill=\"#009e73\">after</text>\n";
+    os << (m_shown.empty()
+             ? "<text x=\"1295\" y=\"100\" text-anchor=\"middle\">no cut, and no gap</text>\n"
+             : "<text x=\"1160\" y=\"100\" text-anchor=\"middle\" fill=\"#d55e00\">before</text>\n"
+               "<text x=\"1430\" y=\"100\" text-anchor=\"middle\" fill=\"#009e73\">after</text>\n");
     for(std::size_t i = 0; i < m_shown.size(); ++i)
       Svg_gap_row<TriangleMesh, HalfedgeUVMap, OldHalfedgeUVMap>(
         m_mesh, m_old_uv_map, m_uv_map, m_transitions, m_branches[m_shown[i]],

@@ -80,8 +80,10 @@ struct Remeshing_report
   /// quads would be inverted otherwise
   std::size_t number_of_displaced_vertices = 0;
   double largest_displacement = 0; ///< the largest distance by which these were moved
-  /// the largest distance from the input that was found, at the middles of faces and edges. The
-  /// vertices lie on the input, up to rounding, but for those that were displaced.
+  /// the largest distance from the input that was found, at the middles of faces and edges; with
+  /// `symmetry_plane`, of the quads of one half from this half. The vertices lie on the input, up
+  /// to rounding, but for those that were displaced, and images of what is not symmetric.
+  /// Parts of the input can be farther from the quads, such as corners that they cut off.
   double largest_distance = 0;
   /// @}
 

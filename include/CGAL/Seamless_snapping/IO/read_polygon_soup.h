@@ -48,7 +48,7 @@ inline std::string format_of_polygons(const std::string_view text)
 {
   if(text.substr(0, 3) == "ply")
     return "ply";
-  if(text.substr(0, 5) == "solid")
+  if(text.substr(0, 5) == "solid" || has_size_of_binary_STL(text))
     return "stl";
   // OFF files may begin with comments of the same form as those of OBJ files
   return OBJ_scanner(text).next_statement().find("OFF") == text.npos ? "obj" : "off";
@@ -128,7 +128,8 @@ not a finite number or a face with a vertex that does not exist, and if it has n
 
 \param is the input stream; it is left at its end
 \param soup receives what is read; it is left as it was if the file is refused
-\param format `"obj"`, `"ply"`, `"off"`, or `"stl"`; else the text tells it by its first word
+\param format `"obj"`, `"ply"`, `"off"`, or `"stl"`; else the text tells it by its first word, or
+       by its size, as binary STL files do
 
 \return an object that converts to `true` if the mesh was read, and that holds the reason and the
         line otherwise

@@ -51,7 +51,8 @@ inline bool check_options(const Quantization_options& options, Report& report)
   return options.is_coarsest ||
          (options.number_of_quads >= 1 && options.number_of_quads <= largest) ||
          refuse(report, Outcome::INVALID_ARGUMENT,
-                "the target is " + short_number(options.number_of_quads) +
+                "the target is " + (std::isnan(options.number_of_quads)
+                                      ? "no number of" : short_number(options.number_of_quads)) +
                   " quads; it must be at least 1 and at most 2^28, and at most maximum_number");
 }
 

@@ -200,8 +200,16 @@ private:
     throw File_refusal(line(m_sides[fault]),
                        edge + " has the same direction in two faces ("
                        + places({m_sides[i], m_sides[i + 1]}, " and ") + "): "
-                       + (is_orientable() ? "orient the faces consistently first"
+                       + (have_same_vertices(m_sides[i], m_sides[i + 1])
+                            ? "they have the same vertices; remove one of them"
+                          : is_orientable() ? "orient the faces consistently first"
                                           : "the surface is not orientable"));
+  }
+
+  bool have_same_vertices(const Side& a, const Side& b) const
+  {
+    const auto &v = (*m_triangles)[a.side / 3].vertices, &w = (*m_triangles)[b.side / 3].vertices;
+    return std::is_permutation(v.begin(), v.end(), w.begin());
   }
 
   // Whether some choice of orientations makes all edges of two faces fit.

@@ -157,13 +157,18 @@ inline Corner_soup<double, void> parse_binary_STL(const std::string_view text)
   return soup;
 }
 
+inline bool has_size_of_binary_STL(const std::string_view text)
+{
+  return text.size() >= size_of_STL_head &&
+         text.size() == size_of_STL_head + number_of_binary_STL_faces(text) * size_of_STL_face;
+}
+
 // Some programs begin binary files with "solid", too: these have zeros, or the size that they tell.
 inline Corner_soup<double, void> parse_STL(const std::string_view text)
 {
   const bool is_binary =
     text.size() >= size_of_STL_head &&
-    (text.substr(0, 5) != "solid" || text.find('\0') != text.npos ||
-     text.size() == size_of_STL_head + number_of_binary_STL_faces(text) * size_of_STL_face);
+    (text.substr(0, 5) != "solid" || text.find('\0') != text.npos || has_size_of_binary_STL(text));
   return is_binary ? parse_binary_STL(text) : parse_STL_text(text);
 }
 
