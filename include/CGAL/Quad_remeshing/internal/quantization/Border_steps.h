@@ -20,6 +20,7 @@
 // isocurves, and is that of the surface nevertheless.
 
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
+#include <CGAL/Quad_remeshing/internal/cells/place_on_surface.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 
 #include <algorithm>
