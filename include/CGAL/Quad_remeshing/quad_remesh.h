@@ -324,7 +324,9 @@ it turns or ends there, and two quads around a vertex of two edges become one. W
 flat even then, as between two features that are a straight line in space, becomes five quads, one
 of them inside, if those have a better shape. The vertices of quads that are inverted even then
 leave their features, and the surface where that does not help, by as little as mends the quads, and
-by at most half of the quad's longest edge; the report counts them, and tells by how much. With
+by at most half of the quad's longest edge; the report counts them, and tells by how much. Where
+that is not enough, the vertices of the quads around move, too. There are at most 20,000 such moves
+of a vertex in all. With
 `symmetry_plane`, they stay. Quads that stay inverted are counted in the report. Triangles with
 three sides that are features or border are divided before, in a copy.
 

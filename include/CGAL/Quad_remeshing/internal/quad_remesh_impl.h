@@ -283,7 +283,8 @@ private:
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
-    mender.run();
+    mender.run(false);
+    mender.run(true);
     m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
     m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());
   }

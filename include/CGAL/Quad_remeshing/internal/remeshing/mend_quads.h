@@ -18,15 +18,11 @@
 // The last resort for quads that are inverted: their vertices leave the features, and where that is
 // not enough the surface, by as little as helps. Exact signs decide whether it does.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
-#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/packages_below.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -53,19 +49,21 @@ class Quad_mender
   };
 
 public:
-  // \param has_single_precision whether points are to be of single precision
+  // \param is_feature whether an edge is a feature or border
   Quad_mender(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,
               const bool has_single_precision)
-    : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother),
-      m_has_single_precision(has_single_precision)
+    : m_quads(quads), m_smoother(smoother),
+      m_star(quads, is_feature, smoother, has_single_precision)
   { }
 
-  // At most 18 attempts for each quad, of at most 40 rounds over its vertices.
-  void run()
+  // At most 18 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
+  // a vertex in all, each of which looks at about a hundred places.
+  // \param with_neighbors whether the vertices of the quads around move, too
+  void run(const bool with_neighbors)
   {
     for(const Face f : faces(m_quads))
       if(is_inverted(m_smoother.quad(f)))
-        mend(f);
+        mend(f, with_neighbors);
   }
 
   // Vertices that have left features, borders, or the surface, and the largest distance by which
@@ -80,9 +78,18 @@ public:
   }
 
 private:
-  void mend(const Face f)
+  void mend(const Face f, const bool with_neighbors)
   {
-    collect(f);
+    m_vertices.clear();
+    m_places.clear();
+    add_vertices(f);
+    m_star.collect(m_vertices);
+    if(with_neighbors) {
+      for(const Face g : m_star.faces())
+        add_vertices(g);
+      m_star.collect(m_vertices);
+    }
+    m_star.has_to_be_mended(f);
     double longest = 0;
     const Quad q = m_smoother.quad(f);
     for(std::size_t k = 0; k < 4; ++k)
@@ -93,43 +100,29 @@ private:
           return;
   }
 
-  // The vertices of the face, and all faces around them.
-  void collect(const Face f)
+  void add_vertices(const Face f)
   {
-    m_vertices.clear();
-    m_places.clear();
-    m_star.clear();
-    m_upper_side.clear();
-    m_was_inverted.clear();
-    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
-      m_vertices.push_back(v);
-      m_places.push_back(m_smoother.point(v));
-      for(const Face g : CGAL::faces_around_target(halfedge(v, m_quads), m_quads))
-        if(g != Mesh::null_face() && std::find(m_star.begin(), m_star.end(), g) == m_star.end())
-          m_star.push_back(g);
-    }
-    for(const Face g : m_star) {
-      const Quad q = m_smoother.quad(g);
-      m_upper_side.push_back(upper_side_or_own(q, m_smoother.normal_of_surface(q)));
-      m_was_inverted.push_back(is_inverted(q));
-    }
-    m_was_inverted[std::size_t(std::find(m_star.begin(), m_star.end(), f) - m_star.begin())] =
-      false; // is not to be any more
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      if(std::find(m_vertices.begin(), m_vertices.end(), v) == m_vertices.end()) {
+        m_vertices.push_back(v);
+        m_places.push_back(m_smoother.point(v));
+      }
   }
 
   // Returns whether the face is no longer inverted, and all around it as good as before; else the
   // vertices stay where they were.
   bool improve(const double radius, const Freedom freedom)
   {
-    double least = badness();
+    double least = m_star.badness();
     for(int round = 0; round < most_rounds && least > 0; ++round) {
       const double before = least;
-      for(std::size_t i = 0; i < m_vertices.size(); ++i)
-        move(i, radius, freedom, least);
+      for(std::size_t i = 0; i < m_vertices.size() && m_moves_left > 0; ++i)
+        move(i, radius, freedom);
+      least = m_star.badness();
       if(!(least < 0.999 * before))
         break;
     }
-    if(is_mended()) {
+    if(m_star.is_mended()) {
       note_displacements(freedom);
       return true;
     }
@@ -138,12 +131,14 @@ private:
     return false;
   }
 
-  // The best of some steps, which lowers `least`.
-  void move(const std::size_t i, const double radius, const Freedom freedom, double& least)
+  // The best of some steps.
+  void move(const std::size_t i, const double radius, const Freedom freedom)
   {
     const Vertex v = m_vertices[i];
-    if(freedom == Freedom::SURFACE_INSIDE && is_on_line(v))
+    double least = m_star.badness_around(i);
+    if(least == 0 || (freedom == Freedom::SURFACE_INSIDE && is_on_line(v)))
       return;
+    --m_moves_left;
     const Space_vector from = m_smoother.point(v);
     Space_vector best = from;
     for(double step = radius; step > radius / 100; step /= 4)
@@ -152,25 +147,17 @@ private:
         for(std::size_t c = 0; c < 3; ++c)
           p[c] += step * d[c];
         if(freedom != Freedom::SPACE)
-          p = m_smoother.nearest(p, from);
+          p = m_smoother.nearest(p);
         if(norm(vector_to(m_places[i], p)) > radius)
           continue;
-        set_point(v, p);
-        const double now = badness();
+        m_star.set_point(v, p);
+        const double now = m_star.badness_around(i);
         if(now < least) {
           least = now;
           best = m_smoother.point(v);
         }
       }
     m_smoother.set_point(v, best);
-  }
-
-  void set_point(const Vertex v, Space_vector p)
-  {
-    if(m_has_single_precision)
-      for(double& x : p)
-        x = rounded_to<float>(x);
-    m_smoother.set_point(v, p);
   }
 
   // To the faces, edges and corners of a cube.
@@ -190,38 +177,7 @@ private:
     return result;
   }
 
-  // 0 where all have a shape that is good enough. Quads that turn over are worst of all.
-  double badness() const
-  {
-    double sum = 0;
-    for(std::size_t i = 0; i < m_star.size(); ++i) {
-      const Quad q = m_smoother.quad(m_star[i]);
-      const Space_vector normal = quad_normal(q);
-      const double missing = good_enough - scaled_jacobian(q, normal);
-      sum += missing > 0 ? missing * missing : 0;
-      sum += inner_product(normal, m_upper_side[i]) > 0 ? 0 : 4;
-    }
-    return sum;
-  }
-
-  bool is_mended() const
-  {
-    for(std::size_t i = 0; i < m_star.size(); ++i) {
-      const Quad q = m_smoother.quad(m_star[i]);
-      if((!m_was_inverted[i] && is_inverted(q)) ||
-         !(inner_product(quad_normal(q), m_upper_side[i]) > 0))
-        return false;
-    }
-    return true;
-  }
-
-  bool is_on_line(const Vertex v) const
-  {
-    for(const auto h : CGAL::halfedges_around_target(v, m_quads))
-      if(m_is_feature[m_quads.edge(h)])
-        return true;
-    return false;
-  }
+  bool is_on_line(const Vertex v) const { return m_star.number_of_lines(v) > 0; }
 
   void note_displacements(const Freedom freedom)
   {
@@ -231,20 +187,16 @@ private:
         m_displaced.emplace(m_vertices[i], m_places[i]);
   }
 
-  static constexpr double good_enough = 0.02; // as a scaled Jacobian
   static constexpr int most_rounds = 40;
+  static constexpr int most_moves = 20000;
 
   Mesh& m_quads;
-  Feature_map m_is_feature;
   Quad_smoother& m_smoother;
-  bool m_has_single_precision;
+  Quad_star m_star; // of the vertices that move
+  int m_moves_left = most_moves;
   std::map<Vertex, Space_vector> m_displaced; // and where they were
-  // scratch: of the face that is mended
-  std::vector<Vertex> m_vertices;
-  std::vector<Space_vector> m_places; // of the vertices, before
-  std::vector<Face> m_star;
-  std::vector<Space_vector> m_upper_side; // of these faces
-  std::vector<char> m_was_inverted;       // of these faces
+  std::vector<Vertex> m_vertices;             // that move
+  std::vector<Space_vector> m_places;         // of these, before
 };
 
 } // namespace internal

@@ -128,19 +128,19 @@ public:
   double measure_distance() const
   {
     double largest = 0;
-    const auto measure = [&](const Space_vector& p, const Space_vector& near_by)
-      { largest = (std::max)(largest, norm(vector_to(p, nearest(p, near_by)))); };
+    const auto measure = [&](const Space_vector& p)
+      { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
       Space_vector middle{};
       for(std::size_t i = 0; i < 4; ++i)
         for(std::size_t c = 0; c < 3; ++c)
           middle[c] += q[i][c] / 4;
-      measure(middle, q[0]);
+      measure(middle);
     }
     for(const auto e : edges(m_quads)) {
       const Space_vector a = point(source(e, m_quads)), b = point(target(e, m_quads));
-      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, a);
+      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
     }
     return largest;
   }
@@ -163,7 +163,14 @@ public:
     return result;
   }
 
-  // The nearest point of the surface. The search begins at another one of its points.
+  // The nearest point of the surface.
+  Space_vector nearest(const Space_vector& p) const
+  {
+    const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]));
+    return {q.x(), q.y(), q.z()};
+  }
+
+  // The same, faster: the search begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   {
     const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]),
