@@ -136,11 +136,13 @@ private:
         difference += m_rules.cost(c.halfedge, c.vector);
       add(c.halfedge, c.vector);
     }
-    if(difference < bound && are_faces_positive())
-      return true;
+    const bool is_better = difference < bound && are_faces_positive();
     for(const Change& c : m_changes)
-      add(c.halfedge, negated(c.vector));
-    return false;
+      if(is_better)
+        m_rules.update(c.halfedge);
+      else
+        add(c.halfedge, negated(c.vector));
+    return is_better;
   }
 
   // Those that have been changed; also all the way from what they were.
@@ -196,7 +198,7 @@ private:
     for(Corner_index h = 3 * face; h < 3 * face + 3; ++h)
       for(int k = 0; k < 4; ++k) {
         const Strip_state s = strip_state(h, k);
-        const double cost = Strip_search::positive(m_rules.cost(s));
+        const double cost = m_rules.price(s);
         if(!m_rules.is_allowed(s) || !find_strip(s, least - cost))
           continue;
         best = s;

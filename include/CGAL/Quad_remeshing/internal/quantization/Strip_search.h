@@ -20,15 +20,15 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/round_units.h>
 
+#include <boost/heap/d_ary_heap.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <limits>
-#include <optional>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +45,7 @@ inline Strip_state strip_state(const Corner_index h, const int direction)
 { return 4 * h + direction; }
 inline Corner_index halfedge_of(const Strip_state s) { return s / 4; }
 inline Grid_vector change_of(const Strip_state s) { return unit_vector(s % 4); }
+inline Strip_state with_opposite_change(const Strip_state s) { return s ^ 2; }
 
 // The units of a face's halfedges.
 using Face_units = std::array<Grid_vector, 3>;
@@ -58,22 +59,52 @@ inline std::int64_t determinant(const Face_units& units)
 { return cross_product(units[0], units[1]); }
 
 // What a change by one unit costs, and which are allowed. The complex has to outlive it.
+// Invariant: prices and determinants are those of the units at the last update.
 class Strip_rules
 {
+  // Together, as a search asks for all of them.
+  struct State_values
+  {
+    double price;
+    std::int64_t cross;
+    Strip_state across;
+  };
+
 public:
   Strip_rules(const Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex)
+    : m_complex(complex), m_values(4 * complex.corners.size()),
+      m_determinant(complex.corners.size() / 3)
   {
     for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_wanted.push_back(wanted_units(complex, h, scales));
       m_weight.push_back(weight_of_edge(m_wanted.back()));
-      if(complex.opposite(h) == no_index)
-        m_border.push_back(h);
+      update(h);
+      const Corner_index g = complex.opposite(h);
+      for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s) {
+        m_values[std::size_t(s)].across = g == no_index ? no_strip_state : strip_state(
+          g, Quarter_turns::compose(complex.corner(h).rotation, s % 4));
+        if(g == no_index && is_allowed(s))
+          m_border.push_back(s);
+      }
+    }
+  }
+
+  // To be called for each halfedge whose units have changed, once triangles are closed again.
+  void update(const Corner_index h)
+  {
+    m_determinant[std::size_t(h / 3)] = determinant(units_of_face(h / 3));
+    for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s) {
+      State_values& values = m_values[std::size_t(s)];
+      values.price = is_allowed(s) ? (std::max)(cost(s), 0.) + 1e-6
+                                   : std::numeric_limits<double>::infinity();
+      values.cross = cross_product(change_of(s), m_complex.corner(h).units);
     }
   }
 
   const Intrinsic_complex& complex() const { return m_complex; }
-  const std::vector<Corner_index>& border() const { return m_border; }
+
+  // Allowed changes of border edges.
+  const std::vector<Strip_state>& border() const { return m_border; }
 
   // Of the sum of weighted squares of deviations, if the halfedge's vector changes.
   double cost(const Corner_index h, const Grid_vector& change) const
@@ -86,6 +117,13 @@ public:
   }
   double cost(const Strip_state s) const { return cost(halfedge_of(s), change_of(s)); }
 
+  // The same without gains, and infinite for what is not allowed. A little more for each step keeps
+  // strips short.
+  double price(const Strip_state s) const { return m_values[std::size_t(s)].price; }
+
+  // The change times the halfedge's units.
+  std::int64_t cross(const Strip_state s) const { return m_values[std::size_t(s)].cross; }
+
   // Walls change along themselves only.
   bool is_allowed(const Strip_state s) const
   {
@@ -93,6 +131,9 @@ public:
     const Grid_vector d = change_of(s);
     return !corner.is_wall || (corner.vector[0] == 0 ? d[0] == 0 : d[1] == 0);
   }
+
+  std::int64_t determinant_of_face(const Flat_face_index f) const
+  { return m_determinant[std::size_t(f)]; }
 
   bool is_no_worse(const Flat_face_index f, const std::int64_t before,
                    const std::int64_t after) const
@@ -106,23 +147,22 @@ public:
             m_complex.corner(3 * f + 2).units};
   }
 
-  // The direction of the change in the chart of the face on the other side.
-  // \pre no border
-  int direction_across(const Strip_state s) const
-  { return Quarter_turns::compose(m_complex.corner(halfedge_of(s)).rotation, s % 4); }
+  // The same change of the halfedge on the other side, in the chart there, or no state.
+  Strip_state across(const Strip_state s) const { return m_values[std::size_t(s)].across; }
 
   // The same edge from the other side; strips through it are the same, in the other direction.
   // \pre no border
-  Strip_state reversed(const Strip_state s) const
-  { return strip_state(m_complex.opposite(halfedge_of(s)), (direction_across(s) + 2) % 4); }
+  Strip_state reversed(const Strip_state s) const { return with_opposite_change(across(s)); }
 
   Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
 
 private:
   const Intrinsic_complex& m_complex;
-  std::vector<Corner_index> m_border;
+  std::vector<Strip_state> m_border;
   std::vector<std::array<double, 2> > m_wanted; // per halfedge
   std::vector<double> m_weight;                 // per halfedge
+  std::vector<State_values> m_values;           // per state
+  std::vector<std::int64_t> m_determinant;      // per face
 };
 
 // Invariant: what has been reached was reached from the start, by allowed changes.
@@ -131,14 +171,14 @@ class Strip_search
 public:
   explicit Strip_search(const Strip_rules& rules)
     : m_rules(rules), m_reached(4 * rules.complex().corners.size()),
-      m_reached_faces(rules.complex().corners.size() / 3)
+      m_passed(rules.complex().corners.size() / 3)
   { }
 
   // Of a strip through the state whose other costs add up to less than `bound`, gains not counted.
   void start(const Strip_state s, const double bound)
   {
     ++m_round;
-    m_queue = Queue();
+    m_queue.clear();
     m_is_border_reached = false;
     m_start = s;
     m_bound = bound;
@@ -152,12 +192,16 @@ public:
   // \pre width() > 0
   bool advance()
   {
-    const auto [distance, s] = m_queue.top();
+    const double distance = m_queue.top().distance();
+    const Strip_state s = m_queue.top().state;
     m_queue.pop();
     if(distance > reached(s).distance)
       return false;
     if(s == m_start)
       return true;
+    Passed& passed = m_passed[std::size_t(halfedge_of(s) / 3)];
+    if(passed.round != m_round)
+      passed = {distance, m_round};
     expand(s, distance);
     return false;
   }
@@ -177,106 +221,136 @@ public:
     } while(s != m_start);
   }
 
-  // A small cost for each step keeps strips short.
-  static double positive(const double cost) { return (std::max)(cost, 0.) + 1e-6; }
-
 private:
+  // One bit for each face of a strip; others may share it.
+  using Face_bits = std::uint64_t;
+
+  static Face_bits bit_of(const Flat_face_index f) { return Face_bits(1) << (f % 64); }
+
   struct Reached
   {
     double distance;
+    Face_bits faces; // of the strip so far, but for that of the start
     Strip_state parent;
     Corner_index entry;     // the halfedge over which the strip enters its face
     std::int32_t round = 0; // valid if it is the current one
   };
 
-  struct Reached_face
+  // The first strip through a face.
+  struct Passed
   {
-    double least_distance; // of its states, but for the start
+    double distance;
     std::int32_t round = 0;
   };
+
+  // In one integer, as non-negative numbers are in the order of their bits: comparing takes less
+  // time than that of pairs.
+  struct Queued
+  {
+    std::int64_t bits_of_distance;
+    Strip_state state;
+
+    Queued(const double distance, const Strip_state s) : state(s)
+    { std::memcpy(&bits_of_distance, &distance, sizeof(distance)); }
+
+    double distance() const
+    {
+      double result;
+      std::memcpy(&result, &bits_of_distance, sizeof(result));
+      return result;
+    }
+
+    bool operator>(const Queued& other) const
+    {
+      const std::int64_t d = bits_of_distance - other.bits_of_distance;
+      return (d != 0 ? d : state - other.state) > 0;
+    }
+  };
+
+  using Queue = boost::heap::d_ary_heap<Queued, boost::heap::arity<4>,
+                                        boost::heap::compare<std::greater<Queued> > >;
 
   const Reached& reached(const Strip_state s) const { return m_reached[std::size_t(s)]; }
   bool is_reached(const Strip_state s) const { return reached(s).round == m_round; }
 
-  // The units of a face after a strip that has come to the state `from`: it may have passed the
-  // face before, in another direction.
-  Face_units units_on_the_way(const Flat_face_index f, const Strip_state from) const
+  // Faces that a strip to the state, which the search has reached, may have left.
+  Face_bits faces_before(const Strip_state s) const { return s == m_start ? 0 : reached(s).faces; }
+
+  // Distances grow along a strip: where they are less than that of the first one through the face,
+  // it has not passed the face yet.
+  bool may_have_passed(const Flat_face_index f, const Strip_state s) const
   {
+    const Passed& passed = m_passed[std::size_t(f)];
+    return (faces_before(s) & bit_of(f)) != 0 && passed.round == m_round &&
+           reached(s).distance >= passed.distance;
+  }
+
+  // Whether the face gets no worse by a strip to `from` that goes on into it, and leaves it by `s`.
+  bool is_open(const Strip_state from, const Corner_index entry, const Strip_state s) const
+  {
+    const Corner_index exit = halfedge_of(s);
+    const Flat_face_index f = exit / 3;
+    const std::int64_t before = m_rules.determinant_of_face(f);
+    if(may_have_passed(f, from))
+      return m_rules.is_no_worse(f, before, determinant_on_the_way(from, entry, s));
+    // of the exit and the edge that stays
+    const bool is_first = exit == Intrinsic_complex::next(entry);
+    const Corner_index other = is_first ? Intrinsic_complex::next(exit)
+                                        : Intrinsic_complex::prev(exit);
+    const std::int64_t cross = m_rules.cross(strip_state(other, s % 4));
+    return m_rules.is_no_worse(f, before, checked_difference(before, is_first ? -cross : cross));
+  }
+
+  // The strip may have passed the face before, in another direction.
+  std::int64_t determinant_on_the_way(const Strip_state from, const Corner_index entry,
+                                      const Strip_state s) const
+  {
+    const Flat_face_index f = entry / 3;
     Face_units units = m_rules.units_of_face(f);
-    const double nearest = least_distance(f);
-    for(Strip_state s = from; s != m_start && reached(s).distance >= nearest; s = reached(s).parent)
-      if(halfedge_of(s) / 3 == f) {
-        add_to(units, halfedge_of(s), change_of(s));
-        add_to(units, reached(s).entry, negated(change_of(s)));
+    for(Strip_state t = from; may_have_passed(f, t); t = reached(t).parent)
+      if(halfedge_of(t) / 3 == f) {
+        add_to(units, halfedge_of(t), change_of(t));
+        add_to(units, reached(t).entry, negated(change_of(t)));
       }
-    return units;
-  }
-
-  // Of the face's states that the search has reached. Distances grow along a strip: where they are
-  // less than this, it has not passed the face yet.
-  double least_distance(const Flat_face_index f) const
-  {
-    const Reached_face& face = m_reached_faces[std::size_t(f)];
-    return face.round == m_round ? face.least_distance : std::numeric_limits<double>::infinity();
-  }
-
-  void set_reached(const Strip_state s, const double distance, const Strip_state parent,
-                   const Corner_index entry)
-  {
-    m_reached[std::size_t(s)] = {distance, parent, entry, m_round};
-    if(s == m_start)
-      return;
-    const Flat_face_index f = halfedge_of(s) / 3;
-    m_reached_faces[std::size_t(f)] = {(std::min)(distance, least_distance(f)), m_round};
+    add_to(units, entry, negated(change_of(s)));
+    add_to(units, halfedge_of(s), change_of(s));
+    return determinant(units);
   }
 
   void expand(const Strip_state s, const double distance)
   {
-    const Corner_index h = halfedge_of(s), g = m_rules.complex().opposite(h);
-    if(g != no_index) {
-      enter(s, g, m_rules.direction_across(s), distance);
+    if(const Strip_state entry = m_rules.across(s); entry != no_strip_state) {
+      enter(s, entry, distance);
       return;
     }
     if(m_is_border_reached)
       return;
     m_is_border_reached = true;
-    for(const Corner_index b : m_rules.border())
-      for(int k = 0; k < 4; ++k)
-        if(m_rules.is_allowed(strip_state(b, k)) && b != h)
-          enter(s, b, k, distance + positive(m_rules.cost(b, negated(unit_vector(k)))));
+    for(const Strip_state b : m_rules.border())
+      if(halfedge_of(b) != halfedge_of(s))
+        enter(s, b, distance + m_rules.price(with_opposite_change(b)));
   }
 
-  void enter(const Strip_state from, const Corner_index entry, const int direction,
-             const double distance)
+  // \param side the halfedge over which the strip enters, and the direction in the chart there
+  void enter(const Strip_state from, const Strip_state side, const double distance)
   {
-    const Flat_face_index f = entry / 3;
-    std::optional<Face_units> entered; // most ways are not shorter, and end before
+    if(distance >= m_bound)
+      return;
+    const Corner_index entry = halfedge_of(side);
     for(const Corner_index exit :
         {Intrinsic_complex::next(entry), Intrinsic_complex::prev(entry)}) {
-      const Strip_state s = strip_state(exit, direction);
-      if(!m_rules.is_allowed(s))
+      const Strip_state s = strip_state(exit, side % 4);
+      const double d = s == m_start ? distance : distance + m_rules.price(s);
+      if(d >= m_bound || (is_reached(s) && reached(s).distance <= d) || !is_open(from, entry, s))
         continue;
-      const double d = s == m_start ? distance : distance + positive(m_rules.cost(s));
-      if(d >= m_bound || (is_reached(s) && reached(s).distance <= d))
-        continue;
-      if(!entered)
-        entered = units_on_the_way(f, from);
-      Face_units after = *entered;
-      add_to(after, entry, negated(change_of(s)));
-      add_to(after, exit, change_of(s));
-      if(!m_rules.is_no_worse(f, determinant(m_rules.units_of_face(f)), determinant(after)))
-        continue;
-      set_reached(s, d, from, entry);
+      m_reached[std::size_t(s)] = {d, faces_before(from) | bit_of(exit / 3), from, entry, m_round};
       m_queue.emplace(d, s);
     }
   }
 
-  using Queued = std::pair<double, Strip_state>;
-  using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued> >;
-
   const Strip_rules& m_rules;
-  std::vector<Reached> m_reached;            // per state
-  std::vector<Reached_face> m_reached_faces; // per face
+  std::vector<Reached> m_reached; // per state
+  std::vector<Passed> m_passed;   // per face
   std::int32_t m_round = 0;
   Strip_state m_start = no_strip_state;
   double m_bound = 0;
