@@ -220,6 +220,33 @@ void test_curvature_alignment()
   CHECK_EQUAL(report.cones.size(), std::size_t(0));
 }
 
+// Of a flat square, all crosses turn to where one of them is wanted, as all others are free.
+void test_wanted_cross_with_given_rotations()
+{
+  namespace P = QR::internal::parametrization;
+  const Mesh mesh = grid(6);
+  const QR::internal::Flat_numbering<Mesh> numbering(mesh);
+  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
+  P::find_components(surface);
+  P::read_geometry(numbering, mesh.points(), surface);
+  surface.is_aligned.resize(std::size_t(surface.number_of_halfedges()), false);
+  double seconds = 0;
+  P::Timed_solver<P::Default_solver> solver(seconds);
+  const std::size_t size = std::size_t(surface.number_of_faces());
+  const std::vector<double> before =
+    P::cross_field(surface, P::Prescribed_field(size), P::Parametrization_options(), solver);
+  for(const double turn : {0.2, -0.7}) {
+    std::vector<double> angles = before;
+    P::Matching matching = P::match_crosses(surface, angles);
+    P::Prescribed_field wanted(size);
+    wanted[7] = 0.5 * P::cross_of_angle(angles[7] + turn);
+    P::smoothen_matched_field(surface, std::vector<char>(size, false), wanted, angles, matching,
+                              solver);
+    for(std::size_t f = 0; f < size; ++f)
+      CHECK(std::abs(angles[f] - before[f] - turn) < 1e-9);
+  }
+}
+
 // A square in space, whose coordinates have to be turned by 20 degrees against that of its sides.
 void test_given_directions()
 {
@@ -425,7 +452,8 @@ void test_cone_distance()
       const Report all = QR::approximate_seamless_parametrization(mesh, uv, no_untangling);
       const Report some = QR::approximate_seamless_parametrization(
         mesh, uv, no_untangling.least_cone_distance(0.5));
-      const Report few = QR::approximate_seamless_parametrization(mesh, uv, any_distance);
+      const Report few = QR::approximate_seamless_parametrization(
+        mesh, uv, any_distance.curvature_alignment(seed == 2 ? 0.002 : 0));
       check_result(mesh, uv, few, exact_check::No_edge_aligned(), parameters::default_values());
       CHECK_EQUAL(sum_of_indices(few), std::abs(4 * int(few.euler_characteristic)));
       CHECK_IN(context, sum_of_indices(few) <= sum_of_indices(some) &&
@@ -703,8 +731,6 @@ void test_refused_parameters()
   index[Vertex(0)] = index[Vertex(1)] = 1;
   check_refused("cones and their distance", mesh, Outcome::INVALID_ARGUMENT,
                 parameters::cone_index_map(index).least_cone_distance(1));
-  check_refused("curvature and distance of cones", mesh, Outcome::INVALID_ARGUMENT,
-                parameters::curvature_alignment(1.).least_cone_distance(1));
   check_refused("negative distance of cones", mesh, Outcome::INVALID_ARGUMENT,
                 parameters::least_cone_distance(-1));
   check_refused("cones and curvature", mesh, Outcome::INVALID_ARGUMENT,
@@ -991,6 +1017,7 @@ int main()
   test_reproducibility();
   test_target_edge_length();
   test_curvature_alignment();
+  test_wanted_cross_with_given_rotations();
   test_given_directions();
   test_sizes();
   test_sizes_by_curvature();

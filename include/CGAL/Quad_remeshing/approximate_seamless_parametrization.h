@@ -362,7 +362,7 @@ report.
                           stay.}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
-    \cgalParamExtra{Can't be combined with `cone_index_map` or `curvature_alignment`.}
+    \cgalParamExtra{Can't be combined with `cone_index_map`.}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
     \cgalParamDescription{the length on the surface that corresponds to one unit in the plane}

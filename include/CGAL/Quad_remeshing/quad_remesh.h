@@ -102,6 +102,10 @@ struct Remeshing_report
 
 namespace internal {
 
+// So little that it hardly matters where the surface curves alike in all directions, or without
+// order; but over some tens of faces, edges and round parts direct the field.
+constexpr double default_curvature_alignment = 0.002;
+
 struct Remeshing_options
 {
   Quantization_options quantization;
@@ -121,8 +125,8 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
   Quantization_options quantization = quantization_options(tmesh, np);
   quantization.needs_face_graph = true;
   return {quantization,
-          static_cast<double>(
-            choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.)),
+          static_cast<double>(choose_parameter(
+            get_parameter(np, internal_np::curvature_alignment), default_curvature_alignment)),
           static_cast<double>(
             choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.)),
           static_cast<std::size_t>(
@@ -313,7 +317,7 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
 field that are less than two edges of the wanted quads apart cancel, unless sizes vary, or
-`minimize_number_of_quads` or `curvature_alignment` is given. Borders are aligned, and so are
+`minimize_number_of_quads` is given. Borders are aligned, and so are
 feature edges: they become chains of edges of quads, whose vertices lie on them and are not
 smoothed. After some rounds of smoothing, the
 others move to where their quads are near to rectangles and, of up to 6,600 quads, near to the
@@ -396,9 +400,11 @@ around a vertex of one edge is left out.
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
-                          `approximate_seamless_parametrization()`}
+                          `approximate_seamless_parametrization()`. By default they do so where
+                          this costs little: along sharp edges that are no features, and around
+                          round parts.}
     \cgalParamType{`double`}
-    \cgalParamDefault{`0`}
+    \cgalParamDefault{`0.002`}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to

@@ -154,8 +154,7 @@ private:
   {
     const double number = m_options.quantization.number_of_quads;
     const auto sizes = m_surface.sizes();
-    if(m_options.quantization.is_coarsest || m_options.curvature_alignment > 0 ||
-       m_options.curvature_adaptivity > 1 || !(number >= 1) ||
+    if(m_options.quantization.is_coarsest || m_options.curvature_adaptivity > 1 || !(number >= 1) ||
        std::adjacent_find(sizes.begin(), sizes.end(), std::not_equal_to<>()) != sizes.end())
       return 0;
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());

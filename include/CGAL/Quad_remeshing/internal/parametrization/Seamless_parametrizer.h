@@ -75,9 +75,8 @@ inline void check_options(const Parametrization_options& options, const Triangle
     refuse("largest_cone_index must be 1, 2, or 3");
   if(!(options.least_cone_distance >= 0))
     refuse("least_cone_distance must not be negative");
-  if(options.least_cone_distance > 0 &&
-     (options.curvature_alignment > 0 || !options.cone_index.empty()))
-    refuse("least_cone_distance can't be combined with curvature_alignment or given cones");
+  if(options.least_cone_distance > 0 && !options.cone_index.empty())
+    refuse("least_cone_distance can't be combined with given cones");
   if(options.number_of_stiffening_rounds < 0)
     refuse("number_of_iterations must not be negative");
   const bool is_aligned = std::find(surface.is_aligned.begin(), surface.is_aligned.end(), true)
@@ -230,9 +229,12 @@ Parametrization_result parametrize(Triangle_surface& surface,
     singular = singularities(surface, topo, matching);
   if(options.least_cone_distance > 0) {
     Timed_solver<Solver> solver(report.seconds_in_solvers);
-    if(cancel_cones(surface, prescribed,
-                    std::ldexp(options.least_cone_distance, -surface.exponent), singular.index,
-                    angles, matching, solver))
+    const double distance = std::ldexp(options.least_cone_distance, -surface.exponent);
+    Prescribed_field wanted;
+    if(options.curvature_alignment > 0)
+      wanted = weighted_principal_crosses(surface, options.curvature_alignment);
+    if(cancel_cones(surface, prescribed, wanted, distance, singular.index, angles, matching,
+                    solver))
       singular = singularities(surface, topo, matching);
   }
   check_index_theorem(surface, topo, matching, singular);

@@ -152,18 +152,19 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
 }
 
 // Cancels opposite cones of up to that distance, and smoothens the field but for the directions
-// that are prescribed. Returns whether there were some.
+// that are prescribed, near wanted crosses if there are any. Returns whether there were some.
 template <typename Solver>
 bool cancel_cones(const Triangle_surface& surface, const Prescribed_field& prescribed,
-                  const double distance, const std::vector<int>& index,
-                  std::vector<double>& angles, Matching& matching, Timed_solver<Solver>& solver)
+                  const Prescribed_field& wanted, const double distance,
+                  const std::vector<int>& index, std::vector<double>& angles, Matching& matching,
+                  Timed_solver<Solver>& solver)
 {
   std::vector<char> is_fixed;
   for(const Complex& direction : prescribed)
     is_fixed.push_back(direction != Complex(0));
   if(cancel_rotations(surface, angles, is_fixed, distance, index, matching) == 0)
     return false;
-  smoothen_matched_field(surface, is_fixed, angles, matching, solver);
+  smoothen_matched_field(surface, is_fixed, wanted, angles, matching, solver);
   return true;
 }
 

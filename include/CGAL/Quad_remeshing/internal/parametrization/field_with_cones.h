@@ -106,11 +106,12 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
 }
 
 // The smoothest field with the given rotations: turns each cross that is not fixed such that the
-// squared deviations become smallest.
+// squared deviations become smallest, plus the squared angles to the nearest directions of given
+// crosses, if any, with their lengths as weights.
 template <typename Solver>
 void smoothen_matched_field(const Triangle_surface& surface, const std::vector<char>& is_fixed,
-                            std::vector<double>& angles, Matching& matching,
-                            Timed_solver<Solver>& solver)
+                            const Prescribed_field& wanted, std::vector<double>& angles,
+                            Matching& matching, Timed_solver<Solver>& solver)
 {
   Sparse_system<Solver> system(surface.number_of_faces(), solver);
   std::vector<double> b(surface.number_of_faces(), 0);
@@ -119,6 +120,12 @@ void smoothen_matched_field(const Triangle_surface& surface, const std::vector<c
     if(is_fixed[f]) {
       has_anchor[surface.component[f]] = true;
       system.add(f, f, 1);
+    } else if(!wanted.empty() && wanted[f] != Complex(0)) {
+      has_anchor[surface.component[f]] = true;
+      const double weight = std::abs(wanted[f]);
+      system.add(f, f, weight);
+      b[f] += weight * std::arg(wanted[f] * std::conj(cross_of_angle(angles[f])))
+              / Quarter_turns::order;
     }
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const Flat_face_index f = surface.face(h);
@@ -151,8 +158,8 @@ std::vector<double> field_with_cones(const Triangle_surface& surface, const Topo
   const std::vector<double> deviation = deviation_of_cones(surface, index, solver);
   Integrated_field field = integrate_connection(surface, deviation);
   matching = match_along_connection(surface, deviation, field);
-  smoothen_matched_field(surface, std::vector<char>(surface.number_of_faces(), false), field.angles,
-                         matching, solver);
+  smoothen_matched_field(surface, std::vector<char>(surface.number_of_faces(), false), {},
+                         field.angles, matching, solver);
   return field.angles;
 }
 
