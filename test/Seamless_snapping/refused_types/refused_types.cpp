@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace SS = CGAL::Seamless_snapping;
+namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -38,59 +38,59 @@ using Map = Mesh::Property_map<Mesh::Halfedge_index, Value>;
 template <typename M, typename Uv_map>
 void call_all(M& mesh, Uv_map uv)
 {
-  SS::snap_to_seamless(mesh, uv);
-  SS::snap_to_seamless(mesh, uv, SS::parameters::integer_grid(true));
-  SS::snap_to_seamless(mesh, uv, SS::parameters::rounding_tolerance(1.));
-  SS::snap_to_seamless(mesh, uv, SS::parameters::number_of_untangling_iterations(9));
-  SS::is_seamless(mesh, uv);
-  SS::measure_seamlessness(mesh, uv);
-  SS::seam_transitions(mesh, uv);
-  SS::measure_integer_grid(mesh, uv);
-  SS::is_integer_grid_map(mesh, uv);
-  SS::approximate_seamless_parametrization(mesh, uv);
-  SS::convert_to_lattice_coordinates(mesh, uv);
-  SS::convert_to_cartesian_coordinates(mesh, uv);
-  SS::quantize(mesh, uv);
-  SS::motorcycle_graph(mesh, uv);
+  QR::snap_to_seamless(mesh, uv);
+  QR::snap_to_seamless(mesh, uv, QR::parameters::integer_grid(true));
+  QR::snap_to_seamless(mesh, uv, QR::parameters::rounding_tolerance(1.));
+  QR::snap_to_seamless(mesh, uv, QR::parameters::number_of_untangling_iterations(9));
+  QR::is_seamless(mesh, uv);
+  QR::measure_seamlessness(mesh, uv);
+  QR::seam_transitions(mesh, uv);
+  QR::measure_integer_grid(mesh, uv);
+  QR::is_integer_grid_map(mesh, uv);
+  QR::approximate_seamless_parametrization(mesh, uv);
+  QR::convert_to_lattice_coordinates(mesh, uv);
+  QR::convert_to_cartesian_coordinates(mesh, uv);
+  QR::quantize(mesh, uv);
+  QR::motorcycle_graph(mesh, uv);
 
   std::vector<Kernel::Point_3> points;
   std::vector<std::array<std::size_t, 4> > quads;
   std::vector<std::array<std::size_t, 3> > triangles;
   Mesh output;
-  SS::extract_quad_mesh(mesh, uv, output);
-  SS::extract_quad_soup(mesh, uv, points, quads);
-  SS::extract_triangle_mesh(mesh, uv, output);
-  SS::extract_triangle_soup(mesh, uv, points, triangles);
+  QR::extract_quad_mesh(mesh, uv, output);
+  QR::extract_quad_soup(mesh, uv, points, quads);
+  QR::extract_triangle_mesh(mesh, uv, output);
+  QR::extract_triangle_soup(mesh, uv, points, triangles);
 
   std::stringstream stream;
   const std::string name;
-  SS::IO::read_OBJ(stream, mesh, uv);
-  SS::IO::read_OBJ(name, mesh, uv);
-  SS::IO::write_OBJ(stream, mesh, uv);
-  SS::IO::write_OBJ(name, mesh, uv, name);
-  SS::IO::rewrite_OBJ(stream, stream, mesh, uv);
-  SS::IO::rewrite_OBJ(name, name, mesh, uv);
-  SS::IO::read_PLY(stream, mesh, uv);
-  SS::IO::read_PLY(name, mesh, uv);
-  SS::IO::write_PLY(stream, mesh, uv);
-  SS::IO::write_PLY(name, mesh, uv, name);
-  SS::IO::rewrite_PLY(stream, stream, mesh, uv);
-  SS::IO::rewrite_PLY(name, name, mesh, uv);
+  QR::IO::read_OBJ(stream, mesh, uv);
+  QR::IO::read_OBJ(name, mesh, uv);
+  QR::IO::write_OBJ(stream, mesh, uv);
+  QR::IO::write_OBJ(name, mesh, uv, name);
+  QR::IO::rewrite_OBJ(stream, stream, mesh, uv);
+  QR::IO::rewrite_OBJ(name, name, mesh, uv);
+  QR::IO::read_PLY(stream, mesh, uv);
+  QR::IO::read_PLY(name, mesh, uv);
+  QR::IO::write_PLY(stream, mesh, uv);
+  QR::IO::write_PLY(name, mesh, uv, name);
+  QR::IO::rewrite_PLY(stream, stream, mesh, uv);
+  QR::IO::rewrite_PLY(name, name, mesh, uv);
 
-  std::vector<SS::Isocurve<M> > curves;
-  SS::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
+  std::vector<QR::Isocurve<M> > curves;
+  QR::trace_all_separatrices(mesh, uv, std::back_inserter(curves));
 }
 
 // Curves of a seam mesh can't even be started.
 template <typename Uv_map>
-void trace(const Mesh& mesh, Uv_map uv, const SS::Isocurve_start<Mesh>& start,
-           const SS::Isocurve_point<Mesh>& point)
+void trace(const Mesh& mesh, Uv_map uv, const QR::Isocurve_start<Mesh>& start,
+           const QR::Isocurve_point<Mesh>& point)
 {
-  std::vector<SS::Isocurve_point<Mesh> > points;
-  SS::trace_isocurve(mesh, uv, start, SS::Isocurve_direction::PLUS_U, std::back_inserter(points));
-  SS::isocurve_parameter(point, mesh, uv);
-  SS::isocurve_uv(point, mesh, uv);
-  SS::isocurve_point_3(point, mesh, uv, get(CGAL::vertex_point, mesh));
+  std::vector<QR::Isocurve_point<Mesh> > points;
+  QR::trace_isocurve(mesh, uv, start, QR::Isocurve_direction::PLUS_U, std::back_inserter(points));
+  QR::isocurve_parameter(point, mesh, uv);
+  QR::isocurve_uv(point, mesh, uv);
+  QR::isocurve_point_3(point, mesh, uv, get(CGAL::vertex_point, mesh));
 }
 
 template void call_all(Seam_mesh&, Map<Kernel::Point_2>);
@@ -99,5 +99,5 @@ template void call_all(Mesh&, Mesh::Property_map<Mesh::Vertex_index, Kernel::Poi
 template void call_all(Mesh&, Map<Kernel::Point_3>);
 template void call_all(Mesh&, Map<std::array<double, 2> >);
 template void call_all(Mesh&, Map<std::vector<double> >);
-template void trace(const Mesh&, Map<Kernel::Point_3>, const SS::Isocurve_start<Mesh>&,
-                    const SS::Isocurve_point<Mesh>&);
+template void trace(const Mesh&, Map<Kernel::Point_3>, const QR::Isocurve_start<Mesh>&,
+                    const QR::Isocurve_point<Mesh>&);
