@@ -65,7 +65,8 @@ struct Remesh_options
   std::string input, output, field, sizes, symmetry, picture, report;
   Plain_reading_options reading;
   double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, feature_loss = 0,
-         curvature = 0.002, adaptivity = 1;
+         adaptivity = 1;
+  std::optional<double> curvature;
   bool coarsest = false, verbose = false;
 
   // Returns whether there is something to do.
@@ -95,9 +96,10 @@ struct Remesh_options
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of these that may be released where they force quads:\n"
                 "those that force most for their length go first (default: 0)");
-    options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
+    double strength = 0;
+    options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature (default: 0.002, for the directions of edges\n"
-                "and of round parts; 0: the smoothest field)");
+                "and of round parts, unless sizes vary; 0: the smoothest field)");
     options.add("field", "FILE", field,
                 "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
                 "file; where it is 0, the field is smooth, and features go first");
@@ -121,6 +123,8 @@ struct Remesh_options
     options.exclude({"number", "edge-length", "coarsest"});
     if(!options.parse(arguments))
       return false;
+    if(options.is_given("curvature"))
+      curvature = strength;
     check_quad_file(output);
     if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
        !coarsest)

@@ -102,14 +102,10 @@ struct Remeshing_report
 
 namespace internal {
 
-// So little that it hardly matters where the surface curves alike in all directions, or without
-// order; but over some tens of faces, edges and round parts direct the field.
-constexpr double default_curvature_alignment = 0.002;
-
 struct Remeshing_options
 {
   Quantization_options quantization;
-  double curvature_alignment;
+  std::optional<double> curvature_alignment;
   double curvature_adaptivity;
   std::size_t number_of_smoothing_rounds;
   bool verbose;
@@ -125,8 +121,8 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
   Quantization_options quantization = quantization_options(tmesh, np);
   quantization.needs_face_graph = true;
   return {quantization,
-          static_cast<double>(choose_parameter(
-            get_parameter(np, internal_np::curvature_alignment), default_curvature_alignment)),
+          choose_parameter(get_parameter(np, internal_np::curvature_alignment),
+                           std::optional<double>()),
           static_cast<double>(
             choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.)),
           static_cast<std::size_t>(
@@ -403,8 +399,8 @@ around a vertex of one edge is left out.
                           `approximate_seamless_parametrization()`. By default they do so where
                           this costs little: along sharp edges that are no features, and around
                           round parts.}
-    \cgalParamType{`double`}
-    \cgalParamDefault{`0.002`}
+    \cgalParamType{`double`, or a `std::optional` of it}
+    \cgalParamDefault{`0.002`; `0` where sizes vary, which direct the field then}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to

@@ -149,13 +149,23 @@ private:
     }
   }
 
+  bool sizes_vary() const
+  {
+    const auto sizes = m_surface.sizes();
+    return m_options.curvature_adaptivity > 1 ||
+           std::adjacent_find(sizes.begin(), sizes.end(), std::not_equal_to<>()) != sizes.end();
+  }
+
+  // By default, so little that it hardly matters where the surface curves alike in all directions,
+  // or without order; but over some tens of faces, edges and round parts direct the field.
+  double curvature_alignment() const
+  { return m_options.curvature_alignment.value_or(sizes_vary() ? 0. : 0.002); }
+
   // Of opposite cones: there are quads between them at the wanted size. Sizes that vary need cones.
   double least_cone_distance() const
   {
     const double number = m_options.quantization.number_of_quads;
-    const auto sizes = m_surface.sizes();
-    if(m_options.quantization.is_coarsest || m_options.curvature_adaptivity > 1 || !(number >= 1) ||
-       std::adjacent_find(sizes.begin(), sizes.end(), std::not_equal_to<>()) != sizes.end())
+    if(m_options.quantization.is_coarsest || sizes_vary() || !(number >= 1))
       return 0;
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
     return 2 * std::sqrt(area / number);
@@ -181,7 +191,7 @@ private:
     const auto made = approximate_seamless_parametrization(
       surface_mesh(), m_surface.uv_map(),
       features_and_transitions().align_border(true).release_alignment(true)
-                                .curvature_alignment(m_options.curvature_alignment)
+                                .curvature_alignment(curvature_alignment())
                                 .curvature_adaptivity(m_options.curvature_adaptivity)
                                 .face_direction_map(m_surface.directions())
                                 .vertex_sizing_map(m_surface.sizes())
