@@ -220,16 +220,24 @@ void test_curvature_alignment()
   CHECK_EQUAL(report.cones.size(), std::size_t(0));
 }
 
-// Of a flat square, all crosses turn to where one of them is wanted, as all others are free.
-void test_wanted_cross_with_given_rotations()
+// A surface without features, as the steps of parametrizing read it.
+QR::internal::parametrization::Triangle_surface flat_surface(const Mesh& mesh)
 {
   namespace P = QR::internal::parametrization;
-  const Mesh mesh = grid(6);
   const QR::internal::Flat_numbering<Mesh> numbering(mesh);
   P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
   P::find_components(surface);
   P::read_geometry(numbering, mesh.points(), surface);
   surface.is_aligned.resize(std::size_t(surface.number_of_halfedges()), false);
+  return surface;
+}
+
+// Of a flat square, all crosses turn to where one of them is wanted, as all others are free.
+void test_wanted_cross_with_given_rotations()
+{
+  namespace P = QR::internal::parametrization;
+  const Mesh mesh = grid(6);
+  const P::Triangle_surface surface = flat_surface(mesh);
   double seconds = 0;
   P::Timed_solver<P::Default_solver> solver(seconds);
   const std::size_t size = std::size_t(surface.number_of_faces());
@@ -820,11 +828,7 @@ void test_parts_of_a_map()
   using QR::internal::Quarter_turns;
   using Unknowns = std::vector<double>;
   const Mesh mesh = perturbed(icosphere(4), 0.01, 5);
-  const QR::internal::Flat_numbering<Mesh> numbering(mesh);
-  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
-  P::find_components(surface);
-  P::read_geometry(numbering, mesh.points(), surface);
-  surface.is_aligned.resize(std::size_t(surface.number_of_halfedges()), false);
+  const P::Triangle_surface surface = flat_surface(mesh);
   double seconds = 0;
   P::Timed_solver<P::Default_solver> solver(seconds);
   const P::Prescribed_field prescribed(std::size_t(surface.number_of_faces()));
