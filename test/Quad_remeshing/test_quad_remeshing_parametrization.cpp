@@ -242,7 +242,7 @@ void test_wanted_cross_with_given_rotations()
   P::Timed_solver<P::Default_solver> solver(seconds);
   const std::size_t size = std::size_t(surface.number_of_faces());
   const std::vector<double> before =
-    P::cross_field(surface, P::Prescribed_field(size), P::Parametrization_options(), solver);
+    P::cross_field(surface, P::wanted_field(surface, P::Parametrization_options()), 0, solver);
   for(const double turn : {0.2, -0.7}) {
     std::vector<double> angles = before;
     P::Matching matching = P::match_crosses(surface, angles);
@@ -831,9 +831,9 @@ void test_parts_of_a_map()
   const P::Triangle_surface surface = flat_surface(mesh);
   double seconds = 0;
   P::Timed_solver<P::Default_solver> solver(seconds);
-  const P::Prescribed_field prescribed(std::size_t(surface.number_of_faces()));
+  const std::size_t size = std::size_t(surface.number_of_faces());
   std::vector<double> angles =
-    P::cross_field(surface, prescribed, P::Parametrization_options(), solver);
+    P::cross_field(surface, P::wanted_field(surface, P::Parametrization_options()), 0, solver);
   const P::Matching matching = P::match_crosses(surface, angles);
   const std::vector<int> index = P::singularities(surface, P::topology(surface), matching).index;
   P::Cut_graph cuts(surface);
@@ -845,9 +845,9 @@ void test_parts_of_a_map()
   P::Sparse_system<P::Default_solver> system(coordinates.number_of_unknowns(), solver);
   const Unknowns smooth = P::solve_poisson(
     surface, [&](const auto h) { return P::wanted_difference(surface, angles, h); }, complex, table,
-    std::vector<double>(prescribed.size(), 1), system);
+    std::vector<double>(size, 1), system);
 
-  std::vector<std::size_t> all(prescribed.size());
+  std::vector<std::size_t> all(size);
   std::iota(all.begin(), all.end(), std::size_t(0));
   std::size_t number_of_flips = 0, number_of_changes = 0;
   for(std::size_t moved = 0; moved < smooth.size(); moved += 97) {

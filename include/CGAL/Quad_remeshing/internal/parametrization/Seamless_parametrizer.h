@@ -204,7 +204,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
 
   Matching matching;
   std::vector<double> angles, log_size = options.log_size;
-  Prescribed_field prescribed;
+  Wanted_field wanted;
   {
     Timed_solver<Solver> solver(report.seconds_in_solvers);
     if(options.curvature_adaptivity > 1)
@@ -212,11 +212,11 @@ Parametrization_result parametrize(Triangle_surface& surface,
                          options.curvature_adaptivity, log_size);
     if(!log_size.empty())
       turn_by_sizes(surface, log_size);
-    prescribed = prescribe_alignment(surface, options.directions);
+    wanted = wanted_field(surface, options);
     if(!options.cone_index.empty()) {
       angles = field_with_cones(surface, topo, options.cone_index, matching, solver);
     } else {
-      angles = cross_field(surface, prescribed, options, solver);
+      angles = cross_field(surface, wanted, options.random_seed, solver);
       matching = match_crosses(surface, angles);
     }
   }
@@ -229,12 +229,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
     singular = singularities(surface, topo, matching);
   if(options.least_cone_distance > 0) {
     Timed_solver<Solver> solver(report.seconds_in_solvers);
-    const double distance = std::ldexp(options.least_cone_distance, -surface.exponent);
-    Prescribed_field wanted;
-    if(options.curvature_alignment > 0)
-      wanted = weighted_principal_crosses(surface, options.curvature_alignment);
-    if(cancel_cones(surface, prescribed, wanted, distance, singular.index, angles, matching,
-                    solver))
+    if(cancel_cones(surface, wanted, std::ldexp(options.least_cone_distance, -surface.exponent),
+                    singular.index, angles, matching, solver))
       singular = singularities(surface, topo, matching);
   }
   check_index_theorem(surface, topo, matching, singular);
@@ -250,7 +246,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
   if(!log_size.empty())
     measure_by_sizes(surface, log_size);
   matching = Matching(); // frees memory: the system that follows is large
-  prescribed = Prescribed_field();
+  wanted = Wanted_field();
   surface.bending = std::vector<double>();
   timer.finish("cut graph");
 

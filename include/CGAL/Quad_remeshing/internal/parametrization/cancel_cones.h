@@ -19,8 +19,8 @@
 // with both of them forces small ones. The rotations across a path from one to the other change.
 
 #include <CGAL/Quad_remeshing/internal/parametrization/Matching.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/cross_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -151,20 +151,23 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
   return count;
 }
 
-// Cancels opposite cones of up to that distance, and smoothens the field but for the directions
-// that are prescribed, near wanted crosses if there are any. Returns whether there were some.
+// Cancels opposite cones of up to that distance, and makes the field the wanted one with the new
+// rotations. Returns whether there were some.
 template <typename Solver>
-bool cancel_cones(const Triangle_surface& surface, const Prescribed_field& prescribed,
-                  const Prescribed_field& wanted, const double distance,
-                  const std::vector<int>& index, std::vector<double>& angles, Matching& matching,
-                  Timed_solver<Solver>& solver)
+bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wanted,
+                  const double distance, const std::vector<int>& index,
+                  std::vector<double>& angles, Matching& matching, Timed_solver<Solver>& solver)
 {
   std::vector<char> is_fixed;
-  for(const Complex& direction : prescribed)
+  for(const Complex& direction : wanted.prescribed)
     is_fixed.push_back(direction != Complex(0));
   if(cancel_rotations(surface, angles, is_fixed, distance, index, matching) == 0)
     return false;
-  smoothen_matched_field(surface, is_fixed, wanted, angles, matching, solver);
+  const std::vector<double> mean_area = component_means(surface, surface.area);
+  Prescribed_field crosses = wanted.crosses;
+  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
+    crosses[f] *= wanted.strength * surface.area[f] / mean_area[surface.component[f]];
+  smoothen_matched_field(surface, is_fixed, crosses, angles, matching, solver);
   return true;
 }
 

@@ -40,6 +40,15 @@ struct Wanted_field
   double strength;
 };
 
+inline Wanted_field wanted_field(const Triangle_surface& surface,
+                                 const Parametrization_options& options)
+{
+  const double strength = options.curvature_alignment;
+  return {prescribe_alignment(surface, options.directions),
+          strength > 0 ? principal_crosses(surface) : Prescribed_field(surface.number_of_faces()),
+          strength};
+}
+
 inline Wanted_field restrict(const Clusters& clusters, const Cross_graph& graph,
                              const Wanted_field& wanted)
 {
@@ -108,18 +117,12 @@ Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& w
 
 // Returns the angle of one direction of the cross of each face, in the layout of the face.
 template <typename Solver>
-std::vector<double> cross_field(const Triangle_surface& surface,
-                                const Prescribed_field& prescribed,
-                                const Parametrization_options& options,
-                                Timed_solver<Solver>& solver)
+std::vector<double> cross_field(const Triangle_surface& surface, const Wanted_field& wanted,
+                                const unsigned int seed, Timed_solver<Solver>& solver)
 {
-  Wanted_field wanted{prescribed, Prescribed_field(surface.number_of_faces()),
-                      options.curvature_alignment};
-  if(wanted.strength > 0)
-    wanted.crosses = principal_crosses(surface);
   std::vector<double> angles;
   angles.reserve(surface.number_of_faces());
-  for(const Complex& z : solve_by_levels(cross_graph(surface), wanted, options.random_seed, solver))
+  for(const Complex& z : solve_by_levels(cross_graph(surface), wanted, seed, solver))
     angles.push_back(std::arg(z) / Quarter_turns::order);
   return angles;
 }

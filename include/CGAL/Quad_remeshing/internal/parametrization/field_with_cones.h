@@ -107,7 +107,7 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
 
 // The smoothest field with the given rotations: turns each cross that is not fixed such that the
 // squared deviations become smallest, plus the squared angles to the nearest directions of given
-// crosses, if any, with their lengths as weights.
+// crosses, with their lengths as weights.
 template <typename Solver>
 void smoothen_matched_field(const Triangle_surface& surface, const std::vector<char>& is_fixed,
                             const Prescribed_field& wanted, std::vector<double>& angles,
@@ -120,7 +120,7 @@ void smoothen_matched_field(const Triangle_surface& surface, const std::vector<c
     if(is_fixed[f]) {
       has_anchor[surface.component[f]] = true;
       system.add(f, f, 1);
-    } else if(!wanted.empty() && wanted[f] != Complex(0)) {
+    } else if(wanted[f] != Complex(0)) {
       has_anchor[surface.component[f]] = true;
       const double weight = std::abs(wanted[f]);
       system.add(f, f, weight);
@@ -158,7 +158,8 @@ std::vector<double> field_with_cones(const Triangle_surface& surface, const Topo
   const std::vector<double> deviation = deviation_of_cones(surface, index, solver);
   Integrated_field field = integrate_connection(surface, deviation);
   matching = match_along_connection(surface, deviation, field);
-  smoothen_matched_field(surface, std::vector<char>(surface.number_of_faces(), false), {},
+  const std::size_t size = std::size_t(surface.number_of_faces());
+  smoothen_matched_field(surface, std::vector<char>(size, false), Prescribed_field(size),
                          field.angles, matching, solver);
   return field.angles;
 }

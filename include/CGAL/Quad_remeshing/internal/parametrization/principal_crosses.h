@@ -59,18 +59,6 @@ inline Prescribed_field principal_crosses(const Triangle_surface& surface)
   return crosses;
 }
 
-// The same, each as strong as it weighs in the energy of a field: by its area, relative to the mean
-// of the component.
-inline Prescribed_field weighted_principal_crosses(const Triangle_surface& surface,
-                                                   const double strength)
-{
-  const std::vector<double> mean_area = component_means(surface, surface.area);
-  Prescribed_field crosses = principal_crosses(surface);
-  for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
-    crosses[f] *= strength * surface.area[f] / mean_area[surface.component[f]];
-  return crosses;
-}
-
 } // namespace parametrization
 } // namespace internal
 } // namespace Quad_remeshing
