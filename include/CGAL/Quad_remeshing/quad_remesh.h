@@ -380,10 +380,8 @@ around a vertex of one edge is left out.
     \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_feature_loss}
-    \cgalParamDescription{where features force more than 1.1 times the number of quads wanted: which
-                          part of their length, measured in the map, may be released. Those that
-                          force most for their length go first, in at most eight rounds, until there
-                          are about as many quads as wanted; the report lists them.}
+    \cgalParamDescription{which part of the length of all features may be released where these force
+                          more quads than wanted: see `quantize()`. The report lists them.}
     \cgalParamType{`double`, from 0 to 1}
     \cgalParamDefault{`0`: all are kept}
   \cgalParamNEnd

@@ -49,7 +49,7 @@ class Grid_embedding
 {
 public:
   using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                          std::array<double, 3> >;
+                             std::array<double, 3> >;
 
   Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map, const Locate& locate)
     : m_tmesh(tmesh), m_faces(faces(tmesh).begin(), faces(tmesh).end()), m_point_map(point_map),

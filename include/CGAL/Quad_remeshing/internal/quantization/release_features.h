@@ -111,6 +111,8 @@ public:
     : m_surface(surface), m_scales(scales), m_chains(feature_chains(surface.input)),
       m_faces(m_chains.size()), m_is_settled(std::size_t(surface.complex.number_of_faces()), false)
   {
+    for(const Feature_chain& chain : m_chains)
+      m_length.push_back(length_in_map(surface.input, {chain}));
     collect_faces();
   }
 
@@ -121,16 +123,16 @@ public:
     std::vector<std::pair<double, std::size_t> > order;
     for(std::size_t i = 0; i < m_chains.size(); ++i)
       if(const double forced = forced_quads(i); forced > 0)
-        order.emplace_back(-forced / length_of(i), i);
+        order.emplace_back(-forced / m_length[i], i);
     std::sort(order.begin(), order.end());
     std::vector<Feature_chain> result;
     double sum = 0;
     for(const auto& [value, i] : order) {
-      const bool is_needed = 2 * forced_quads(i) > -value * length_of(i);
-      if(!is_needed || sum + length_of(i) > most)
+      const bool is_needed = 2 * forced_quads(i) > -value * m_length[i];
+      if(!is_needed || sum + m_length[i] > most)
         continue;
       result.push_back(m_chains[i]);
-      sum += length_of(i);
+      sum += m_length[i];
       for(const Flat_face_index f : m_faces[i])
         m_is_settled[std::size_t(f)] = true;
       if(sum >= enough)
@@ -163,9 +165,6 @@ private:
     }
   }
 
-  double length_of(const std::size_t chain) const
-  { return length_in_map(m_surface.input, {m_chains[chain]}); }
-
   double forced_quads(const std::size_t chain) const
   {
     double result = 0;
@@ -193,6 +192,7 @@ private:
   const Coarse_surface& m_surface;
   std::vector<double> m_scales;
   std::vector<Feature_chain> m_chains;
+  std::vector<double> m_length;                       // per feature
   std::vector<std::vector<Flat_face_index> > m_faces; // per feature
   std::vector<char> m_is_settled; // per face of the coarse triangulation: a feature is released
 };
