@@ -490,6 +490,7 @@ foreach(arguments IN ITEMS "16;auto" "18;y" "40;1,0,0,-0.25")
   list(POP_FRONT arguments number plane)
   seamless(0 remesh sheet.off mirrored.off --number ${number} --symmetry ${plane})
   expect_message("${out}" "${number} quads,")
+  expect("note on the topology: ${out}" NOT out MATCHES "Euler")
 endforeach()
 # of the mesh as it was given, whose other half is not there any more: 0.25 to 1 became -0.5 to 1
 expect_message("${out}" "largest distance from the input: 0.5,")
@@ -497,6 +498,12 @@ seamless(0 remesh sheet.off mirrored.off --number 40 --symmetry 1,0,0,1)
 expect_message("${out}" "note: no vertex is on the negative side of the plane")
 seamless(1 remesh sheet.off mirrored.off --symmetry=-1,0,0,-1)
 expect_message("${err}" "positive side of --symmetry")
+# of a U, the ends of its arms
+file(WRITE "${WORK_DIR}/u.off" "OFF\n12 10 0\n0 0 0\n1 0 0\n3 0 0\n0 1 0\n1 1 0\n3 1 0\n\
+0 2 0\n1 2 0\n3 2 0\n0 3 0\n1 3 0\n3 3 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n\
+3 3 4 7\n3 3 7 6\n3 6 7 10\n3 6 10 9\n3 7 8 11\n3 7 11 10\n")
+seamless(0 remesh u.off mirrored.off --number 40 --symmetry 1,0,0,-2)
+expect_message("${out}" "changes the Euler characteristic from 1 to 2")
 file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 1 2\n")
 seamless(1 remesh tilted.off mirrored.off --symmetry auto --report auto.json)
 expect_message("${err}" "not symmetric, exactly")
@@ -572,12 +579,19 @@ file(WRITE "${WORK_DIR}/few_vt.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0\nf 1/1 2/7 
 seamless(0 remesh few_vt.obj square_quads.obj --number 16) # coordinates that are not there
 seamless(0 remesh sheet.ply square_quads.ply --number 16)
 file(READ "${WORK_DIR}/square_quads.ply" text)
+expect("lists: ${err}" NOT err)
 foreach(line IN ITEMS "property uchar red" "property float quality" "property int mark"
     "property int part" "\n1 1 0 7 0.25 200 100 9 " "\n0.5 0.5 0 7 0.25 100 50 9 "
     "\n4 [0-9 ]* 4 ?\n"
     "\n4 [0-9 ]* 5 ?\n")
   expect("${text}" text MATCHES "${line}")
 endforeach()
+string(REPLACE "int part\n" "int part\nproperty list uchar float texcoord\n" ply "${ply}")
+string(REPLACE "2 4\n" "2 4 6 0 0 1 0 1 1\n" ply "${ply}")
+string(REPLACE "0 5\n" "0 5 6 1 1 0 1 0 0\n" ply "${ply}")
+file(WRITE "${WORK_DIR}/lists.ply" "${ply}")
+seamless(0 remesh lists.ply square_quads.ply --number 16)
+expect("lists: ${err}" err STREQUAL "note: not carried over, as these are lists: 'texcoord'\n")
 
 # targets that can't be: the words are options of this command
 foreach(arguments IN ITEMS "--edge-length;1e-300" "--edge-length;1e300"

@@ -52,6 +52,20 @@ void for_each_corner(const Model& model, const Location& location, const Visit& 
 
 // --- PLY -----------------------------------------------------------------------------------------
 
+// The names of lists besides that of the vertices of faces; CGAL reads none of them.
+std::string further_lists(const std::string& text)
+{
+  std::istringstream header(text.substr(0, text.find("end_header")));
+  std::string result, property, list, count, type, name;
+  for(std::string line; std::getline(header, line); ) {
+    std::istringstream words(line);
+    if(words >> property >> list >> count >> type >> name && property == "property" &&
+       list == "list" && name != "vertex_indices" && name != "vertex_index")
+      result += (result.empty() ? "'" : ", '") + name + "'";
+  }
+  return result;
+}
+
 // Returns whether it is one that CGAL can read as a mesh.
 bool read_PLY_mesh(const std::string& filename, Mesh& mesh)
 {
@@ -410,6 +424,8 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
     carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
                    std::uint32_t, float, double>(model, file, quads);
     carry_over_colors(model, file, quads);
+    if(const std::string lists = further_lists(read_file(input)); !lists.empty())
+      std::cerr << "note: not carried over, as these are lists: " << lists << std::endl;
   }
   return text_of_quads(quads.mesh, filename);
 }

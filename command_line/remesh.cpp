@@ -204,6 +204,19 @@ std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mes
                          "mesh as a whole is mirrored, not one half of it\n";
 }
 
+int euler_characteristic(const Mesh& mesh)
+{
+  return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
+}
+
+// That another topology came of a half that was replaced; else nothing.
+std::string note_on_topology(const Mesh& mesh, const Mesh& quads)
+{
+  const int before = euler_characteristic(mesh), after = euler_characteristic(quads);
+  return before == after ? "" : "note: mirroring changes the Euler characteristic from " +
+                                std::to_string(before) + " to " + std::to_string(after) + "\n";
+}
+
 // The largest distances of vertices from the other mesh, and of middles of quads from the input.
 struct Distances
 {
@@ -320,6 +333,8 @@ void remesh(const Arguments& arguments)
     report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
+    if(plane)
+      os << note_on_topology(model.mesh, quads.mesh);
     distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
