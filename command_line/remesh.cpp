@@ -13,7 +13,6 @@
 #include "pictures/quad_picture.h"
 #include "words.h"
 
-#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

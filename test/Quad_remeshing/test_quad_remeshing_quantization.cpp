@@ -10,7 +10,6 @@
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
-#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>

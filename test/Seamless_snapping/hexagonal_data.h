@@ -8,7 +8,7 @@
 #include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 namespace hexagonal_maps {
 

@@ -13,7 +13,6 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>

@@ -15,21 +15,24 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// From any triangle mesh to a quad mesh of about the number of quads wanted.
+// From any triangle mesh to a quad mesh of about the number of quads wanted; and which plane a mesh
+// is symmetric by.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
-#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -151,157 +154,12 @@ std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
     return std::nullopt;
 }
 
-template <typename TriangleMesh, typename NamedParameters>
-Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
-                                    const std::optional<Mirror>& mirror)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  const auto read_direction = [&]([[maybe_unused]] const auto f) {
-    if constexpr(is_given<NamedParameters, internal_np::face_direction_t>) {
-      const auto& d = get(get_parameter(np, internal_np::face_direction), f);
-      return Surface_to_remesh::Kernel::Vector_3(CGAL::to_double(d.x()), CGAL::to_double(d.y()),
-                                                 CGAL::to_double(d.z()));
-    }
-    return Surface_to_remesh::Kernel::Vector_3(0, 0, 0);
-  };
-  const auto read_size = [&]([[maybe_unused]] const auto v) {
-    if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
-      return CGAL::to_double(get(get_parameter(np, internal_np::vertex_sizing), v));
-    return 1.;
-  };
-  return Surface_to_remesh(
-    tmesh,
-    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                     CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
-    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                     CGAL::Static_boolean_property_map<Edge, false>()),
-    read_direction, read_size, mirror);
-}
-
 // Makes the quads, as large as the input. The surface gets its map, and loses features that are
 // released.
 // \param is_feature of the edges of `quads`
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
-
-// The numbers of the faces of the input that are nearest to points.
-std::vector<std::size_t>
-nearest_faces(const Surface_to_remesh& surface,
-              const std::vector<Surface_to_remesh::Kernel::Point_3>& points);
-
-template <typename QuadMesh, typename NamedParameters>
-auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
-{
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_property_map(CGAL::vertex_point, quads));
-}
-
-// Where points lie on the input.
-template <typename TriangleMesh, typename NamedParameters>
-auto locate_points(const std::vector<Surface_to_remesh::Kernel::Point_3>& points,
-                   const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  const std::vector<std::size_t> numbers =
-    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), points);
-  const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  std::vector<std::pair<Face, std::array<double, 3> > > result;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    result.push_back(locate_in_face(points[i], all_faces[numbers[i]], tmesh, point_map));
-  return result;
-}
-
-// Writes the result to the caller's mesh and maps.
-template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
-          typename NamedParameters2>
-class Quad_writer
-{
-  using Mesh = Surface_to_remesh::Mesh;
-  using Point = Surface_to_remesh::Kernel::Point_3;
-  using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                             std::array<double, 3> >;
-
-public:
-  Quad_writer(const TriangleMesh& tmesh, const NamedParameters1& np1, const NamedParameters2& np2)
-    : m_tmesh(tmesh), m_np1(np1), m_np2(np2)
-  { }
-
-  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads)
-  {
-    const auto vertex_map = parameter(internal_np::vertex_location);
-    const auto face_map = parameter(internal_np::face_location);
-    const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
-    std::vector<Location> of_vertices, of_faces;
-    if constexpr(is_given<decltype(vertex_map)>)
-      of_vertices = locate(result.vertices(), [&](const auto v) { return result.point(v); });
-    if constexpr(is_given<decltype(face_map)>)
-      of_faces = locate(result.faces(), [&](const auto f) { return middle(result, f); });
-    const auto write_vertex = [&]([[maybe_unused]] const auto& vertices) {
-      if constexpr(is_given<decltype(vertex_map)>)
-        put(vertex_map, vertices.second, of_vertices[vertices.first]);
-    };
-    const auto write_face = [&]([[maybe_unused]] const auto& faces) {
-      if constexpr(is_given<decltype(face_map)>)
-        put(face_map, faces.second, of_faces[faces.first]);
-    };
-    const auto write_feature = [&]([[maybe_unused]] const auto& halfedges) {
-      if constexpr(is_given<decltype(feature_map)>)
-        put(feature_map, edge(halfedges.second, quads),
-            bool(is_feature[result.edge(halfedges.first)]));
-    };
-    CGAL::copy_face_graph(
-      result, quads,
-      CGAL::parameters::halfedge_to_halfedge_output_iterator(
-                          boost::make_function_output_iterator(write_feature))
-                       .vertex_to_vertex_output_iterator(
-                          boost::make_function_output_iterator(write_vertex))
-                       .face_to_face_output_iterator(
-                          boost::make_function_output_iterator(write_face)),
-      CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
-  }
-
-private:
-  template <typename Tag_type>
-  auto parameter(const Tag_type tag) const
-  { return CGAL::parameters::get_parameter(m_np2, tag); }
-
-  // Per index.
-  template <typename Range, typename PointOf>
-  std::vector<Location> locate(const Range& elements, const PointOf& point_of) const
-  {
-    std::vector<Point> points;
-    std::size_t size = 0;
-    for(const auto x : elements) {
-      points.push_back(point_of(x));
-      size = std::size_t(x) + 1;
-    }
-    const std::vector<Location> locations = locate_points(points, m_tmesh, m_np1);
-    std::vector<Location> result(size);
-    std::size_t i = 0;
-    for(const auto x : elements)
-      result[x] = locations[i++];
-    return result;
-  }
-
-  static Point middle(const Mesh& quads, const Mesh::Face_index f)
-  {
-    Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
-    for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
-      sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
-    return CGAL::ORIGIN + sum;
-  }
-
-  const TriangleMesh& m_tmesh;
-  const NamedParameters1& m_np1;
-  const NamedParameters2& m_np2;
-};
 
 } // namespace internal
 
@@ -536,6 +394,66 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
       .write(result, is_feature, quads);
   }
   return report;
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+finds a plane by which the vertices of a mesh are symmetric: each has an image among them, exactly.
+A plane that all vertices lie on is not meant. Planes perpendicular to a coordinate axis are looked
+for, first to the x-axis. Whether the faces are symmetric does not matter.
+
+\tparam TriangleMesh a model of `VertexListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a mesh with at least one vertex
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`, whose coordinates are doubles or
+                          floats}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the plane, for the parameter `symmetry_plane` of `quad_remesh()`, if there is one
+
+\par Complexity
+The vertices are sorted six times at most.
+
+\sa `quad_remesh()`
+*/
+template <typename TriangleMesh,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto find_symmetry_plane(const TriangleMesh& tmesh,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
+  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
+  using FT = typename Kernel::FT;
+  std::vector<std::array<double, 3> > points;
+  for(const auto v : vertices(tmesh)) {
+    const auto& p = get(point_map, v);
+    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  }
+  std::sort(points.begin(), points.end());
+  std::optional<typename Kernel::Plane_3> result;
+  for(std::size_t axis = 0; axis < 3 && !points.empty() && !result; ++axis)
+    if(const auto doubled = internal::find_doubled_offset(points, axis);
+       doubled && CGAL::to_double(FT(*doubled / 2)) == *doubled / 2) {
+      const auto unit = [&](const std::size_t i) { return FT(i == axis ? 1 : 0); };
+      result = typename Kernel::Plane_3(unit(0), unit(1), unit(2), FT(-*doubled / 2));
+    }
+  return result;
 }
 
 } // namespace Quad_remeshing

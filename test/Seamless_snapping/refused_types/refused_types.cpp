@@ -11,7 +11,6 @@
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/lattice_coordinates.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 

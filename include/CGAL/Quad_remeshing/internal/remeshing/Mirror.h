@@ -15,12 +15,19 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// A plane by which a surface is its own mirror image.
+// A plane by which a surface is its own mirror image, and which plane that is for points.
+
+#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
@@ -92,6 +99,29 @@ private:
   std::array<double, 3> m_normal;
   double m_offset;
 };
+
+// Twice the coordinate of the plane across an axis by which the points are symmetric, if each has
+// an image among them, exactly. It lies in the middle between the outermost points. Points that all
+// lie on a plane are not taken for images of themselves.
+inline std::optional<double>
+find_doubled_offset(const std::vector<std::array<double, 3> >& sorted, const std::size_t axis)
+{
+  const auto [lowest, highest] =
+    std::minmax_element(sorted.begin(), sorted.end(),
+                        [&](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+  const Exact_difference sum((*highest)[axis], -(*lowest)[axis]);
+  if(!sum.is_valid() || sum.error != 0 || (*lowest)[axis] == (*highest)[axis])
+    return std::nullopt;
+  std::vector<std::array<double, 3> > images(sorted);
+  for(std::array<double, 3>& p : images) {
+    const Exact_difference image(sum.rounded, p[axis]);
+    if(image.error != 0)
+      return std::nullopt;
+    p[axis] = image.rounded;
+  }
+  std::sort(images.begin(), images.end());
+  return images == sorted ? std::optional<double>(sum.rounded) : std::nullopt;
+}
 
 } // namespace internal
 } // namespace Quad_remeshing

@@ -1,0 +1,193 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_QUAD_WRITER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_QUAD_WRITER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// From the caller's mesh and maps to the surface that is remeshed, and from the quads to the
+// caller's mesh and maps.
+
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+template <typename TriangleMesh, typename NamedParameters>
+Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
+                                    const std::optional<Mirror>& mirror)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  const auto read_direction = [&]([[maybe_unused]] const auto f) {
+    if constexpr(is_given<NamedParameters, internal_np::face_direction_t>) {
+      const auto& d = get(get_parameter(np, internal_np::face_direction), f);
+      return Surface_to_remesh::Kernel::Vector_3(CGAL::to_double(d.x()), CGAL::to_double(d.y()),
+                                                 CGAL::to_double(d.z()));
+    }
+    return Surface_to_remesh::Kernel::Vector_3(0, 0, 0);
+  };
+  const auto read_size = [&]([[maybe_unused]] const auto v) {
+    if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
+      return CGAL::to_double(get(get_parameter(np, internal_np::vertex_sizing), v));
+    return 1.;
+  };
+  return Surface_to_remesh(
+    tmesh,
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                     CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
+    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                     CGAL::Static_boolean_property_map<Edge, false>()),
+    read_direction, read_size, mirror);
+}
+
+// The numbers of the faces of the input that are nearest to points.
+std::vector<std::size_t>
+nearest_faces(const Surface_to_remesh& surface,
+              const std::vector<Surface_to_remesh::Kernel::Point_3>& points);
+
+template <typename QuadMesh, typename NamedParameters>
+auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_property_map(CGAL::vertex_point, quads));
+}
+
+// Where points lie on the input.
+template <typename TriangleMesh, typename NamedParameters>
+auto locate_points(const std::vector<Surface_to_remesh::Kernel::Point_3>& points,
+                   const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  const std::vector<std::size_t> numbers =
+    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), points);
+  const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
+  const auto point_map = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  std::vector<std::pair<Face, std::array<double, 3> > > result;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    result.push_back(locate_in_face(points[i], all_faces[numbers[i]], tmesh, point_map));
+  return result;
+}
+
+// Writes the result to the caller's mesh and maps.
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
+          typename NamedParameters2>
+class Quad_writer
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+  using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
+                             std::array<double, 3> >;
+
+public:
+  Quad_writer(const TriangleMesh& tmesh, const NamedParameters1& np1, const NamedParameters2& np2)
+    : m_tmesh(tmesh), m_np1(np1), m_np2(np2)
+  { }
+
+  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads)
+  {
+    const auto vertex_map = parameter(internal_np::vertex_location);
+    const auto face_map = parameter(internal_np::face_location);
+    const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
+    std::vector<Location> of_vertices, of_faces;
+    if constexpr(is_given<decltype(vertex_map)>)
+      of_vertices = locate(result.vertices(), [&](const auto v) { return result.point(v); });
+    if constexpr(is_given<decltype(face_map)>)
+      of_faces = locate(result.faces(), [&](const auto f) { return middle(result, f); });
+    const auto write_vertex = [&]([[maybe_unused]] const auto& vertices) {
+      if constexpr(is_given<decltype(vertex_map)>)
+        put(vertex_map, vertices.second, of_vertices[vertices.first]);
+    };
+    const auto write_face = [&]([[maybe_unused]] const auto& faces) {
+      if constexpr(is_given<decltype(face_map)>)
+        put(face_map, faces.second, of_faces[faces.first]);
+    };
+    const auto write_feature = [&]([[maybe_unused]] const auto& halfedges) {
+      if constexpr(is_given<decltype(feature_map)>)
+        put(feature_map, edge(halfedges.second, quads),
+            bool(is_feature[result.edge(halfedges.first)]));
+    };
+    CGAL::copy_face_graph(
+      result, quads,
+      CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                          boost::make_function_output_iterator(write_feature))
+                       .vertex_to_vertex_output_iterator(
+                          boost::make_function_output_iterator(write_vertex))
+                       .face_to_face_output_iterator(
+                          boost::make_function_output_iterator(write_face)),
+      CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
+  }
+
+private:
+  template <typename Tag_type>
+  auto parameter(const Tag_type tag) const
+  { return CGAL::parameters::get_parameter(m_np2, tag); }
+
+  // Per index.
+  template <typename Range, typename PointOf>
+  std::vector<Location> locate(const Range& elements, const PointOf& point_of) const
+  {
+    std::vector<Point> points;
+    std::size_t size = 0;
+    for(const auto x : elements) {
+      points.push_back(point_of(x));
+      size = std::size_t(x) + 1;
+    }
+    const std::vector<Location> locations = locate_points(points, m_tmesh, m_np1);
+    std::vector<Location> result(size);
+    std::size_t i = 0;
+    for(const auto x : elements)
+      result[x] = locations[i++];
+    return result;
+  }
+
+  static Point middle(const Mesh& quads, const Mesh::Face_index f)
+  {
+    Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
+    for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
+      sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
+    return CGAL::ORIGIN + sum;
+  }
+
+  const TriangleMesh& m_tmesh;
+  const NamedParameters1& m_np1;
+  const NamedParameters2& m_np2;
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_QUAD_WRITER_H
