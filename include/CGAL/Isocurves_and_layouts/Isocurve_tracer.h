@@ -210,9 +210,14 @@ public:
   using Curve = Isocurve<TriangleMesh>;       ///< a traced curve
 
   /*!
-  reads a mesh and its parametrization. The named parameters are those of `seam_transitions()`, with
-  `rotational_symmetry` among them as `D` needs it. Check `operator bool()` if the parametrization
-  may not be seamless at all.
+  reads a mesh and its parametrization, whose corners are as for `trace_isocurve()`. The named
+  parameters are those of `seam_transitions()`, with `rotational_symmetry` among them as `D` needs
+  it. Check `operator bool()` if the parametrization may not be seamless at all.
+
+  \throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
+  \par Complexity
+  That of `seam_transitions()`, and linear in the number of faces.
   */
   template <typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -246,7 +251,7 @@ public:
   returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees. Among
   faces that are positive, these are `Seam_transitions::singular_vertices()`. Where an edge at `v`
   has no length in the domain, the angle is not known, and `v` is taken for singular if the
-  rotations of the transitions around it don't add up to the identity.
+  rotations of the transitions around it don't add up to the identity. Takes constant time.
   \pre `operator bool()`
   */
   bool is_singular(const vertex_descriptor v) const
@@ -259,9 +264,8 @@ public:
   /*!
   returns the starts and directions of all isocurves that leave a vertex, in counterclockwise order:
   `D` at a regular vertex, \f$ D - i \f$ at a singular vertex of index \f$ i \f$ (in turns by
-  \f$ 360 / D \f$ degrees), more where faces
-  around the vertex are flipped, and at the border those that lead into the surface or along the
-  border.
+  \f$ 360 / D \f$ degrees), more where faces around the vertex are flipped, and at the border those
+  that lead into the surface or along the border. Takes time linear in the degree of the vertex.
   \pre `operator bool()`
   */
   std::vector<std::pair<Start, Isocurve_direction> > outgoing(const vertex_descriptor v) const
@@ -282,7 +286,7 @@ public:
   returns where the curve that leads back along `arrival` comes in `outgoing(v)`, the curves around
   the vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In
   a star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is
-  returned.
+  returned. Takes time linear in the degree of the vertex.
   \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
   */
   std::size_t outgoing_index(const Isocurve_segment<TriangleMesh, D>& arrival) const
@@ -297,7 +301,13 @@ public:
   traces one isocurve. The named parameters are those of `trace_isocurve()`. The status of the curve
   is `Isocurve_status::NOT_EXACT`, and it has no points, if `is_exact()` is `false` and it is not to
   be traced in floating point, and also if `operator bool()` returns `false`.
+  \param start where the curve starts
+  \param direction the direction in which it starts, in the chart of `face(start.halfedge)`
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
   \pre `start` is as `Isocurve_start` asks for
+
+  \par Complexity
+  Constant time for each edge crossed, and linear in the degree of each vertex met.
   */
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Curve trace(const Start& start, const Isocurve_direction direction,
@@ -311,7 +321,8 @@ public:
   counterclockwise around each; the order does not depend on the number of threads. The named
   parameters are those of `trace_isocurve()`. With several threads, all of them read the property
   map `vertex_is_constrained_map`. Where `trace()` would return `Isocurve_status::NOT_EXACT`, a
-  single curve with this status is returned.
+  single curve with this status is returned. It takes the time of tracing each, divided by the
+  number of threads where these are idle.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
          `CGAL::Parallel_tag`, which does not compile unless TBB is linked

@@ -501,8 +501,8 @@ without nodes have the same coordinates in all charts, which of them is chosen.
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
     \cgalParamDescription{whether all border edges have to lie on isocurves. Otherwise, patches that
-                          a border cuts which does not need not be rectangles.}
-    \cgalParamType{`bool`}
+                          such a border cuts need not be rectangles.}
+    \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
@@ -530,7 +530,17 @@ without nodes have the same coordinates in all charts, which of them is chosen.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the graph, or why there is none
+\return the graph; converts to `true` if and only if the surface is divided. Otherwise
+        `Motorcycle_graph::status()` is what `Seam_transitions::failure()` can be, or
+        - `INVALID_ARGUMENT`: the mesh has no face;
+        - `NOT_SEAMLESS`: the parametrization is not exactly seamless;
+        - `NOT_POSITIVE`: faces are flipped or degenerate in the domain;
+        - `NOT_ALIGNED`: a feature edge, or, with `align_border`, a border edge, lies on no
+          isocurve;
+        - `TOO_LARGE`: there are more segments or meetings of curves than `maximum_number`;
+        - `INTERNAL_ERROR`: the patches failed the check at the end.
+        .
+        The message names the place and the remedy.
 
 \par Complexity
 Linear in the number of faces, of crossings of curves with edges, and of pairs of curves that cross
@@ -587,6 +597,9 @@ ends are dyadic numbers. (Arcs between patches that are cut can have any length.
 solve what a quantization of the layout has to solve, at a scale that is far too fine; see
 `are_lengths_consistent()`.
 
+\tparam TriangleMesh the type of the mesh
+\param graph the layout
+
 \pre `bool(graph)`
 
 \par Complexity
@@ -630,6 +643,7 @@ whether opposite sides have the same length. With positive integers, each of the
 filled by a grid of quads that fits those of its neighbors. The number of all quads is the sum of
 the products of width and height.
 
+\tparam TriangleMesh the type of the mesh
 \tparam Length a number type with exact sums
 \param graph the layout
 \param lengths one length per arc

@@ -303,6 +303,9 @@ it, with a group of faces for each patch, named `patch_1` and so on, of which th
 rectangles are also in the group `cut`; and an element `l` for each arc, with all its points, in the
 group `arcs`.
 
+\tparam TriangleMesh the type of the mesh of the layout
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
 \param os the stream
 \param graph the layout
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`

@@ -155,6 +155,8 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
         is not seamless up to the default tolerance of `seam_transitions()`, the status is
         `Isocurve_status::NOT_EXACT`: snap the map first, with `snap_to_seamless()`.
 
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
+
 \pre `start` is as `Isocurve_start` asks for
 
 \par Complexity
@@ -208,6 +210,8 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
 
 \return the past-the-end output iterator. Where `trace_isocurve()` would return the status
         `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
+
+\throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 
 \par Complexity

@@ -294,7 +294,7 @@ report.
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
     \cgalParamDescription{whether border edges are features as well}
-    \cgalParamType{`bool`}
+    \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
@@ -432,11 +432,20 @@ report.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures of the result. If the status is not
-        `Outcome::SUCCESS`, no map was touched, and the message tells
-        the reason: a face that is no triangle, a vertex whose faces form more than one fan,
-        coordinates that are not finite, cones whose indices do not add up, a face with three
-        features. Faces are counted in messages in the order of `faces(tmesh)`, from 0.
+\return the status and figures of the result; converts to `true` if and only if the coordinates were
+        written. Otherwise no map was touched, and `Parametrization_report::status` is
+        - `INVALID_ARGUMENT`: the mesh has no face, all its points coincide, a parameter is out of
+          its range, a size is not positive and finite, or the coordinates leave the range of their
+          number type;
+        - `NOT_TRIANGULAR`: a face has more or less than three corners;
+        - `NOT_MANIFOLD`: the faces around a vertex form more than one fan;
+        - `NOT_FINITE`: a coordinate of a point or of a direction is NaN or infinite;
+        - `INVALID_CONES`: given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more;
+        - `INVALID_ALIGNMENT`: all three edges of a face are to be aligned;
+        - `SOLVER_FAILED`: a sparse linear system could not be solved;
+        - `INTERNAL_ERROR`: indices or rotations failed the check in integers.
+        .
+        The message names the place; it counts faces in the order of `faces(tmesh)`, from 0.
 
 For each component, the indices of the field's cones and the quarter turns of the borders
 against the field have been verified to add up to \f$ 4 \chi \f$, in integers. Without flips, the

@@ -152,7 +152,21 @@ Nothing is written unless the extraction succeeds.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome: why nothing was written, where that is, or how much was
+\return the outcome and figures; converts to `true` if and only if the quads were written.
+        Otherwise `Extraction_report::status` is what `Seam_transitions::failure()` can be, or
+        - `INVALID_ARGUMENT`: the mesh has no face, or the coordinates times `grid_scale` are not
+          exact;
+        - `NOT_SEAMLESS`: the parametrization is not exactly seamless;
+        - `NOT_INTEGER`: a translation is no integer, or a cone or a corner of the border lies on a
+          line of the grid, but on no point of it;
+        - `NOT_POSITIVE`: faces are flipped or degenerate in the domain;
+        - `TOO_LARGE`: there would be more quads than `maximum_number`, the grid crosses edges of
+          the mesh far more often than that, or a coordinate is beyond \f$ 2^{46} \f$;
+        - `TOO_COARSE`: a part of the surface is too small to enclose whole cells of the grid;
+        - `NO_FACE_GRAPH`: there are loops or double edges;
+        - `INTERNAL_ERROR`: the result failed the check at the end.
+        .
+        The message names the place and the remedy.
 
 \par Complexity
 Linear in the number of faces, of quads, and of intersections of edges of the mesh with lines of the
@@ -182,7 +196,7 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
-edges are no obstacle here.
+edges are no obstacle here. Template parameters that are not listed are as there.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
@@ -197,7 +211,8 @@ edges are no obstacle here.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `extract_quad_mesh()` for `np1`
 
-\return the outcome
+\return as `extract_quad_mesh()`, but never `NO_FACE_GRAPH`; `NOT_INTEGER` also if there are cells
+        that `std::array` can't hold
 
 \par Complexity
 That of `extract_quad_mesh()`.
@@ -291,7 +306,7 @@ threads. Nothing is written unless the extraction succeeds.
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `extract_quad_mesh()` for `np2`; indices of cones are in sixths of a turn
 
-\return the outcome: why nothing was written, where that is, or how much was
+\return the outcome and figures, as for `extract_quad_mesh()`
 
 \par Complexity
 Linear in the number of faces, of triangles that are written, and of intersections of edges of the
@@ -322,7 +337,7 @@ Extraction_report extract_triangle_mesh(const TriangleMesh& tmesh, HalfedgeUVMap
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same triangles as `extract_triangle_mesh()`, as points and lists of indices. Loops and
-double edges are no obstacle here.
+double edges are no obstacle here. Template parameters that are not listed are as there.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
@@ -337,7 +352,7 @@ double edges are no obstacle here.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
        `extract_triangle_mesh()` for `np1`
 
-\return the outcome
+\return as `extract_quad_soup()`
 
 \par Complexity
 That of `extract_triangle_mesh()`.

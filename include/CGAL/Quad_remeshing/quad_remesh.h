@@ -171,22 +171,22 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
 field that are less than two edges of the wanted quads apart cancel, unless sizes vary, or
-`minimize_number_of_quads` is given. Borders are aligned, and so are
-feature edges: they become chains of edges of quads, whose vertices lie on them and are not
-smoothed. After some rounds of smoothing, the
-others move to where their quads are near to rectangles and, of up to 6,600 quads, near to the
-surface: at most four times as many rounds, and of about 100,000 quads in all, or one
-round. What this leaves
-inverted or thin is improved: vertices near by move along the surface or along their feature, unless
-it turns or ends there, and two quads around a vertex of two edges become one. What is inverted or
-flat even then, as between two features that are a straight line in space, becomes five quads, one
-of them inside, if those have a better shape. The vertices of quads that are inverted even then
-leave their features, and the surface where that does not help, by as little as mends the quads, and
-by at most half of the quad's longest edge; the report counts them, and tells by how much. Where
-that is not enough, the vertices of the quads around move, too. There are at most 20,000 such moves
-of a vertex in all. With
-`symmetry_plane`, they stay. Quads that stay inverted are counted in the report. Triangles with
-three sides that are features or border are divided before, in a copy.
+`minimize_number_of_quads` is given. Borders are aligned, and so are feature edges: they become
+chains of edges of quads, whose vertices lie on them and are not smoothed.
+
+After some rounds of smoothing, the other vertices move to where their quads are near to rectangles
+and, of up to 6,600 quads, near to the surface: at most four times as many rounds, and of about
+100,000 quads in all, or one round. What this leaves inverted or thin is improved: vertices near by
+move along the surface or along their feature, unless it turns or ends there, and two quads around a
+vertex of two edges become one. What is inverted or flat even then, as between two features that are
+a straight line in space, becomes five quads, one of them inside, if those have a better shape.
+
+The vertices of quads that are inverted even then leave their features, and the surface where that
+does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the
+report counts them, and tells by how much. Where that is not enough, the vertices of the quads
+around move, too. There are at most 20,000 such moves of a vertex in all. With `symmetry_plane`,
+they stay. Quads that stay inverted are counted in the report. Triangles with three sides that are
+features or border are divided before, in a copy.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -195,14 +195,13 @@ function says so.
 
 Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
-searched for, in steps of 2.5 % from the number wanted, or from the least one without this
-condition (up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are
-made, or a quarter as many and divided into four each, or a sixteenth and into sixteen, which always
-helps. There are at most 254 quantizations, and 149 with
-`minimize_number_of_quads`; as many again where there are far more quads than wanted, to tell how
-many the features force. The result has about as many quads as wanted, or as few as were found,
-which the message tells; and at least 95 % of those that are made where fewer are wanted. The quad
-around a vertex of one edge is left out.
+searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
+(up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are made, or a
+quarter as many and divided into four each, or a sixteenth and into sixteen, which always helps.
+There are at most 254 quantizations, and 149 with `minimize_number_of_quads`; as many again where
+there are far more quads than wanted, to tell how many the features force. The result has about as
+many quads as wanted, or as few as were found, which the message tells; and at least 95 % of those
+that are made where fewer are wanted. The quad around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -361,7 +360,18 @@ around a vertex of one edge is left out.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome, and figures of the result
+\return the outcome, and figures of the result; converts to `true` if and only if the quads were
+        written. Otherwise `Remeshing_report::status` is what that of the step which failed is:
+        - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`: as
+          for `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
+          `INVALID_ARGUMENT` also if `symmetry_plane` has no normal or misses the mesh;
+        - `NOT_POSITIVE`: faces stay flipped in the parametrization;
+        - `TOO_LARGE`: there would be more quads than `maximum_number`;
+        - `NO_FACE_GRAPH`: no number of quads was found that makes a mesh with its mirror image;
+        - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
+        - `INTERNAL_ERROR`: a result failed its verification.
+        .
+        The message names the place and the remedy.
 
 \par Complexity
 That of the steps. The parametrization takes most of the time, unless many numbers of quads are

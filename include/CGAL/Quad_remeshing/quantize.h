@@ -222,7 +222,7 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`
+       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_quads}
@@ -288,7 +288,20 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the quantization, or why there is none
+\return the quantization; converts to `true` if and only if there is one. Otherwise
+        `Quantization::status` is what `Seam_transitions::failure()` can be, or
+        - `INVALID_ARGUMENT`: the mesh has no face, the number of quads is less than 1 or more than
+          \f$ 2^{28} \f$ or `maximum_number`, the length is not positive, or
+          `maximum_feature_loss` is not from 0 to 1;
+        - `NOT_SEAMLESS`: the map is not exactly seamless;
+        - `NOT_POSITIVE`: faces are flipped or degenerate in the domain;
+        - `NOT_ALIGNED`: border edges lie on isocurves nearly, but not exactly;
+        - `TOO_LARGE`: there would be more quads than `maximum_number`, or integers of 64 bits do
+          not hold the coordinates;
+        - `INTERNAL_ERROR`: the integers failed the check at the end.
+        .
+        The message names the place and the remedy; after success, it tells of quads that features
+        force, of features that were released, and of border edges off isocurves.
 
 \par Complexity
 Linear in the number of faces, but for a logarithmic factor, until the coarse triangulation is
@@ -316,14 +329,18 @@ finds another number of quads for a map that has been quantized: what `quantize(
 and made coarse is used again, so that only the search for integers is left. The result is the one
 that `quantize()` returns for the map, to the bit.
 
+\tparam TriangleMesh as for `quantize()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
 \param quantization a quantization, of which `quantize()` says that it succeeded
 \param tmesh the mesh that has been quantized, not changed since
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
        for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
        `minimize_number_of_quads`, `needs_face_graph`, `maximum_number`, and `maximum_feature_loss`,
-       which releases further features; and `vertex_point_map`
+       which releases further features; and `vertex_sizing_map` and `vertex_point_map`, which
+       `target_edge_length` needs
 
-\return the quantization, or why there is none
+\return as `quantize()`; `INVALID_ARGUMENT` also if `quantization` is none
 
 \par Complexity
 That of `quantize()` once the coarse triangulation is found.
@@ -350,6 +367,7 @@ extracts the quads of a quantization. They are all quads, and form a mesh that i
 the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
 If they do not form a face graph, nothing is written; with `needs_face_graph`, they do, once quads
 around vertices of one edge are left out, and the two other sides of each are made one edge.
+Template parameters are those of the extraction from a map.
 
 \param quantization a quantization, of which `quantize()` says that it succeeded
 \param tmesh the mesh that has been quantized, not changed since
@@ -359,7 +377,8 @@ around vertices of one edge are left out, and the two other sides of each are ma
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" for the output, as
        for the extraction from a map
 
-\return the outcome: why nothing was written, or how much was
+\return the outcome and figures, as for the extraction from a map; `INVALID_ARGUMENT` if
+        `quantization` is none, or of a mesh with another number of faces
 
 \par Complexity
 Linear in the number of quads, and of faces on the straight ways that lead to each of their vertices
@@ -390,6 +409,7 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same quads as points and lists of indices. Loops and double edges are no obstacle here.
+Template parameters are those of the extraction from a map.
 
 \param quantization a quantization, of which `quantize()` says that it succeeded
 \param tmesh the mesh that has been quantized, not changed since
@@ -398,7 +418,7 @@ extracts the same quads as points and lists of indices. Loops and double edges a
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
        for the points of `tmesh`, and `maximum_number`, as for the extraction from a map
 
-\return the outcome
+\return as `extract_quad_mesh()` of a quantization, but never `NO_FACE_GRAPH`
 
 \par Complexity
 That of `extract_quad_mesh()` of a quantization.

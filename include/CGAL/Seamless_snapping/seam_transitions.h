@@ -48,10 +48,10 @@ namespace Seamless_snapping {
 
 The transitions of a parametrization: for each interior halfedge `h` the number of turns by \f$ 360
 / N \f$ degrees, quarter turns by default, by which the chart of `face(h)` is rotated into that of
-`face(opposite(h))`, the cut edges, and the singular vertices. Objects are made by
-`seam_transitions()` and stay valid as long as the mesh is neither modified nor destroyed. They must
-not outlive it: they hold a dynamic property of its edges, which is removed from the mesh together
-with the last copy.
+`face(opposite(h))`, the cut edges, and the singular vertices. Member functions take constant time.
+Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither modified nor
+destroyed. They must not outlive it: they hold a dynamic property of its edges, which is removed
+from the mesh together with the last copy.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam N the order of the rotational symmetry: 1, 2, 3, 4, or 6
@@ -102,8 +102,7 @@ public:
   /// returns `true` if the transitions could be read off.
   explicit operator bool() const { return !m_data.refusal; }
 
-  /// returns why they could not: `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_FINITE`,
-  /// `NOT_SEAMLESS`, `INVALID_ROTATIONS`, or `INEXACT_ARITHMETIC`; nothing if they could.
+  /// returns why they could not, as `seam_transitions()` lists it; nothing if they could.
   std::optional<Outcome> failure() const
   {
     return m_data.refusal ? std::optional<Outcome>(m_data.refusal->status) : std::nullopt;
@@ -113,7 +112,7 @@ public:
   std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
 
   /// returns the number from 0 to N - 1 of counterclockwise turns by 360 / N degrees of the
-  /// transition from the chart of `face(h)` to the chart of `face(opposite(h))`.
+  /// transition from the chart of `face(h)` to the chart of `face(opposite(h))`; 0 at the border.
   int rotation(const halfedge_descriptor h) const
   {
     const int i = index(h);
@@ -200,7 +199,16 @@ estimate: the topology that explains the coordinates with the smallest residuals
        `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, and `vertex_index_map` of
        `snap_to_seamless()`. A smaller \f$ N \f$ leaves less to guess at short edges.
 
-\return the transitions, or the reason why they could not be read; test with `operator bool()`
+\return the transitions, or the reason why they could not be read; test with `operator bool()`.
+        Then `Seam_transitions::failure()` is
+        - `INVALID_ARGUMENT`: the tolerance is negative, or the given indices of vertices are not
+          unique or out of range;
+        - `NOT_TRIANGULAR`: a face has more or less than three corners;
+        - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
+        - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
+        - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
+          other, or an edge that is given as no cut has a rotation;
+        - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`.
 
 \par Complexity
 One pass over the edges and one over the faces, plus \f$ O(c \log c) \f$ for \f$ c \f$ edges whose

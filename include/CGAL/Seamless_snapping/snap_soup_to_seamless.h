@@ -103,8 +103,9 @@ Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMa
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-decides whether a parametrization of a triangle soup is exactly seamless and aligned, as
-`is_seamless()` does. Parameters are those of `snap_soup_to_seamless()`; the map need be a model of
+returns whether a parametrization of a triangle soup is exactly seamless and aligned, as
+`is_seamless()` does. Of the parameters, which are those of `snap_soup_to_seamless()`,
+`align_border`, `rotational_symmetry`, and `feature_edges` count; the map need be a model of
 `ReadablePropertyMap` only.
 
 \throws std::invalid_argument if the faces or features are not what `snap_soup_to_seamless()` asks

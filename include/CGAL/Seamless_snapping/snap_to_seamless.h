@@ -240,8 +240,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
           other, or an edge that is given as no cut has a rotation;
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,
-          a corner has no face, a tolerance is negative, or the given indices of vertices are not
-          unique or out of range;
+          a corner has no face, a tolerance is negative, the scale is not positive, or the given
+          indices of vertices are not unique or out of range;
         - `INCONSISTENT`: the constraints contradict each other; the message names which;
         - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
           whose right-hand sides are not zero; or because coordinates would exceed the largest

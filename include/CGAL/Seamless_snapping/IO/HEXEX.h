@@ -192,6 +192,9 @@ format, with as many digits as it takes to read the numbers back bit for bit.
 \param output the output stream, or the name of the file
 \param mesh the mesh
 
+\returns an object that converts to `true` if the mesh was written, and that holds the reason
+         otherwise
+
 \par Complexity
 Linear in the size of the mesh.
 */

@@ -110,12 +110,10 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
 \returns an object that converts to `true` if the mesh was read, and that holds the reason and the
          line otherwise
 
-Runs in \f$ O(n \log n) \f$ time where the degrees of vertices are bounded (for each face that is
-added, the faces around its vertices are visited), and needs the memory for the whole text.
-
 \par Complexity
-Linear in the size of the file, but for a logarithmic factor where edges, and with `weld_borders`
-points, are sorted.
+Linear in the size of the file where the degrees of vertices are bounded (for each face that is
+added, the faces around its vertices are visited), but for a logarithmic factor where edges, and
+with `weld_borders` points, are sorted. The whole text is held in memory.
 */
 template <typename Source, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

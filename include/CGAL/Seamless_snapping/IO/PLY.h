@@ -41,9 +41,9 @@ coordinates), in text or binary form. Elements `edge` with the properties `verte
 are the feature edges. All other elements and properties are skipped. A file with coordinates per
 vertex is refused: they can't tell the two sides of a seam apart.
 
-All else is as with `read_OBJ()`: parameters, named parameters, result, the order of vertices and
-faces, what is refused; but messages name faces and vertices by their indices, which count from 0,
-and no lines.
+All else is as with `read_OBJ()`: template parameters, parameters, named parameters, what it
+returns, the order of vertices and faces, what is refused; but messages name faces and vertices by
+their indices, which count from 0, and no lines.
 
 \par Complexity
 That of `read_OBJ()`.

@@ -156,7 +156,11 @@ inline File_status read_polygon_soup(std::istream& is, Polygon_soup& soup,
 
 reads a mesh without coordinates per corner from the file of a name, whose suffix tells the format:
 those of the function that reads from a stream, or one of the others that
-`CGAL::IO::read_polygon_soup()` reads, which tells neither line nor reason.
+`CGAL::IO::read_polygon_soup()` reads, which tells neither line nor reason. Refusals, what `soup`
+receives, what is returned, and complexity are as there.
+
+\param filename the name of the file
+\param soup receives what is read
 */
 inline File_status read_polygon_soup(const std::string& filename, Polygon_soup& soup)
 {
