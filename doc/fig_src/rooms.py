@@ -49,10 +49,11 @@ def read_rooms(include):
     package = {}
 
     def room(name):
-        of, *folders, _ = name.split("/")
-        result = folders[1] if folders[:1] == ["internal"] else "types"
-        if folders in ([], ["IO"]):
-            result = of
+        of, *folders, file = name.split("/")
+        if folders == ["types"] or file == "packages_below.h":  # names, and no code
+            result = "types"
+        else:
+            result = folders[1] if folders[1:] else of  # files in internal/ are of its callers
         package.setdefault(result, of)
         return result
 
@@ -165,7 +166,7 @@ def draw_room(axes, room, x, y, color):
         y + 0.33,
         room if room in PACKAGES else room + "/",
         weight="bold",
-        fontsize=14,
+        fontsize=14 if len(room) < 20 else 13,
         ha="center",
         va="center",
         zorder=4,

@@ -45,9 +45,12 @@
 namespace CGAL {
 namespace Quad_remeshing {
 
-/// \ingroup PkgQuadRemeshingQuads
-/// A feature that `quad_remesh()` has released, between two points where it turned, ended, or met
-/// others.
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+A feature that `quad_remesh()` has released, between two points where it turned, ended, or met
+others.
+*/
 struct Released_feature
 {
   std::array<double, 3> source, target; ///< its ends
