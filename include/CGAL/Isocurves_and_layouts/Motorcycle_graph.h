@@ -488,7 +488,7 @@ without nodes have the same coordinates in all charts, which of them is chosen.
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`
+       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}

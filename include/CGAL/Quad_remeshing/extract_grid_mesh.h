@@ -74,7 +74,7 @@ Nothing is written unless the extraction succeeds.
        `target(h)`. Values of border halfedges are not read.
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`
+       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}

@@ -365,8 +365,9 @@ that are made where fewer are wanted. The quad around a vertex of one edge is le
 
 \return the outcome, and figures of the result; converts to `true` if and only if the quads were
         written. Otherwise `Remeshing_report::status` is what that of the step which failed is:
-        - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`: as
-          for `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
+        - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`, and,
+          at degenerate faces, `INVALID_ALIGNMENT`: as for
+          `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
           `INVALID_ARGUMENT` also if `symmetry_plane` has no normal or misses the mesh;
         - `NOT_POSITIVE`: faces stay flipped in the parametrization;
         - `TOO_LARGE`: there would be more quads than `maximum_number`;
