@@ -22,9 +22,13 @@
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,9 +44,8 @@ struct Chord
   Curve_index curve = no_index;
   Segment_index segment = no_index;
   Direction direction = Quarter_turns::identity();
-  std::int32_t next = no_index; // the next chord of the face
-  Exact_level level;            // the constant coordinate
-  Exact_level origin;           // the running coordinate of the start of the curve
+  Exact_level level;  // the constant coordinate
+  Exact_level origin; // the running coordinate of the start of the curve
 
   // The length of the curve from its start to a point of the chord.
   Exact_level length_up_to(const Exact_level& running) const
@@ -73,13 +76,13 @@ struct Layout_curve
   Segment_index last = no_index;         // in which it does
 };
 
-// Invariant: each chord is in the list of its face, and each segment that ends at a vertex in the
+// Invariant: each chord is in a list of its face, and each segment that ends at a vertex in the
 // list of the vertex, unless curves start there.
 class Curve_set
 {
 public:
   explicit Curve_set(const Layout_domain& domain)
-    : m_domain(&domain), m_first_chord(std::size_t(domain.mesh.number_of_faces()), no_index),
+    : m_domain(&domain), m_chords_of_face(std::size_t(domain.mesh.number_of_faces()), no_index),
       m_first_visit(domain.mesh.number_of_vertices(), no_index)
   { }
 
@@ -118,8 +121,9 @@ public:
       Exact_level(mesh().uv(exit.halfedge)[running_component(chord.direction)]));
   }
 
-  // Appends a segment to a curve. Calls on_chord(chord, other) for the chords of its faces and the
-  // others there, and on_visit(curve, segment) for those that have come to the same vertex.
+  // Appends a segment to a curve. Calls on_chord(chord, other, face) for its chords and those that
+  // cross them in a face, or may run against them, and on_visit(curve, segment) for the segments
+  // that have come to the same vertex.
   template <typename OnChord, typename OnVisit>
   void add_segment(const Curve_index c, const Chart_segment& segment, const OnChord& on_chord,
                    const OnVisit& on_visit)
@@ -152,15 +156,31 @@ private:
     std::int32_t next;
   };
 
+  // By their directions, and of each about its level: a curve that spirals has thousands in a face.
+  using Chords_of_face = std::array<std::vector<std::pair<double, std::int32_t> >, 4>;
+
   template <typename OnChord>
   void add_chord(const Chord& chord, const Flat_face_index face, const OnChord& on_chord)
   {
-    std::int32_t& first = m_first_chord[std::size_t(face)];
-    for(std::int32_t i = first; i != no_index; i = m_chords[std::size_t(i)].next)
-      on_chord(chord, m_chords[std::size_t(i)], face);
+    std::int32_t& list = m_chords_of_face[std::size_t(face)];
+    if(list == no_index) {
+      list = std::int32_t(m_chords_by_direction.size());
+      m_chords_by_direction.emplace_back();
+    }
+    Chords_of_face& chords = m_chords_by_direction[std::size_t(list)];
+    const auto in_direction = [&](const int turns) -> auto& {
+      return chords[std::size_t(turned(chord.direction, Quarter_turns::element(turns)))];
+    };
+    for(const int turns : {1, 3})
+      for(const auto& [level, i] : in_direction(turns))
+        on_chord(chord, m_chords[std::size_t(i)], face);
+    const double level = chord.level.approximation();
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(level);
+    for(const auto& [other_level, i] : in_direction(2))
+      if(std::abs(other_level - level) <= rounding)
+        on_chord(chord, m_chords[std::size_t(i)], face);
+    in_direction(0).emplace_back(level, std::int32_t(m_chords.size()));
     m_chords.push_back(chord);
-    m_chords.back().next = first;
-    first = std::int32_t(m_chords.size() - 1);
   }
 
   template <typename OnVisit>
@@ -195,7 +215,8 @@ private:
   std::vector<Layout_curve> m_curves;
   std::vector<Chord> m_chords;
   std::vector<Visit> m_visits;
-  std::vector<std::int32_t> m_first_chord; // per face
+  std::vector<std::int32_t> m_chords_of_face; // in those by direction; none where no chord is
+  std::vector<Chords_of_face> m_chords_by_direction;
   std::vector<std::int32_t> m_first_visit; // per vertex
 };
 
