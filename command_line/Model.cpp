@@ -27,9 +27,9 @@ std::string with_options(const std::string& message)
   static const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
     {"raise the tolerance", "raise --tolerance"},
-    {"; raise it, or scale the map up by grid_scale",
+    {"; raise it to at least that, which is less of a map scaled by grid_scale",
      "; ask for a number of quads by --number, which finds integers for each map without flips, or "
-     "raise it"},
+     "raise it to at least that"},
     {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
     {"and at most maximum_number", "and at most --maximum-number"},
     {"by grid_scale, or call extract_quad_soup()",

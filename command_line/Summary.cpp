@@ -175,6 +175,7 @@ void write_check(std::ostream& os, const Summary& s)
      << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n"
      << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
+     << (s.left_out_edges > 0 ? ", but not aligned along what is left out" : "")
      << " (in brackets: relative to the extent " << to_text(s.before.extent) << ")" << std::endl;
 }
 

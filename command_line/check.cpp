@@ -58,6 +58,7 @@ void check(const Arguments& arguments)
   read_model(input, seam_options.reading, model);
   const Alignment alignment(model, seam_options);
   Summary summary(model, alignment);
+  summary.notes_on_reading += note_on_features(seam_options.features, model);
   summary.before = measure(model, alignment);
   bool is_exact = summary.before.is_exact();
   std::string message = is_exact ? "" : input + ": not exactly seamless";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
@@ -17,18 +18,21 @@ struct Command
 {
   const char* name;
   const char* purpose;
+  const char* remedy; // where memory is not enough
   void (*run)(const Arguments&);
 };
 
 const std::array<Command, 8> commands = {{
-  {"snap", "make the parametrization in a file exactly seamless", snap},
-  {"check", "tell whether the parametrization in a file is exactly seamless", check},
-  {"parametrize", "compute an exactly seamless parametrization of a mesh", parametrize},
-  {"quads", "extract the quad mesh that a parametrization describes", quads},
-  {"remesh", "remesh a triangle mesh with quads", remesh},
-  {"layout", "divide a parametrized surface into rectangles along isocurves", layout},
-  {"trace", "trace isocurves from singular vertices, before and after snapping", trace},
-  {"body", "make a surface of a given genus to try these on", make_body}
+  {"snap", "make the parametrization in a file exactly seamless", "", snap},
+  {"check", "tell whether the parametrization in a file is exactly seamless", "", check},
+  {"parametrize", "compute an exactly seamless parametrization of a mesh", "", parametrize},
+  {"quads", "extract the quad mesh that a parametrization describes",
+   "; ask for fewer quads by --number", quads},
+  {"remesh", "remesh a triangle mesh with quads", "; ask for fewer quads by --number", remesh},
+  {"layout", "divide a parametrized surface into rectangles along isocurves", "", layout},
+  {"trace", "trace isocurves from singular vertices, before and after snapping",
+   "; lower --maximum-number, or leave out --all", trace},
+  {"body", "make a surface of a given genus to try these on", "; raise --edge-length", make_body}
 }};
 
 void print_help(std::ostream& os)
@@ -54,7 +58,11 @@ void run(const Arguments& arguments)
     throw Failure(USAGE, name.empty() ? "a command is needed"
                                       : "'" + name + "' is not a command");
   }
-  command->run(Arguments(arguments.begin() + 1, arguments.end()));
+  try {
+    command->run(Arguments(arguments.begin() + 1, arguments.end()));
+  } catch(const std::bad_alloc&) {
+    throw Failure(NOT_SOLVED, std::string("out of memory") + command->remedy);
+  }
   if(!std::cout.flush())
     throw Failure(UNWRITABLE, "cannot write to the standard output");
 }
@@ -73,14 +81,15 @@ Arguments arguments_with_command(const int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN); // writing fails then, and what was written is removed
+#endif
   try {
     run(arguments_with_command(argc, argv));
     return SUCCESS;
   } catch(const Failure& failure) {
     std::cerr << "seamless: " << failure.what() << std::endl;
     return failure.status;
-  } catch(const std::bad_alloc&) {
-    std::cerr << "seamless: out of memory" << std::endl;
   } catch(const std::exception& error) {
     std::cerr << "seamless: " << error.what() << std::endl;
   }

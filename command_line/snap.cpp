@@ -130,6 +130,7 @@ void snap(const Arguments& arguments)
   read_model(options.input, options.seams.reading, model);
   const Alignment alignment(model, options.seams);
   Summary summary(model, alignment);
+  summary.notes_on_reading += note_on_features(options.seams.features, model);
   summary.reading_time = timer.time();
   summary.before = measure(model, alignment);
   const Uv_map old_uv_map = options.picture.empty() ? model.uv_map : copy_of_uv_map(model);

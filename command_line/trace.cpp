@@ -114,7 +114,11 @@ void read_map(const std::string& filename, const Reading_options& options, const
 {
   Model other;
   read_model(filename, options, other);
-  if(other.mesh.number_of_halfedges() != model.mesh.number_of_halfedges())
+  const auto halfedges = model.mesh.halfedges();
+  if(other.mesh.number_of_halfedges() != model.mesh.number_of_halfedges() ||
+     std::any_of(halfedges.begin(), halfedges.end(), [&](const Halfedge h) {
+       return other.mesh.target(h) != model.mesh.target(h);
+     }))
     throw Failure(UNREADABLE, filename + ": another mesh than " + model.filename);
   for(const Halfedge h : model.mesh.halfedges())
     uv_map[h] = other.uv_map[h];
@@ -154,6 +158,9 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
                .cycle_constraints(cycles)
                .connection_tolerance((std::max)(0.01, 2 * options.near_by)));
   check_snapped(report, model, options.tolerance);
+  if(!options.exact_input.empty() && !options.constrain && report.status != IL::Outcome::ALREADY_EXACT)
+    throw Failure(NOT_SOLVED, options.exact_input + ": not exactly seamless; 'seamless snap' makes "
+                                                    "it so");
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
             << " cycles: " << to_text(report) << ", largest change " << report.largest_change;
   if(report.extent > 0)

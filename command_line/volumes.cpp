@@ -234,9 +234,11 @@ void snap_volume(const Arguments& arguments)
     throw Failure(UNWRITABLE, output + ": " + status.message);
   write_file(output, os.str());
   std::ostream& summary = summary_stream({output});
-  summary << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet") << " in "
-    << counted(report.run.number_of_cut_branches, "sheet") << ", "
-    << counted(report.linear_solver.number_of_unknowns, "unknown") << "\nlargest violation before "
+  summary << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet");
+  if(report.status != Snapping::Outcome::ALREADY_EXACT) // else there was no need to find these
+    summary << " in " << counted(report.run.number_of_cut_branches, "sheet") << ", "
+      << counted(report.linear_solver.number_of_unknowns, "unknown");
+  summary << "\nlargest violation before "
     << report.violation_before << ", largest change " << report.largest_change << ", orientation of "
     << counted(report.lost_faces.size(), "cell") << " lost\n";
   if(volume_options.integer_grid) {

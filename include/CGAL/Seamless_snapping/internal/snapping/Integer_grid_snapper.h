@@ -292,7 +292,7 @@ private:
                    name_of_rounding(*worst, m_surface, cuts) + " is " +
                      short_number(worst->distance()) + " off the integer that it is rounded to, "
                      "more than the rounding_tolerance of " + short_number(tolerance) +
-                     "; raise it, or scale the map up by grid_scale");
+                     "; raise it to at least that, which is less of a map scaled by grid_scale");
   }
 
   // Null if there is none but of points that are free to move.
