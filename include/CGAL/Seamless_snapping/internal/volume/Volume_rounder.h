@@ -145,8 +145,8 @@ public:
       return Refusal(Outcome::NOT_INTEGER,
                      worst.second + " is " + short_number(worst.first) +
                        " off the integer that it is rounded to, more than the rounding_tolerance "
-                     "of " + short_number(m_rounding_tolerance) + "; raise it to at least that, which "
-                     "is less of a map scaled by grid_scale");
+                       "of " + short_number(m_rounding_tolerance) + "; raise it to at least that, "
+                       "which is less of a map scaled by grid_scale");
     rounded = m_volume.coordinates;
     if(!expand(*displacement, is_far, rounded))
       return not_representable();
