@@ -54,6 +54,7 @@ inline Complex cross_of_direction(const Point& direction, const Point& first_edg
   return along == 0 && across == 0 ? Complex(0) : cross_of_angle(std::atan2(across, along));
 }
 
+// Empty where no face has a direction.
 template <typename TriangleMesh, typename VertexPointMap, typename FaceDirectionMap>
 Prescribed_field read_directions(const TriangleMesh& tmesh,
                                  const Flat_numbering<TriangleMesh>& numbering,
@@ -77,7 +78,9 @@ Prescribed_field read_directions(const TriangleMesh& tmesh,
     field.push_back(
       cross_of_direction(direction, corners[0] - corners[2], corners[1] - corners[0]));
   }
-  return field;
+  const bool has_none = std::all_of(field.begin(), field.end(),
+                                    [](const Complex& z) { return z == Complex(0); });
+  return has_none ? Prescribed_field() : field;
 }
 
 } // namespace parametrization

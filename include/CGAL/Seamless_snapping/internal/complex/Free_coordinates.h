@@ -24,6 +24,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,8 +50,12 @@ public:
   Sparse_row coordinate(const std::size_t sector, const std::size_t c) const
   {
     Sparse_row row;
-    for(const auto& [quantity, factor] : m_coordinates[dimension * sector + c])
-      append(row, m_quantities[quantity], factor);
+    for_each_quantity(dimension * sector + c, [&](const std::size_t q, const double factor) {
+      if(is_column(q))
+        append(row, m_unknowns.sum(q), factor);
+      else
+        row.emplace_back(unknown(q), factor);
+    });
     normalize(row);
     return row;
   }
@@ -59,20 +65,28 @@ public:
   std::vector<std::array<double, dimension> > evaluate(const std::vector<double>& free_values) const
   {
     std::vector<double> values;
-    for(const Sparse_row& quantity : m_quantities)
-      values.push_back(value_of(quantity, free_values));
+    for(std::size_t q = 0; is_column(q); ++q)
+      values.push_back(value_of(m_unknowns.sum(q), free_values));
     std::vector<std::array<double, dimension> > uv(m_coordinates.size() / dimension);
     for(std::size_t i = 0; i < m_coordinates.size(); ++i)
-      uv[i / dimension][i % dimension] = value_of(m_coordinates[i], values);
+      for_each_quantity(i, [&](const std::size_t q, const double factor) {
+        uv[i / dimension][i % dimension] +=
+          factor * (is_column(q) ? values[q] : free_values[unknown(q)]);
+      });
     return uv;
   }
 
 private:
+  // A column of the reduced system, or else a coordinate that stays free. Most coordinates are one
+  // quantity each; others are sums, whose numbers are counted down from -1.
+  using Quantity = std::ptrdiff_t;
+  static constexpr Quantity nothing = (std::numeric_limits<Quantity>::max)();
+
   Free_coordinates(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
-    : m_unknowns(system.rows().system), m_coordinates(dimension * complex.number_of_sectors())
+    : m_unknowns(system.rows().system), m_number_of_columns(system.weights().size()),
+      m_first_unknown(m_unknowns.size()),
+      m_coordinates(dimension * complex.number_of_sectors(), nothing)
   {
-    for(std::size_t c = 0; c < system.weights().size(); ++c)
-      m_quantities.push_back(m_unknowns.sum(c));
     add_sectors_of_nodes(complex, system);
     add_chains(complex, system);
     add_branches(complex, system);
@@ -80,17 +94,32 @@ private:
       make_free(Sector_index(s));
   }
 
-  Sparse_row& row(const Sector_index s, const std::size_t c)
+  bool is_column(const std::size_t quantity) const { return quantity < m_number_of_columns; }
+  std::size_t unknown(const std::size_t quantity) const
+  { return quantity - m_number_of_columns + m_first_unknown; }
+
+  // visit(quantity, factor)
+  template <typename Visit>
+  void for_each_quantity(const std::size_t coordinate, const Visit& visit) const
+  {
+    const Quantity q = m_coordinates[coordinate];
+    if(q >= 0)
+      visit(std::size_t(q), 1.);
+    else
+      for(const auto& [quantity, factor] : m_sums[std::size_t(-1 - q)])
+        visit(quantity, factor);
+  }
+
+  Quantity& coordinate_of(const Sector_index s, const std::size_t c)
   { return m_coordinates[dimension * std::size_t(s) + c]; }
 
   // What has no value yet.
   void make_free(const Sector_index s)
   {
     for(std::size_t c = 0; c < dimension; ++c)
-      if(row(s, c).empty()) {
-        row(s, c).emplace_back(m_quantities.size(), 1.);
-        m_quantities.push_back({{m_unknowns.add_unknown(), 1.}});
-      }
+      if(coordinate_of(s, c) == nothing)
+        coordinate_of(s, c) =
+          Quantity(m_number_of_columns + m_unknowns.add_unknown() - m_first_unknown);
   }
 
   void add_sectors_of_nodes(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
@@ -98,7 +127,7 @@ private:
     for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
       if(const Column_index first = system.unknown(Sector_index(s)); first >= 0)
         for(std::size_t c = 0; c < dimension; ++c)
-          row(Sector_index(s), c).emplace_back(std::size_t(first) + c, 1.);
+          coordinate_of(Sector_index(s), c) = Quantity(first) + Quantity(c);
   }
 
   // Between nodes, the constant coordinate is the level of the chain.
@@ -108,8 +137,7 @@ private:
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
       if(complex.has_inner_links(c))
         for(auto s = complex.links_begin(c) + 1; s + 1 != complex.links_end(c); ++s)
-          row(*s, std::size_t(complex.functional[c]))
-            .emplace_back(std::size_t(system.level(c)), 1.);
+          coordinate_of(*s, std::size_t(complex.functional[c])) = Quantity(system.level(c));
   }
 
   // Between nodes, u- = g u+ + t.
@@ -122,34 +150,43 @@ private:
       for(auto p = complex.pairs_begin(b) + 1; p + 1 != complex.pairs_end(b); ++p) {
         make_free(p->plus);
         for(std::size_t c = 0; c < dimension; ++c) {
-          Sparse_row& minus = row(p->minus, c);
+          Sparse_row minus;
           for(std::size_t d = 0; d < dimension; ++d)
             if(m[c][d] != 0)
-              append(minus, row(p->plus, d), m[c][d]);
+              for_each_quantity(dimension * std::size_t(p->plus) + d,
+                                [&](const std::size_t q, const double factor)
+                                { minus.emplace_back(q, factor * m[c][d]); });
           minus.emplace_back(std::size_t(system.translation(b)) + c, 1.);
+          m_sums.push_back(std::move(minus));
+          coordinate_of(p->minus, c) = -Quantity(m_sums.size());
         }
       }
     }
   }
 
   Free_unknowns m_unknowns;
-  // The columns of the reduced system, and the coordinates of sectors that stay free.
-  std::vector<Sparse_row> m_quantities;
-  std::vector<Sparse_row> m_coordinates; // of the sectors, as sums of quantities
+  std::size_t m_number_of_columns, m_first_unknown; // the latter after those of the columns
+  std::vector<Quantity> m_coordinates;              // of the sectors
+  std::vector<Sparse_row> m_sums;                   // of quantities
 };
 
-// The coordinates of the sectors as rows over the free unknowns, one after the other.
+// The coordinates of the sectors over the free unknowns.
 class Coordinate_table
 {
 public:
   template <typename Group>
   Coordinate_table(const Free_coordinates<Group>& coordinates, const std::size_t number_of_sectors)
-    : m_begin(1, 0)
   {
+    m_coordinates.reserve(2 * number_of_sectors);
     for(std::size_t s = 0; s < number_of_sectors; ++s)
       for(std::size_t c = 0; c < 2; ++c) {
-        append(m_terms, coordinates.coordinate(s, c));
-        m_begin.push_back(m_terms.size());
+        Sparse_row row = coordinates.coordinate(s, c);
+        if(row.size() == 1 && row.front().second == 1) {
+          m_coordinates.push_back(std::ptrdiff_t(row.front().first));
+        } else {
+          m_sums.push_back(std::move(row));
+          m_coordinates.push_back(-std::ptrdiff_t(m_sums.size()));
+        }
       }
   }
 
@@ -157,8 +194,22 @@ public:
   template <typename Visit>
   void for_each_term(const std::size_t sector, const std::size_t c, const Visit& visit) const
   {
-    for(std::size_t j = m_begin[2 * sector + c]; j < m_begin[2 * sector + c + 1]; ++j)
-      visit(m_terms[j].first, m_terms[j].second);
+    const std::ptrdiff_t place = m_coordinates[2 * sector + c];
+    if(place >= 0)
+      visit(std::size_t(place), 1.);
+    else
+      for(const auto& [unknown, factor] : m_sums[std::size_t(-1 - place)])
+        visit(unknown, factor);
+  }
+
+  // Whether the mean coordinate is a long sum, as where features cross the cuts of many handles.
+  bool has_long_sums() const
+  {
+    constexpr std::size_t many = 4; // without cuts and features, each is an unknown
+    std::size_t sum = 0;
+    for(const Sparse_row& row : m_sums)
+      sum += row.size();
+    return sum > many * m_coordinates.size();
   }
 
   // row(target) - row(source), as it enters the energy of an edge.
@@ -174,8 +225,8 @@ public:
   }
 
 private:
-  std::vector<std::size_t> m_begin;
-  Sparse_row m_terms;
+  std::vector<std::ptrdiff_t> m_coordinates; // an unknown, or the number of a sum, down from -1
+  std::vector<Sparse_row> m_sums;
 };
 
 } // namespace internal
