@@ -225,15 +225,18 @@ private:
 
   // Returns the faces that are not positive afterwards. On large surfaces, what is around flips is
   // tried by itself first: unknowns such as the translations of cuts make patches of all faces.
+  // Where coordinates are long sums of these, edges are released before such a patch is tried.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
     constexpr std::size_t edges_around = 10;
     std::vector<std::size_t> faces(std::size_t(m_surface.number_of_faces()));
-    if(is_large(m_surface)) {
+    const bool has_long_sums = m_table->has_long_sums();
+    if(is_large(m_surface) || has_long_sums) {
       const std::vector<std::size_t> stuck =
         untangle(unknowns, how,
                  faces_near_flips(m_surface, *m_complex, m_rows->evaluate(unknowns), edges_around));
-      if(stuck.empty() || how == Untangling::CLOSE_BY)
+      if(stuck.empty() || how == Untangling::CLOSE_BY ||
+         (has_long_sums && how == Untangling::NEAR_BY))
         return stuck;
     }
     std::iota(faces.begin(), faces.end(), std::size_t(0));
@@ -277,20 +280,27 @@ private:
     return result;
   }
 
-  // Releases an edge of each face: the shortest feature of its own, or else of its vertices.
-  // Returns whether there is one.
+  // Releases an edge of each face: the shortest feature of its own, or else of a vertex; of one
+  // near by where large patches are not tried. Returns whether there is one.
   bool release(const std::vector<std::size_t>& faces)
   {
     const std::size_t before = m_released.size();
+    const std::size_t most_vertices = m_table->has_long_sums() ? 100 : 3;
     for(const std::size_t f : faces) {
       Shortest_feature best(m_surface);
-      const Corner_index first = Corner_index(3 * f);
-      for(Corner_index h = first; h < first + 3; ++h)
+      std::vector<std::size_t> vertices;
+      for(Corner_index h = Corner_index(3 * f); h < Corner_index(3 * f + 3); ++h) {
         best.consider(h);
-      for(Corner_index h = first; h < first + 3 && best.halfedge() == no_index; ++h)
-        for_each_corner(m_surface, m_surface.vertex(h), [&](const Corner_index g) {
+        vertices.push_back(m_surface.vertex(h));
+      }
+      for(std::size_t i = 0; i < vertices.size() && best.halfedge() == no_index; ++i)
+        for_each_corner(m_surface, vertices[i], [&](const Corner_index g) {
           best.consider(g);
           best.consider(m_surface.next(g));
+          const std::size_t v = m_surface.source(g);
+          if(vertices.size() < most_vertices &&
+             std::find(vertices.begin(), vertices.end(), v) == vertices.end())
+            vertices.push_back(v);
         });
       if(best.halfedge() != no_index)
         m_released.push_back(release_edge(m_surface, best.halfedge()));

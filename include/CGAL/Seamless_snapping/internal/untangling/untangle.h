@@ -75,7 +75,7 @@ public:
   // Returns the number of iterations over as many triangles as there are, rounded up.
   std::size_t run(const std::size_t largest_number_of_iterations, const Untangling how)
   {
-    constexpr std::size_t any = static_cast<std::size_t>(-1);
+    const std::size_t any = has_long_rows() ? 150 : static_cast<std::size_t>(-1);
     std::vector<Attempt> attempts{{4, 40, 30, false}};
     if(how != Untangling::CLOSE_BY)
       attempts.push_back({6, any, 40, how == Untangling::NEAR_BY});
@@ -103,6 +103,17 @@ private:
       for(const Sparse_row& row : m_map.rows[p])
         for(const auto& entry : row)
           f(entry.first);
+  }
+
+  // Whether triangles depend on so many unknowns, as on the translations of cuts around hundreds of
+  // handles, that a patch with all of these would take long: as dense as it is large.
+  bool has_long_rows() const
+  {
+    constexpr std::size_t many = 30; // of a triangle: without translations, there are six
+    std::size_t sum = 0;
+    for(const std::vector<std::size_t>& triangles : m_triangles_of)
+      sum += triangles.size();
+    return sum > many * m_map.triangles.size();
   }
 
   // The unknowns of the triangles and of those around, in sets that have no triangle in common.
