@@ -115,7 +115,41 @@ private:
   std::vector<std::size_t> m_reached;
 };
 
-// Changes the rotations such that opposite cones of up to that distance cancel, the closest first.
+// Whether crosses turn on a way around a part of the surface, per component without cones.
+inline std::vector<char> has_turns(const Triangle_surface& surface, const Matching& matching)
+{
+  std::vector<int> turns(std::size_t(surface.number_of_faces()), 0);
+  for_each_edge_of_face_trees(
+    surface, [](const Corner_index) { return true; },
+    [&](const Corner_index h) {
+      turns[surface.face(surface.opposite(h))] = turns[surface.face(h)] + matching.turns[h];
+    });
+  std::vector<char> result(surface.number_of_components, false);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    if(!surface.is_border_edge(h) &&
+       (turns[surface.face(h)] + matching.turns[h] - turns[surface.face(surface.opposite(h))]) %
+         Quarter_turns::order != 0)
+      result[surface.component[surface.face(h)]] = true;
+  return result;
+}
+
+// The cones of a component, and the paths along which pairs of them have cancelled.
+struct Component_cones
+{
+  bool is_closed = true;
+  int sum_of_positive = 0, sum = 0; // of indices
+  std::vector<std::vector<Corner_index> > cancelled;
+
+  // No map of a torus has one cone of each sign and no others [Izmestiev et al. 2013], nor one
+  // without cones turns.
+  bool can_have_map(const bool has_turns) const
+  {
+    return !is_closed || sum != 0 || sum_of_positive > 1 || (sum_of_positive == 0 && !has_turns);
+  }
+};
+
+// Changes the rotations such that opposite cones of up to that distance cancel, the closest first;
+// the last ones of a torus stay where it has no map without them.
 // The deviations of the field are not small after that. Returns the number of pairs.
 inline std::size_t cancel_rotations(const Triangle_surface& surface,
                                     const std::vector<double>& angles,
@@ -124,6 +158,13 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
 {
   constexpr std::size_t most_partners = 8; // in a round: where cones are dense, few are enough
   Cone_paths paths(surface, is_fixed, distance);
+  std::vector<Component_cones> components(surface.number_of_components);
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+    Component_cones& component = components[surface.component_of_vertex(v)];
+    component.is_closed = component.is_closed && !surface.is_border[v];
+    component.sum_of_positive += (std::max)(index[v], 0);
+    component.sum += index[v];
+  }
   std::size_t count = 0, before = 0;
   do {
     before = count;
@@ -140,14 +181,26 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
       if(index[from] <= 0 || index[to] >= 0)
         continue;
       paths.run(from, [&, end = to](const std::size_t v, double) { return v != end; });
+      Component_cones& component = components[surface.component_of_vertex(from)];
+      component.cancelled.emplace_back();
       paths.for_each_edge_to(to, [&](const Corner_index h) {
         set_turns(surface, angles, h, matching.turns[h] - 1, matching);
+        component.cancelled.back().push_back(h);
       });
+      --component.sum_of_positive;
       --index[from];
       ++index[to];
       ++count;
     }
   } while(count > before);
+  const std::vector<char> turns = has_turns(surface, matching);
+  for(std::size_t c = 0; c < components.size(); ++c) {
+    Component_cones& component = components[c];
+    for(; !component.cancelled.empty() && !component.can_have_map(turns[c]);
+        component.cancelled.pop_back(), ++component.sum_of_positive, --count)
+      for(const Corner_index h : component.cancelled.back())
+        set_turns(surface, angles, h, matching.turns[h] + 1, matching);
+  }
   return count;
 }
 
