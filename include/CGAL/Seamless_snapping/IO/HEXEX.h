@@ -193,7 +193,10 @@ format, with as many digits as it takes to read the numbers back bit for bit.
 \param mesh the mesh
 
 \returns an object that converts to `true` if the mesh was written, and that holds the reason
-         otherwise
+         otherwise: there are not four coordinates per cell, a number is not finite, or the file
+         cannot be written
+
+\pre the vertices of all cells and features exist
 
 \par Complexity
 Linear in the size of the mesh.
@@ -217,7 +220,9 @@ were read.
 \param os receives the copy
 \param uvw the coordinates of each corner
 
-\return whether that was done; if not, it holds the reason, and nothing was written
+\return an object that converts to `true` if the copy was written, and that holds the reason
+        otherwise: the original is malformed, there are not as many coordinates as it has corners,
+        or one is not finite. Then nothing is written.
 
 \par Complexity
 Linear in the size of the file.
