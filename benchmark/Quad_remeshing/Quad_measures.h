@@ -7,8 +7,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
-#include <CGAL/AABB_triangle_primitive.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,7 +114,7 @@ struct Shape_of_quads
 // The largest distance of points of one surface, `step` apart, from another one.
 inline double one_sided_distance(const Triangles& from, const Triangles& to, const double step)
 {
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Primitive = CGAL::Quad_remeshing::internal::Triangle_primitive<Triangles::const_iterator>;
   CGAL::Quad_remeshing::internal::Search_tree<Primitive> tree(to.begin(), to.end());
   tree.accelerate_distance_queries();
   double largest = 0;

@@ -488,8 +488,8 @@ private:
     CHECK_IN(m_context, CGAL::is_valid_polygon_mesh(refined));
     auto parts = refined.add_property_map<Face, std::size_t>("f:part").first;
     const std::size_t number =
-      PMP::connected_components(refined, parts, IL::parameters::edge_is_constrained_map(is_arc)
-                                                  .cgal_named_parameters());
+      PMP::connected_components(refined, parts,
+                                CGAL::parameters::edge_is_constrained_map(is_arc));
     CHECK_EQUAL(number, m_graph.number_of_patches());
     std::map<std::size_t, std::size_t> part_of_patch;
     std::vector<double> areas(m_graph.number_of_patches(), 0);

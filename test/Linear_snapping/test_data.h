@@ -29,14 +29,15 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   return files;
 }
 
-// Where the parametrizations of the packages are, seen from the folder of a test; within CGAL, each
-// package has a root.
+// Where the parametrizations of the packages are, seen from the folder of a test. Within CGAL, each
+// package has a root, and programs run in a copy of their folder.
 inline std::filesystem::path data_folder()
 {
-  for(const char* const folder : {"data", "../Seamless_snapping/data"})
-    if(std::filesystem::is_directory(folder))
-      return folder;
-  return "../../../Seamless_snapping/test/Seamless_snapping/data";
+#ifdef SEAMLESS_SNAPPING_TEST_DATA
+  return SEAMLESS_SNAPPING_TEST_DATA;
+#else
+  return std::filesystem::is_directory("data") ? "data" : "../Seamless_snapping/data";
+#endif
 }
 
 // A parametrization of the packages.

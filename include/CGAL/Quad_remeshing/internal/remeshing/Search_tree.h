@@ -16,7 +16,7 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // The tree that finds nearest places on the surface that is remeshed. CGAL 6 has renamed its
-// traits.
+// traits, and the primitive of triangles.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
@@ -24,8 +24,10 @@
 #include <CGAL/version_macros.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
 #else
 #include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 namespace CGAL {
@@ -35,9 +37,15 @@ namespace internal {
 #if CGAL_VERSION_NR >= 1060000000
 template <typename Primitive>
 using Search_tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Surface_to_remesh::Kernel, Primitive> >;
+
+template <typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Surface_to_remesh::Kernel, Iterator>;
 #else
 template <typename Primitive>
 using Search_tree = CGAL::AABB_tree<CGAL::AABB_traits<Surface_to_remesh::Kernel, Primitive> >;
+
+template <typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive<Surface_to_remesh::Kernel, Iterator>;
 #endif
 
 } // namespace internal

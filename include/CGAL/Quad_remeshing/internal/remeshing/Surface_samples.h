@@ -19,9 +19,9 @@
 // where their vertices lie elsewhere. What the places ask of a vertex is a quadratic form of its
 // displacement, as the squared distances of their tangent planes from what moves with it.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <array>
@@ -101,7 +101,7 @@ public:
   // sum of all squares is that of distances in units of an edge, as a mean over each quad.
   std::vector<Distance_form> distance_forms(const Mesh& quads) const
   {
-    using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+    using Primitive = Triangle_primitive<std::vector<Triangle>::const_iterator>;
     std::vector<Distance_form> forms(quads.number_of_vertices());
     std::vector<Triangle> triangles;
     std::vector<std::array<Vertex, 3> > corners;
