@@ -65,6 +65,7 @@ void test_valid_variants()
   check_same_as_square("zero with a large exponent", replaced(square, "vt 0 1\n", "vt 0e999 1\n"));
   check_same_as_square("other statements", "mtllib a.mtl\no x\ng\ns off\nvn 0 0 1\nvp a b\nfoo\n"
                                              + square + "usemtl y\nend \\\n f 1 2\n");
+  check_same_as_square("leading zeros", replaced(square, "f 1/1 2/2", "f 0001/1 2/00000000000002"));
   check_same_as_square("forward references", square.substr(square.find('f'))
                                                + square.substr(0, square.find('f')));
   check_same_as_square("negative indices", replaced(replaced(square, "f 1/1 2/2 3/3",
@@ -212,6 +213,12 @@ void test_refused_statements()
                 "texture coordinate index 5 is out of range: the file has 4");
   check_refused(with("f 1/1 3/3 4/4", "f 1/1 -5/3 4/4"), 10,
                 "vertex index -5 is out of range: there are 4 so far");
+  // 2^32 more than an index that would do
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 4294967299/3 4/4"), 10,
+                "vertex index '4294967299' is out of range");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/4294967299 4/4"), 10,
+                "texture coordinate index '4294967299' is out of range");
+  check_refused(with("f 1/1 3/3 4/4", "f 1/1 3/18446744073709551619 4/4"), 10, "is out of range");
   check_refused(with("f 1/1 3/3 4/4", "f 1/1 99999999999999999999/3 4/4"), 10, "is out of range");
   check_refused(with("f 1/1 3/3 4/4", "f 1/1 -9223372036854775808/3 4/4"), 10, "is out of range");
   check_refused(square + "l 1\n", 11, "line element needs 2 vertices or more, but has 1");

@@ -241,6 +241,7 @@ void test_refused()
   check(replaced(text, "3 0 2 3", "3 0 2 2"), "face 1: uses vertex 2 twice");
   check(replaced(text, "3 0 2 3", "3 0 2 4"),
         "face 1: vertex index 4 is out of range: the file has 4 vertices");
+  check(replaced(text, "3 0 2 3", "3 0 4294967298 3"), "face 1: index 4294967298 is out of range");
   check(replaced(text, "3 0 2 3", "3 0 -2 3"), "face 1: vertex index -2 is negative");
   check(replaced(text, "3 0 2 3", "3 0 2. 3"), "face 1: '2.' is not an integer");
   check(replaced(text, "6 5 5 6 5 6 6", "0"), "face 1: has 0 texture coordinates, but needs 6");

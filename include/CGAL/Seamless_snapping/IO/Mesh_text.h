@@ -250,9 +250,9 @@ private:
     if constexpr(std::is_same_v<decltype(soup), Soup>) {
       const auto first_copy = changes.file_vertices.end() - std::ptrdiff_t(soup.points.size() - n);
       for(auto& triangle : soup.triangles)
-        for(std::size_t& v : triangle.vertices)
+        for(internal::Soup_index& v : triangle.vertices)
           if(v >= n)
-            v = first_copy[std::ptrdiff_t(v - n)];
+            v = internal::Soup_index(first_copy[std::ptrdiff_t(v - n)]);
       m_soup = std::move(soup);
     }
     return changes;
@@ -267,8 +267,7 @@ private:
       return internal::rewritten_text<Parser, Rewriter>(
         m_text, tmesh, uv_map,
         internal::strip(parameters::weld_borders(m_is_welded).vertex_point_map(points)));
-    const auto uvs = internal::uvs_of_mesh(*m_soup, tmesh, uv_map, points);
-    return Rewriter<Soup>(m_text, *m_soup, uvs).rewrite();
+    return internal::rewritten_text<Rewriter>(m_text, *m_soup, tmesh, uv_map, points);
   }
 
   template <typename ParsedSoup, typename TriangleMesh, typename HalfedgeUVMap,

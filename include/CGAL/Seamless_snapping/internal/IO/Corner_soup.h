@@ -21,12 +21,17 @@
 #include <CGAL/Seamless_snapping/types/Polygon_soup.h>
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// Of a point, coordinates, or a line. Half as long as addresses: in large files, the memory that is
+// touched for the first time takes as much time as parsing.
+using Soup_index = std::uint32_t;
+constexpr Soup_index largest_soup_index = static_cast<Soup_index>(-2); // -1 stands for none
 
 // All indices count from 0.
 template <typename PointNumber, typename UVNumber>
@@ -34,9 +39,9 @@ struct Corner_soup
 {
   struct Triangle
   {
-    std::array<std::size_t, 3> vertices;
-    std::array<std::size_t, 3> uvs;
-    std::size_t line; // 0 in files that are not made of lines
+    std::array<Soup_index, 3> vertices;
+    std::array<Soup_index, 3> uvs;
+    Soup_index line; // 0 in files that are not made of lines
   };
 
   using Segment = IO::Polygon_soup::Segment;

@@ -98,8 +98,12 @@ private:
   void parse_triangle()
   {
     typename Soup::Triangle triangle;
-    triangle.line = m_scanner.line();
+    triangle.line = line();
     std::size_t count = 0;
+    while(count < 3 && m_scanner.next_pair(triangle.vertices[count], triangle.uvs[count])) {
+      --triangle.vertices[count];
+      --triangle.uvs[count++];
+    }
     for(std::string_view token = m_scanner.next_token(); !token.empty();
         token = m_scanner.next_token()) {
       if(count < 3)
@@ -110,26 +114,25 @@ private:
       m_scanner.refuse("face has " + std::to_string(count) + " corners"
                        + (count > 3 ? "; triangulate the mesh first" : ", but needs 3"));
 
-    const std::array<std::size_t, 3>& v = triangle.vertices;
+    const std::array<Soup_index, 3>& v = triangle.vertices;
     if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2])
-      m_scanner.refuse("face uses vertex " + std::to_string((v[0] == v[1] ? v[0] : v[2]) + 1)
-                       + " twice");
+      m_scanner.refuse("face uses vertex "
+                       + std::to_string(std::size_t(v[0] == v[1] ? v[0] : v[2]) + 1) + " twice");
     m_soup.triangles.push_back(triangle);
   }
 
-  // That of the slash or of the token; tokens are so short that `find()` would take longer.
-  static std::size_t end_of_index(const std::string_view token, std::size_t i)
+  Soup_index line() const
   {
-    while(i < token.size() && token[i] != '/')
-      ++i;
-    return i;
+    if(m_scanner.line() > largest_soup_index)
+      m_scanner.refuse("the file has more lines than can be counted");
+    return static_cast<Soup_index>(m_scanner.line());
   }
 
   // A corner is v/vt or v/vt/vn; the normal is checked to be an index and dropped.
-  void parse_corner(const std::string_view token, std::size_t& vertex, std::size_t& uv) const
+  void parse_corner(const std::string_view token, Soup_index& vertex, Soup_index& uv) const
   {
-    const std::size_t first = end_of_index(token, 0);
-    const std::size_t second = end_of_index(token, (std::min)(first + 1, token.size()));
+    const std::size_t first = (std::min)(token.find('/'), token.size());
+    const std::size_t second = (std::min)(token.find('/', first + 1), token.size());
     if(second < first + 2)
       m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
     vertex = parse_index(token.substr(0, first), m_soup.points.size(), "vertex");
@@ -177,11 +180,6 @@ private:
   {
     long long index = 0;
     const char* const end = token.data() + token.size();
-    const char* digit = token.data();
-    while(digit != end && *digit >= '0' && *digit <= '9' && digit - token.data() < 18)
-      index = 10 * index + (*digit++ - '0');
-    if(digit == end && index > 0) // nearly always
-      return index;
     const std::from_chars_result result = std::from_chars(token.data(), end, index);
     if(result.ptr != end || result.ec == std::errc::invalid_argument)
       m_scanner.refuse(quoted(token) + " is not the index of a " + of);
@@ -194,15 +192,17 @@ private:
 
   // A negative index counts back from the last element so far. A positive one may point forward, so
   // that its range is checked at the end.
-  std::size_t parse_index(const std::string_view token, std::size_t size, const char* of) const
+  Soup_index parse_index(const std::string_view token, std::size_t size, const char* of) const
   {
     const long long index = parse_signed_index(token, of);
-    if(index > 0)
-      return static_cast<std::size_t>(index - 1);
-    if(static_cast<std::size_t>(-(index + 1)) >= size)
+    if(index < 0 && static_cast<std::size_t>(-(index + 1)) >= size)
       m_scanner.refuse(of + (" index " + std::to_string(index)) + " is out of range: there are "
                        + std::to_string(size) + " so far");
-    return size - static_cast<std::size_t>(-(index + 1)) - 1;
+    const std::size_t result = index > 0 ? static_cast<std::size_t>(index - 1)
+                                         : size - static_cast<std::size_t>(-(index + 1)) - 1;
+    if(result > largest_soup_index)
+      m_scanner.refuse(of + (" index " + quoted(token)) + " is out of range");
+    return static_cast<Soup_index>(result);
   }
 
   void check_indices() const

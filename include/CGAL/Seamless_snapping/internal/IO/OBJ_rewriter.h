@@ -21,6 +21,8 @@
 // one are to have different coordinates, further statements follow it; later ones then have higher
 // indices.
 
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
+#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 #include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
@@ -41,21 +43,24 @@ class OBJ_uv_layout
 public:
   using UV = Distinct_uvs::UV;
 
-  // `uvs` are the new coordinates of all corners.
-  template <typename Soup>
-  OBJ_uv_layout(const Soup& soup, const std::vector<UV>& uvs)
+  // `for_each_uv(f)` calls `f()` with the new coordinates of all corners.
+  template <typename Soup, typename For_each_uv>
+  OBJ_uv_layout(const Soup& soup, const For_each_uv& for_each_uv)
     : m_first(soup.uvs.size() + 1, 0)
   {
     const std::size_t n = soup.uvs.size(); // old statements
     Distinct_uvs distinct(n);
     std::vector<std::size_t> old_index; // of each distinct pair
-    m_index.reserve(uvs.size());
-    for(std::size_t c = 0; c < uvs.size(); ++c) {
-      const std::size_t old = soup.triangles[c / 3].uvs[c % 3];
-      m_index.push_back(distinct.insert(old, uvs[c]));
-      if(m_index.back() == old_index.size())
+    if(n + 3 * soup.triangles.size() > largest_soup_index)
+      throw File_refusal(0, "the file is too large; nothing is written");
+    m_index.reserve(3 * soup.triangles.size());
+    for_each_uv([&](const UV& uv) {
+      const std::size_t c = m_index.size(), old = soup.triangles[c / 3].uvs[c % 3];
+      const std::size_t i = distinct.insert(old, uv);
+      m_index.push_back(Soup_index(i));
+      if(i == old_index.size())
         old_index.push_back(old);
-    }
+    });
 
     std::vector<std::size_t> count(n, 0);
     for(const std::size_t k : old_index)
@@ -71,8 +76,8 @@ public:
       m_uvs[place[i]] = distinct.uvs()[i];
       m_is_used[place[i]] = true;
     }
-    for(std::size_t& i : m_index)
-      i = place[i];
+    for(Soup_index& i : m_index)
+      i = Soup_index(place[i]);
   }
 
   std::size_t index_of_corner(std::size_t c) const { return m_index[c]; }
@@ -85,7 +90,7 @@ public:
 
 private:
   std::vector<std::size_t> m_first;
-  std::vector<std::size_t> m_index; // per corner
+  std::vector<Soup_index> m_index;  // per corner
   std::vector<UV> m_uvs;            // per new statement
   std::vector<bool> m_is_used;
 };
@@ -96,10 +101,11 @@ class OBJ_rewriter
 public:
   using UV = OBJ_uv_layout::UV;
 
-  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
-  // coordinates of its corners.
-  OBJ_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
-    : m_soup(soup), m_layout(soup, uvs), m_scanner(text), m_copy(text)
+  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `for_each_uv(f)`
+  // calls `f()` with the new coordinates of its corners.
+  template <typename For_each_uv>
+  OBJ_rewriter(const std::string_view text, const Soup& soup, const For_each_uv& for_each_uv)
+    : m_soup(soup), m_layout(soup, for_each_uv), m_scanner(text), m_copy(text)
   { }
 
   // To be called once. Throws if a coordinate is not finite.

@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -89,6 +90,28 @@ public:
     }
   }
 
+  // Takes the next token if it is v/w, both of 9 digits or less, as most corners of faces are; else
+  // stays where it is.
+  bool next_pair(std::uint32_t& v, std::uint32_t& w)
+  {
+    skip_blanks();
+    const char *c = m_text.data() + m_position, *const end = m_text.data() + m_text.size();
+    const auto number = [&c, end] {
+      std::uint32_t result = 0;
+      for(const char* const stop = end - c > 9 ? c + 9 : end; c != stop && is_digit(*c); ++c)
+        result = 10 * result + std::uint32_t(*c - '0');
+      return result;
+    };
+    v = number();
+    if(c == end || *c++ != '/')
+      return false;
+    w = number();
+    if(v == 0 || w == 0 || c == end || !(is_blank(*c) || is_line_end(*c)))
+      return false;
+    m_position = std::size_t(c - m_text.data());
+    return true;
+  }
+
   // Goes behind the end of the statement's last line, and returns that end, which is empty at the
   // end of the text.
   std::string_view finish_statement()
@@ -109,6 +132,7 @@ public:
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_surely_in_token(char c) { return c > ' ' && c != '\\'; } // nearly all are
 
   bool at_continuation() const

@@ -149,8 +149,8 @@ private:
     if(n != 3)
       m_values.refuse("has " + std::to_string(n) + " corners"
                       + (n > 3 ? "; triangulate the mesh first" : ", but needs 3"));
-    std::array<std::size_t, 3>& v = m_soup.triangles.back().vertices;
-    for(std::size_t& vertex : v)
+    std::array<Soup_index, 3>& v = m_soup.triangles.back().vertices;
+    for(Soup_index& vertex : v)
       vertex = next_index(property);
     if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2])
       m_values.refuse("uses vertex " + std::to_string(v[0] == v[1] ? v[0] : v[2]) + " twice");
@@ -161,8 +161,8 @@ private:
     const std::size_t n = m_values.next_length(property);
     if(n != 6)
       m_values.refuse("has " + std::to_string(n) + " texture coordinates, but needs 6");
-    for(std::size_t& uv : m_soup.triangles.back().uvs) {
-      uv = m_soup.uvs.size();
+    for(Soup_index& uv : m_soup.triangles.back().uvs) {
+      uv = checked(m_soup.uvs.size());
       m_soup.uvs.emplace_back();
       for(UVNumber& x : m_soup.uvs.back())
         x = m_values.template number<UVNumber>(m_values.next(property.type), property.type);
@@ -184,12 +184,19 @@ private:
     });
   }
 
-  std::size_t next_index(const PLY_property& property)
+  Soup_index next_index(const PLY_property& property)
   {
     const long long index = m_values.integer(m_values.next(property.type), property.type);
     if(index < 0)
       m_values.refuse("vertex index " + std::to_string(index) + " is negative");
-    return static_cast<std::size_t>(index);
+    return checked(static_cast<std::size_t>(index));
+  }
+
+  Soup_index checked(const std::size_t index) const
+  {
+    if(index > largest_soup_index)
+      m_values.refuse("index " + std::to_string(index) + " is out of range");
+    return static_cast<Soup_index>(index);
   }
 
   void check_indices()

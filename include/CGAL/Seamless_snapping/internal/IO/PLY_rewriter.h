@@ -44,12 +44,15 @@ class PLY_rewriter
 public:
   using UV = std::array<double, 2>;
 
-  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `uvs` are the new
-  // coordinates of its corners.
-  PLY_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
-    : m_header(PLY_header_parser(text).parse()), m_values(text, m_header), m_soup(soup), m_uvs(uvs),
+  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `for_each_uv(f)`
+  // calls `f()` with the new coordinates of its corners.
+  template <typename For_each_uv>
+  PLY_rewriter(const std::string_view text, const Soup& soup, const For_each_uv& for_each_uv)
+    : m_header(PLY_header_parser(text).parse()), m_values(text, m_header), m_soup(soup),
       m_copy(text)
-  { }
+  {
+    for_each_uv([this](const UV& uv) { m_uvs.push_back(uv); });
+  }
 
   // To be called once. Throws if a coordinate is not finite.
   std::string rewrite()
@@ -160,7 +163,7 @@ private:
   PLY_header m_header;
   PLY_values m_values;
   const Soup& m_soup;
-  const std::vector<UV>& m_uvs;
+  std::vector<UV> m_uvs;
   PLY_type m_uv_type = PLY_type::DOUBLE;
   Text_copy m_copy;
 };

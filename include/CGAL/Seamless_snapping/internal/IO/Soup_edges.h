@@ -20,16 +20,17 @@
 // CGAL's functions on soups make any soup fit, by turning faces round and by cutting along edges;
 // here a file is taken as it is or refused, with the lines of the faces at fault.
 
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,7 +38,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 // Side 3t + i of a soup runs from vertex i of triangle t to the next one.
-using Side_index = std::size_t;
+using Side_index = Soup_index;
 
 inline Side_index next_side(Side_index s) { return s % 3 == 2 ? s - 2 : s + 1; }
 inline Side_index previous_side(Side_index s) { return s % 3 == 0 ? s + 2 : s - 1; }
@@ -53,23 +54,26 @@ public:
 
   // Keeps a reference to the triangles, but reads them in `check_manifold()` only.
   explicit Soup_edges(const std::vector<Triangle>& triangles)
-    : m_triangles(&triangles)
+    : m_triangles(&triangles), m_first(2, 0)
   {
+    if(triangles.size() > no_side / 3)
+      throw File_refusal(0, "there are more than " + std::to_string(no_side / 3) + " faces");
     // by their lower vertices first, as counted: few sides share one
-    std::vector<std::size_t> end;
-    for(Side_index s = 0; s < 3 * triangles.size(); ++s) {
-      const std::size_t low = side(s).low;
-      if(low >= end.size())
-        end.resize((std::max)(low + 1, 2 * end.size()), 0);
-      ++end[low];
-    }
-    std::partial_sum(end.begin(), end.end(), end.begin());
     m_sides.resize(3 * triangles.size());
-    std::vector<std::size_t> begin(end);
-    for(Side_index s = m_sides.size(); s-- > 0;)
-      m_sides[--begin[side(s).low]] = side(s);
-    for(std::size_t v = 0; v < end.size(); ++v)
-      std::sort(&m_sides[0] + begin[v], &m_sides[0] + end[v], [](const Side& a, const Side& b) {
+    const Side_index n = static_cast<Side_index>(m_sides.size());
+    for(Side_index s = 0; s < n; ++s) {
+      const std::size_t low = ends(s).first;
+      if(low + 1 >= m_first.size())
+        m_first.resize((std::max)(low + 2, 2 * m_first.size()), 0);
+      ++m_first[low];
+    }
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    for(Side_index s = n; s-- > 0;) {
+      const auto [low, high] = ends(s);
+      m_sides[--m_first[low]] = {high, s};
+    }
+    for(std::size_t v = 0; v + 1 < m_first.size(); ++v)
+      std::sort(first_at(v), first_at(v + 1), [](const Side& a, const Side& b) {
         return std::tie(a.high, a.side) < std::tie(b.high, b.side);
       });
   }
@@ -79,15 +83,17 @@ public:
   // `when` begins the message.
   void check_manifold(const std::string& when = "") const
   {
-    std::size_t first_fault = m_sides.size();
-    for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i)) {
-      const std::size_t fault = faulty_side(i);
-      if(fault != m_sides.size()
-         && (first_fault == m_sides.size() || m_sides[fault].side < m_sides[first_fault].side))
+    const Side *first = nullptr, *last = nullptr, *first_fault = nullptr; // of the edge to be named
+    for_each_edge([&](const Side* const begin, const Side* const end) {
+      const Side* const fault = faulty_side(begin, end);
+      if(fault != end && (first_fault == nullptr || fault->side < first_fault->side)) {
+        first = begin;
+        last = end;
         first_fault = fault;
-    }
-    if(first_fault != m_sides.size())
-      refuse(first_fault, when);
+      }
+    });
+    if(first_fault != nullptr)
+      refuse(first, last, *first_fault, when);
   }
 
   // For each side the one on the other side of the edge, or `no_side` on the border.
@@ -95,11 +101,12 @@ public:
   std::vector<Side_index> mates() const
   {
     std::vector<Side_index> mates(m_sides.size(), no_side);
-    for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i))
-      if(end_of_edge(i) == i + 2) {
-        mates[m_sides[i].side] = m_sides[i + 1].side;
-        mates[m_sides[i + 1].side] = m_sides[i].side;
+    for_each_edge([&](const Side* const first, const Side* const last) {
+      if(last - first == 2) {
+        mates[first[0].side] = first[1].side;
+        mates[first[1].side] = first[0].side;
       }
+    });
     return mates;
   }
 
@@ -107,66 +114,70 @@ public:
   std::vector<Side_index> border_sides() const
   {
     std::vector<Side_index> border;
-    for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i))
-      if(end_of_edge(i) == i + 1)
-        border.push_back(m_sides[i].side);
+    for_each_edge([&](const Side* const first, const Side* const last) {
+      if(last - first == 1)
+        border.push_back(first->side);
+    });
     std::sort(border.begin(), border.end());
     return border;
   }
 
   // Returns a side between two vertices, or `no_side` if they share no edge.
-  Side_index find(std::size_t u, std::size_t v) const
+  Side_index find(const std::size_t u, const std::size_t v) const
   {
-    const Side sought{(std::min)(u, v), (std::max)(u, v), 0};
-    const auto side = std::lower_bound(m_sides.begin(), m_sides.end(), sought,
-                                       [](const Side& a, const Side& b) {
-                                         return std::tie(a.low, a.high) < std::tie(b.low, b.high);
-                                       });
-    const bool found = side != m_sides.end() && is_same_edge(*side, sought);
-    return found ? side->side : no_side;
+    const auto [low, high] = std::minmax(u, v);
+    if(low + 1 >= m_first.size())
+      return no_side;
+    const Side* const last = first_at(low + 1);
+    const Side* const side =
+      std::lower_bound(first_at(low), last, high,
+                       [](const Side& s, const std::size_t vertex) { return s.high < vertex; });
+    return side != last && side->high == high ? side->side : no_side;
   }
 
 private:
   struct Side
   {
-    std::size_t low;  // the vertices of the edge
-    std::size_t high;
+    Soup_index high; // the vertices of the edge; the lower one is known from the place
     Side_index side;
   };
 
-  Side side(const Side_index s) const
+  // The lower vertex, and the higher one.
+  std::pair<Soup_index, Soup_index> ends(const Side_index s) const
   {
-    const std::array<std::size_t, 3>& v = (*m_triangles)[s / 3].vertices;
-    const auto [low, high] = std::minmax(v[s % 3], v[next_side(s) % 3]);
-    return {low, high, s};
+    const auto& v = (*m_triangles)[s / 3].vertices;
+    return std::minmax(v[s % 3], v[next_side(s) % 3]);
   }
 
-  static bool is_same_edge(const Side& a, const Side& b)
-  {
-    return a.low == b.low && a.high == b.high;
-  }
+  // Those of lower vertex `v` come before those of the next one.
+  const Side* first_at(const std::size_t v) const { return m_sides.data() + m_first[v]; }
+  Side* first_at(const std::size_t v) { return m_sides.data() + m_first[v]; }
 
-  // In the following, `i` is the position of the first side of an edge in the sorted sequence.
-  std::size_t end_of_edge(std::size_t i) const
+  // Calls `f(first, last)` for the sides of each edge.
+  template <typename F>
+  void for_each_edge(const F& f) const
   {
-    std::size_t end = i + 1;
-    while(end < m_sides.size() && is_same_edge(m_sides[i], m_sides[end]))
-      ++end;
-    return end;
+    for(std::size_t v = 0; v + 1 < m_first.size(); ++v)
+      for(const Side *first = first_at(v), *const end = first_at(v + 1); first != end; ) {
+        const Side* last = first + 1;
+        while(last != end && last->high == first->high)
+          ++last;
+        f(first, last);
+        first = last;
+      }
   }
 
   bool runs_upwards(const Side& s) const
   {
-    return (*m_triangles)[s.side / 3].vertices[s.side % 3] == s.low;
+    return (*m_triangles)[s.side / 3].vertices[s.side % 3] != s.high;
   }
 
-  // The position of the first side that does not fit to those before it, `m_sides.size()` if none.
-  std::size_t faulty_side(std::size_t i) const
+  // The first side of an edge that does not fit to those before it, `last` if none.
+  const Side* faulty_side(const Side* const first, const Side* const last) const
   {
-    const std::size_t end = end_of_edge(i);
-    if(end - i >= 2 && runs_upwards(m_sides[i]) == runs_upwards(m_sides[i + 1]))
-      return i + 1;
-    return end - i > 2 ? i + 2 : m_sides.size();
+    if(last - first >= 2 && runs_upwards(first[0]) == runs_upwards(first[1]))
+      return first + 1;
+    return last - first > 2 ? first + 2 : last;
   }
 
   std::size_t line(const Side& s) const { return (*m_triangles)[s.side / 3].line; }
@@ -181,26 +192,23 @@ private:
     return result;
   }
 
-  [[noreturn]] void refuse(std::size_t fault, const std::string& when) const
+  [[noreturn]] void refuse(const Side* const first, const Side* const last, const Side& fault,
+                           const std::string& when) const
   {
-    std::size_t i = fault;
-    while(i > 0 && is_same_edge(m_sides[i - 1], m_sides[fault]))
-      --i;
-    const std::size_t number = end_of_edge(i) - i;
-    const std::size_t first_number = line(m_sides[fault]) == 0 ? 0 : 1; // of vertices in the file
-    const std::string edge = when + "edge " + std::to_string(m_sides[i].low + first_number) + " "
-                             + std::to_string(m_sides[i].high + first_number);
-    if(number > 2)
-      throw File_refusal(line(m_sides[fault]),
-                         edge + " is not manifold: " + std::to_string(number)
-                         + " faces share it ("
-                         + places({m_sides[i], m_sides[i + 1], m_sides[i + 2]}, ", ")
-                         + (number > 3 ? ", ...)" : ")"));
+    const std::size_t first_number = line(fault) == 0 ? 0 : 1; // of vertices in the file
+    const auto [low, high] = ends(fault.side);
+    const std::string edge = when + "edge " + std::to_string(low + first_number) + " "
+                             + std::to_string(high + first_number);
+    if(last - first > 2)
+      throw File_refusal(line(fault),
+                         edge + " is not manifold: " + std::to_string(last - first)
+                         + " faces share it (" + places({first, first + 3}, ", ")
+                         + (last - first > 3 ? ", ...)" : ")"));
 
-    throw File_refusal(line(m_sides[fault]),
+    throw File_refusal(line(fault),
                        edge + " has the same direction in two faces ("
-                       + places({m_sides[i], m_sides[i + 1]}, " and ") + "): "
-                       + (have_same_vertices(m_sides[i], m_sides[i + 1])
+                       + places({first, last}, " and ") + "): "
+                       + (have_same_vertices(first[0], first[1])
                             ? "they have the same vertices; remove one of them"
                           : is_orientable() ? "orient the faces consistently first"
                                           : "the surface is not orientable"));
@@ -219,14 +227,15 @@ private:
     boost::disjoint_sets_with_storage<> sets(2 * m_triangles->size());
     for(std::size_t t = 0; t < 2 * m_triangles->size(); ++t)
       sets.make_set(t);
-    for(std::size_t i = 0; i < m_sides.size(); i = end_of_edge(i))
-      if(end_of_edge(i) == i + 2) {
-        const std::size_t t0 = 2 * (m_sides[i].side / 3);
-        const std::size_t t1 = 2 * (m_sides[i + 1].side / 3);
-        const std::size_t turned = runs_upwards(m_sides[i]) == runs_upwards(m_sides[i + 1]) ? 1 : 0;
+    for_each_edge([&](const Side* const first, const Side* const last) {
+      if(last - first == 2) {
+        const std::size_t t0 = 2 * std::size_t(first[0].side / 3);
+        const std::size_t t1 = 2 * std::size_t(first[1].side / 3);
+        const std::size_t turned = runs_upwards(first[0]) == runs_upwards(first[1]) ? 1 : 0;
         sets.union_set(t0, t1 + turned);
         sets.union_set(t0 + 1, t1 + 1 - turned);
       }
+    });
     for(std::size_t t = 0; t < 2 * m_triangles->size(); t += 2)
       if(sets.find_set(t) == sets.find_set(t + 1))
         return false;
@@ -234,6 +243,7 @@ private:
   }
 
   const std::vector<Triangle>* m_triangles;
+  std::vector<Side_index> m_first; // per vertex, and one behind the last
   std::vector<Side> m_sides;
 };
 
@@ -252,11 +262,13 @@ std::vector<std::size_t> split_non_manifold_vertices(const std::vector<Side_inde
   for(Side_index s = 0; s < mates.size(); ++s) {
     if(is_done[s])
       continue;
-    std::size_t vertex = triangles[s / 3].vertices[s % 3];
+    Soup_index vertex = triangles[s / 3].vertices[s % 3];
     if(has_fan[vertex]) {
+      if(points.size() >= no_side)
+        throw File_refusal(0, "there are more than " + std::to_string(no_side) + " points");
       origins.push_back(vertex);
       points.push_back(Point(points[vertex]));
-      vertex = points.size() - 1;
+      vertex = static_cast<Soup_index>(points.size() - 1);
     } else {
       has_fan[vertex] = true;
     }

@@ -101,7 +101,7 @@ private:
           return invalid(face + " has the vertex " + std::to_string(v) +
                          "; vertices are integers from 0 to 2^31 - 2");
         if(size < 3)
-          t.vertices[size] = std::size_t(v);
+          t.vertices[size] = Soup_index(v);
         ++size;
         number_of_vertices = (std::max)(number_of_vertices, std::size_t(v) + 1);
       }

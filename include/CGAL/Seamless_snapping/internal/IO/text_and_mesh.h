@@ -43,12 +43,12 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Throws unless the faces have the same points in the file and in the mesh: else coordinates would
-// go to corners that they do not belong to.
-template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap>
-std::vector<std::array<double, 2> > uvs_of_mesh(const Soup& soup, const TriangleMesh& tmesh,
-                                                const HalfedgeUVMap& uv_map,
-                                                const VertexPointMap& vpm)
+// Calls `f()` with the coordinates of each corner. Throws unless the faces have the same points in
+// the file and in the mesh: else coordinates would go to corners that they do not belong to.
+template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap,
+          typename Function>
+void for_each_uv_of_mesh(const Soup& soup, const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                         const VertexPointMap& vpm, const Function& f)
 {
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
@@ -57,23 +57,20 @@ std::vector<std::array<double, 2> > uvs_of_mesh(const Soup& soup, const Triangle
       throw File_refusal(0, "the faces of the mesh are not those of the file");
   };
 
-  std::vector<std::array<double, 2> > uvs;
-  uvs.reserve(3 * soup.triangles.size());
   refuse_unless(faces(tmesh).size() == soup.triangles.size());
   auto triangle = soup.triangles.begin();
-  for(const auto f : faces(tmesh)) {
-    auto h = halfedge(f, tmesh);
+  for(const auto face : faces(tmesh)) {
+    auto h = halfedge(face, tmesh);
     for(const std::size_t v : (triangle++)->vertices) {
       const auto& p = soup.points[v];
       const Point& q = get(vpm, target(h, tmesh));
       refuse_unless(q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]));
       const auto& uv = get(uv_map, h);
-      uvs.push_back({CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
+      f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
       h = next(h, tmesh);
     }
-    refuse_unless(h == halfedge(f, tmesh));
+    refuse_unless(h == halfedge(face, tmesh));
   }
-  return uvs;
 }
 
 // Throws `File_refusal`.
@@ -88,6 +85,17 @@ Vertex_changes read_text(const std::string_view text, TriangleMesh& tmesh, Halfe
 }
 
 // The text of a file with the coordinates of the mesh that was read from it. Throws `File_refusal`.
+template <template <typename> class Rewriter, typename Soup, typename TriangleMesh,
+          typename HalfedgeUVMap, typename VertexPointMap>
+std::string rewritten_text(const std::string_view text, const Soup& soup, const TriangleMesh& tmesh,
+                           const HalfedgeUVMap& uv_map, const VertexPointMap& vpm)
+{
+  return Rewriter<Soup>(text, soup, [&](const auto& f) {
+    for_each_uv_of_mesh(soup, tmesh, uv_map, vpm, f);
+  }).rewrite();
+}
+
+// The same where only the text is known.
 template <template <typename, typename> class Parser, template <typename> class Rewriter,
           typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 std::string rewritten_text(const std::string_view text, const TriangleMesh& tmesh,
@@ -100,13 +108,12 @@ std::string rewritten_text(const std::string_view text, const TriangleMesh& tmes
                                    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
 
   auto soup = Parser<File_number<VPM>, double>(text).parse();
-  const std::vector<std::array<double, 2> > uvs = uvs_of_mesh(soup, tmesh, uv_map, vpm);
   if(choose_parameter(get_parameter(np, CGAL::internal_np::weld_borders), false)) {
     const Soup_edges edges(soup.triangles);
     const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
     replace_vertices(welded_vertices(soup, coinciding.seams), soup);
   }
-  return Rewriter<decltype(soup)>(text, soup, uvs).rewrite();
+  return rewritten_text<Rewriter>(text, soup, tmesh, uv_map, vpm);
 }
 
 // From a stream, or the file of a name.

@@ -58,7 +58,7 @@ Coinciding_sides find_coinciding_sides(const Soup& soup, const std::vector<Side_
 
   Coinciding_sides result;
   segments.for_each_coincidence([&result](const auto first, const auto last) {
-    const Side_index a = first->index, b = (last - 1)->index;
+    const auto a = Side_index(first->index), b = Side_index((last - 1)->index);
     result.number += static_cast<std::size_t>(last - first);
     if(last - first == 2 && first->runs_upwards != (last - 1)->runs_upwards && a / 3 != b / 3)
       result.seams.push_back({a, b});
@@ -99,8 +99,8 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
 {
   for(auto& triangle : soup.triangles) {
     auto& v = triangle.vertices;
-    for(std::size_t& vertex : v)
-      vertex = welded[vertex];
+    for(Soup_index& vertex : v)
+      vertex = Soup_index(welded[vertex]);
     if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
       const std::string face = triangle.line == 0
                                  ? "face " + std::to_string(&triangle - &soup.triangles[0])
