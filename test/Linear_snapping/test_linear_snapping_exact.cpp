@@ -4,9 +4,8 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
-#include <CGAL/Linear_snapping/internal/exact/exact_sum.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Linear_snapping/internal/linear/exact_evaluation.h>
 

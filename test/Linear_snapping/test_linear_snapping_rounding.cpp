@@ -1,7 +1,7 @@
 // Pairs of doubles are rounded to float as single ones are. Compilers may not: package_tests.cmake
 // compiles this file with each of them, at each level of optimization.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 // numbers and integers.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
+#include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
 #include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
-#include <CGAL/Quad_remeshing/internal/cells/points_in_triangle.h>
 
 #include "checking.h"
 #include "random_numbers.h"

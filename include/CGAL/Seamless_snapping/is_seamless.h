@@ -19,7 +19,7 @@
 // at about the price of a floating point pass: see Exact_difference.h.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>

@@ -18,7 +18,7 @@
 // The steps from a surface to its quads.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>

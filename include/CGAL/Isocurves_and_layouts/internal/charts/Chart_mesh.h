@@ -21,7 +21,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>

@@ -19,7 +19,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>

@@ -22,7 +22,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>

@@ -27,7 +27,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 
 #include <boost/container/small_vector.hpp>
 

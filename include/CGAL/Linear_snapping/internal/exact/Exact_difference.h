@@ -16,9 +16,13 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // The difference of two doubles without its rounding error, and comparisons made of it: at about
-// the price of a floating point operation. All need rounding to nearest.
+// the price of a floating point operation. All need rounding to nearest. And whether a sum of
+// doubles is zero, exactly.
+
+#include <CGAL/Exact_rational.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Linear_snapping {
@@ -51,6 +55,23 @@ inline double distance_to_integer(const double x) { return std::abs(x - std::rou
 inline double distance_to_integer(const Exact_difference& d)
 {
   return std::abs((d.rounded - std::round(d.rounded)) + d.error);
+}
+
+// A rounded sum that is large beside its possible error decides; else rationals do.
+// \pre all terms are finite
+inline bool exact_sum_is_zero(const double* const terms, const std::size_t size)
+{
+  double sum = 0, size_of_terms = 0;
+  for(std::size_t i = 0; i < size; ++i) {
+    sum += terms[i];
+    size_of_terms += std::abs(terms[i]);
+  }
+  if(std::isfinite(size_of_terms) && std::abs(sum) > 1e-12 * size_of_terms)
+    return false; // the error is below `size` units in the last place of `size_of_terms`
+  Exact_rational exact(0);
+  for(std::size_t i = 0; i < size; ++i)
+    exact += Exact_rational(terms[i]);
+  return exact == 0;
 }
 
 } // namespace internal

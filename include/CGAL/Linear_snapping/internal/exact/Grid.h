@@ -16,7 +16,8 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // The fixed-point numbers of [MC19] Sec. 4.3: a grid 2^exponent Z, whose elements are handled as
-// 64-bit integers, and real numbers split into a grid element and a small rest.
+// 64-bit integers, and real numbers split into a grid element and a small rest; and rounding to the
+// number type of the coordinates, be it known at run time only.
 
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
 
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Linear_snapping {
@@ -168,6 +170,27 @@ inline void rescale(Grid_value& v, const int shift)
   } else {
     v = {0, size};
   }
+}
+
+// The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
+// roundings go through here: from -O2 on, the vectorizer of g++ 12 takes the conversions of two
+// neighboring doubles to float and back for nothing, and drops them. A volatile number keeps it
+// from that.
+template <typename Number>
+double rounded_to(const double x)
+{
+  if constexpr(std::is_same<Number, float>::value) {
+    const volatile float rounded = static_cast<float>(x);
+    return static_cast<double>(rounded);
+  } else {
+    return x;
+  }
+}
+
+// The number of the format, that of float or double, nearest to `x`.
+inline double rounded_to(const Number_format& format, const double x)
+{
+  return format.digits == std::numeric_limits<float>::digits ? rounded_to<float>(x) : x;
 }
 
 } // namespace internal

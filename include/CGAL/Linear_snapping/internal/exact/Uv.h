@@ -15,9 +15,15 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Coordinates in the domain.
+// Coordinates in the domain, and the orientation of triangles there: its exact sign, and bounds on
+// what displacements can do to it.
+
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/enum.h>
+#include <CGAL/predicates/sign_of_determinant.h>
 
 #include <array>
+#include <cmath>
 
 namespace CGAL {
 namespace Linear_snapping {
@@ -29,6 +35,34 @@ using Uvw = std::array<double, 3>; // of volumes
 // Of integer-grid maps. Below, the error of a coordinate computed on an edge stays under 1/4, and
 // sums of coordinates and translations stay exact integers.
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
+
+using Uv_triangle = std::array<Uv, 3>;
+
+// Whether the triangle stays positive however its corners move, each coordinate by up to `reach`.
+// May say no for lack of precision, but never wrongly yes: the error of the determinant is below
+// 1e-15 times the product of the edges, and overflow and underflow end in comparisons that fail.
+inline bool is_surely_positive(const Uv_triangle& t, const double reach)
+{
+  const double ax = t[1][0] - t[0][0], ay = t[1][1] - t[0][1];
+  const double bx = t[2][0] - t[0][0], by = t[2][1] - t[0][1];
+  const double a = std::abs(ax) + std::abs(ay), b = std::abs(bx) + std::abs(by);
+  return ax * by - ay * bx >
+         2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
+}
+
+// The sign of the area, exactly. The number type is that of CGAL's own predicates where their
+// intervals can't tell; their kernel would take longer to compile than all else here.
+inline CGAL::Orientation orientation(const Uv_triangle& t)
+{
+  if(is_surely_positive(t, 0))
+    return CGAL::POSITIVE;
+  if(is_surely_positive({{t[0], t[2], t[1]}}, 0))
+    return CGAL::NEGATIVE;
+  using Number = CGAL::internal::Exact_ring_selector<double>::Type;
+  const Number x(t[0][0]), y(t[0][1]);
+  return CGAL::sign_of_determinant<Number>(Number(t[1][0]) - x, Number(t[1][1]) - y,
+                                           Number(t[2][0]) - x, Number(t[2][1]) - y);
+}
 
 } // namespace internal
 } // namespace Linear_snapping

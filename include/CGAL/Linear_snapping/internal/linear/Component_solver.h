@@ -23,7 +23,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>
-#include <CGAL/Linear_snapping/internal/linear/reduced_rows.h>
+#include <CGAL/Linear_snapping/internal/linear/lattice_reduction.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/types/Linear_report.h>
 

@@ -21,8 +21,8 @@
 // and implied ones amplify changes of the core.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
-#include <CGAL/Linear_snapping/internal/linear/Echelon_form.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 
 #include <algorithm>

@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// A sparse system C x = b with integer coefficients, as flat rows. Rows of 64-bit integers are the
-// rule; one whose numbers do not fit is kept apart in multiprecision.
+// A sparse system C x = b with integer coefficients, as flat rows, and what an elimination leaves
+// of it. Rows of 64-bit integers are the rule; one whose numbers do not fit is kept apart in
+// multiprecision.
 
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
 
@@ -223,6 +224,26 @@ private:
   std::vector<Integer_row<Exact_integer> > m_large_rows;
   std::vector<std::int32_t> m_large_row; // per row, as far as there are large ones: -1 for others
   std::size_t m_number_of_large_entries = 0;
+};
+
+// Invariant: the pivot rows, the core rows, and the equations of the auxiliary unknowns have
+// together the solutions of the system, apart from contradictory rows. The pivot of a row is 1 or
+// -1, in a column that neither later pivot rows nor core rows hold, so that back-substitution runs
+// through them in reverse.
+struct Echelon_form
+{
+  Integer_system pivot_rows; // in the order of elimination
+  std::vector<Column_index> pivot_columns; // one per pivot row
+  Integer_system core_rows; // without a coefficient 1 or -1
+  // Unknowns that follow the system's: sums of earlier ones, with signs.
+  std::vector<Entries<std::int64_t> > auxiliary_unknowns;
+
+  // Rows of the system. Those that became pivot rows are linearly independent.
+  std::vector<Row_index> rows_with_pivot, rows_in_core, redundant_rows, contradictory_rows;
+
+  std::size_t number_of_coefficients = 0;
+  Exact_integer largest_coefficient = Exact_integer(0); // met on the way
+  bool is_multiprecision = false;
 };
 
 } // namespace internal

@@ -23,9 +23,18 @@
 #include <Eigen/SparseCore>
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
-#include <CGAL/Linear_snapping/internal/linear/One_blas_thread.h>
-
 #include <Eigen/CholmodSupport>
+
+#include <mutex>
+
+#if defined(__ELF__) && defined(__GNUC__)
+extern "C" { // null in programs without it
+__attribute__((weak)) int openblas_get_num_threads();
+__attribute__((weak)) void openblas_set_num_threads(int);
+__attribute__((weak)) int omp_get_max_active_levels();
+__attribute__((weak)) void omp_set_max_active_levels(int);
+}
+#endif
 #else
 #include <Eigen/SparseCholesky>
 #endif
@@ -35,6 +44,67 @@ namespace Linear_snapping {
 namespace internal {
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
+
+// Keeps OpenBLAS and OpenMP, if the program has them, from using several threads. On the small
+// blocks of sparse factors these gain nothing, and on a machine with other work they wait for each
+// other, many times as long as they compute; and sums would depend on their number. CHOLMOD asks
+// OpenMP for four, however many there are.
+//
+// The number of threads of OpenBLAS is one for the whole process: the first guard keeps it, and the
+// last one sets it again, whatever threads they are in. OpenMP has its levels for each thread.
+class One_blas_thread
+{
+public:
+#if defined(__ELF__) && defined(__GNUC__)
+  One_blas_thread()
+  {
+    if(has_levels()) {
+      m_levels = omp_get_max_active_levels();
+      omp_set_max_active_levels(0);
+    }
+    const std::lock_guard<std::mutex> lock(state().mutex);
+    if(has_threads() && state().guards++ == 0) {
+      state().threads = openblas_get_num_threads();
+      openblas_set_num_threads(1);
+    }
+  }
+
+  ~One_blas_thread()
+  {
+    if(has_levels())
+      omp_set_max_active_levels(m_levels);
+    const std::lock_guard<std::mutex> lock(state().mutex);
+    if(has_threads() && --state().guards == 0)
+      openblas_set_num_threads(state().threads);
+  }
+
+  One_blas_thread(const One_blas_thread&) = delete;
+  One_blas_thread& operator=(const One_blas_thread&) = delete;
+
+private:
+  struct State
+  {
+    std::mutex mutex;
+    int guards = 0, threads = 1;
+  };
+
+  static State& state()
+  {
+    static State result;
+    return result;
+  }
+
+  static bool has_threads()
+  { return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr; }
+
+  static bool has_levels()
+  { return omp_get_max_active_levels != nullptr && omp_set_max_active_levels != nullptr; }
+
+  int m_levels = 1;
+#else
+  One_blas_thread() { } // not trivial, so that guards are no unused variables
+#endif
+};
 
 // CHOLMOD would print each failure to the standard output, which belongs to the caller.
 template <typename Matrix>

@@ -28,7 +28,7 @@
 // change of variables. Where some are left in a row without a unit pivot, and their coefficients
 // have no common factor, such as 2 and 3 beside cones of 120 degrees, further ones make a pivot.
 
-#include <CGAL/Linear_snapping/internal/linear/Echelon_form.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/elimination_queues.h>
 
 #include <algorithm>

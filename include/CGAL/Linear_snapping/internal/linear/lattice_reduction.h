@@ -17,10 +17,11 @@
 
 // LLL reduction of a lattice basis: short, nearly orthogonal vectors that span the same lattice.
 // Every operation on the basis is an exact unimodular one, so the lattice stays the same no matter
-// how the floating point numbers that choose the operations are rounded.
+// how the floating point numbers that choose the operations are rounded. And the rows of a system,
+// reduced: where rows are nearly parallel, the least-squares problem loses all its digits.
 
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>
-#include <CGAL/Linear_snapping/internal/linear/fplll_reduction.h>
 
 #include <boost/config.hpp>
 
@@ -31,9 +32,90 @@
 #include <utility>
 #include <vector>
 
+#if defined(CGAL_USE_FPLLL) || defined(DOXYGEN_RUNNING)
+#include <fplll.h>
+
+#include <locale>
+#include <sstream>
+#include <string>
+#endif
+
 namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
+
+#if defined(CGAL_USE_FPLLL) || defined(DOXYGEN_RUNNING)
+
+// --- by fplll, for those who define CGAL_USE_FPLLL and link with it
+
+inline void assign(const Exact_integer& a, mpz_t& result) // whatever type CGAL has chosen
+{
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os << a;
+  mpz_set_str(result, os.str().c_str(), 10);
+}
+
+inline void assign(const mpz_t& a, Exact_integer& result)
+{
+  std::vector<char> digits(mpz_sizeinbase(a, 10) + 2);
+  mpz_get_str(digits.data(), 10, a);
+  std::istringstream is(std::string(digits.data()));
+  is.imbue(std::locale::classic());
+  is >> result;
+}
+
+// Reduces `basis` in place with respect to the norm |scale_i v_i|. Returns false, with the basis as
+// it was, if fplll gives up or there is nothing to reduce. The lattice stays the same: what is
+// applied is one matrix of integers of determinant +-1.
+inline bool reduce_by_fplll(std::vector<std::vector<std::int64_t> >&, const std::vector<double>&)
+{
+  return false; // what follows is faster
+}
+
+inline bool reduce_by_fplll(std::vector<std::vector<Exact_integer> >& basis,
+                            const std::vector<double>& scale)
+{
+  if(basis.size() < 2)
+    return false;
+  const int rows = static_cast<int>(basis.size()), columns = static_cast<int>(scale.size());
+  const double smallest = *std::min_element(scale.begin(), scale.end());
+  const bool is_uniform =
+    std::all_of(scale.begin(), scale.end(), [&](const double s) { return s == smallest; });
+  fplll::ZZ_mat<mpz_t> original(rows, columns);
+  for(int i = 0; i < rows; ++i)
+    for(int j = 0; j < columns; ++j)
+      assign(basis[std::size_t(i)][std::size_t(j)], original(i, j).get_data());
+
+  fplll::ZZ_mat<mpz_t> reduced(original);
+  if(is_uniform) {
+    if(fplll::lll_reduction(reduced) != fplll::RED_SUCCESS)
+      return false;
+  } else {
+    // Scales become integers of 20 bits or more: they only tell which vectors count as short.
+    fplll::ZZ_mat<mpz_t> scaled(original), transform(rows, rows);
+    fplll::Z_NR<mpz_t> factor;
+    for(int j = 0; j < columns; ++j) {
+      mpz_set_d(factor.get_data(), std::ldexp(scale[std::size_t(j)] / smallest, 20));
+      for(int i = 0; i < rows; ++i)
+        scaled(i, j).mul(scaled(i, j), factor);
+    }
+    if(fplll::lll_reduction(scaled, transform) != fplll::RED_SUCCESS)
+      return false;
+    for(int i = 0; i < rows; ++i)
+      for(int j = 0; j < columns; ++j) {
+        reduced(i, j) = 0;
+        for(int k = 0; k < rows; ++k)
+          reduced(i, j).addmul(transform(i, k), original(k, j));
+      }
+  }
+  for(int i = 0; i < rows; ++i)
+    for(int j = 0; j < columns; ++j)
+      assign(reduced(i, j).get_data(), basis[std::size_t(i)][std::size_t(j)]);
+  return true;
+}
+
+#endif // CGAL_USE_FPLLL
 
 // The integer nearest to quotient 2^exponent, to 53 bits, as mantissa 2^exponent with exponent >=
 // 0. (Not std::nearbyint: callers may have set another rounding mode.)
@@ -223,6 +305,39 @@ Orthogonal_frame reduce_basis(std::vector<std::vector<Integer> >& basis,
   reduce_by_fplll(basis, scale);
 #endif
   return std::move(Lattice_reduction<Integer>(basis, scale).frame());
+}
+
+// A reduced basis of the lattice that the rows span; right-hand sides follow.
+// \pre the rows are linearly independent
+inline Integer_system reduced_rows(const Integer_system& system, const std::vector<Row_index>& rows,
+                                   const std::vector<double>& weights)
+{
+  const std::size_t n = system.number_of_columns();
+  std::vector<std::vector<Exact_integer> > basis;
+  for(const Row_index row : rows) {
+    basis.emplace_back(n + 1, Exact_integer(0)); // the right-hand side is the last
+    const Integer_row<Exact_integer> exact = system.exact_row(std::size_t(row));
+    for(const Entry<Exact_integer>& e : exact.entries)
+      basis.back()[std::size_t(e.column)] = e.coefficient;
+    basis.back()[n] = exact.right_hand_side;
+  }
+  std::vector<double> scale;
+  for(const double w : weights)
+    scale.push_back(1. / std::sqrt(w));
+  scale.push_back(0.);
+  Lattice_reduction<Exact_integer>(basis, scale);
+
+  Integer_system result(n);
+  result.set_right_hand_scale(system.right_hand_scale());
+  for(const std::vector<Exact_integer>& v : basis) {
+    Integer_row<Exact_integer> row;
+    for(std::size_t j = 0; j < n; ++j)
+      if(v[j] != 0)
+        row.entries.push_back({Column_index(j), v[j]});
+    row.right_hand_side = v[n];
+    result.add_row(std::move(row));
+  }
+  return result;
 }
 
 } // namespace internal

@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Why something can't be done: what steps return that can fail, and what ends in reports.
+// Why something can't be done: what steps return that can fail, and what ends in reports; and the
+// numbers of things in its words.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/Report.h>
@@ -71,6 +72,18 @@ inline std::optional<Refusal> inexact_arithmetic()
   if(is_arithmetic_exact())
     return std::nullopt;
   return Refusal(Outcome::INEXACT_ARITHMETIC, inexact_arithmetic_message());
+}
+
+// "1 face", "2 faces", "2 boundary vertices", "2 branches"
+inline std::string counted(const std::size_t n, const std::string& noun)
+{
+  const auto ends_in = [&](const std::string& end) {
+    return noun.size() >= end.size() &&
+           noun.compare(noun.size() - end.size(), end.size(), end) == 0;
+  };
+  const std::string plural = ends_in("vertex") ? noun.substr(0, noun.size() - 2) + "ices"
+                                               : noun + (ends_in("ch") ? "es" : "s");
+  return std::to_string(n) + " " + (n == 1 ? noun : plural);
 }
 
 } // namespace internal

@@ -21,7 +21,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 

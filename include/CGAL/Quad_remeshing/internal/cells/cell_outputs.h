@@ -19,7 +19,6 @@
 // the places of all points, while the surface is known, and then writes the cells, or refuses.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/cells/Grid_embedding.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>

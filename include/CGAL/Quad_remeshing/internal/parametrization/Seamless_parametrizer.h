@@ -17,7 +17,7 @@
 
 // The whole construction on flat arrays, one line a step.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Cut_graph.h>

@@ -18,7 +18,7 @@
 // The Poisson system: the coordinates whose gradients come closest to the field, and the rounds of
 // local stiffening that lower the number of flipped triangles.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>

@@ -17,17 +17,121 @@
 
 // A parametrized surface in integers: a vector along each halfedge, in the chart of its face, and
 // the rotation of the transition across each edge. Translations are gone, and with them the charts'
-// origins.
+// origins. Sums of vectors throw where they don't fit, and signs of products are exact.
 
-#include <CGAL/Quad_remeshing/internal/quantization/Grid_vector.h>
+#include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+using Grid_vector = std::array<std::int64_t, 2>;
+
+inline Grid_vector negated(const Grid_vector& a) { return {-a[0], -a[1]}; }
+
+inline Grid_vector sum(const Grid_vector& a, const Grid_vector& b)
+{
+  return {checked_difference(a[0], -b[0]), checked_difference(a[1], -b[1])};
+}
+
+using Linear_snapping::internal::difference; // and of vectors:
+
+inline Grid_vector difference(const Grid_vector& a, const Grid_vector& b)
+{
+  return {checked_difference(a[0], b[0]), checked_difference(a[1], b[1])};
+}
+
+inline Grid_vector rotated(const Quarter_turns::Element g, const Grid_vector& a)
+{
+  return Quarter_turns::apply(g, a);
+}
+
+// The unit vector in one of the four directions.
+inline Grid_vector unit_vector(const int direction)
+{
+  return rotated(Quarter_turns::element(direction), Grid_vector{1, 0});
+}
+
+// a x b where the result fits; throws where it doesn't.
+inline std::int64_t cross_product(const Grid_vector& a, const Grid_vector& b)
+{
+  return checked_difference(checked_product(a[0], b[1]), checked_product(a[1], b[0]));
+}
+
+inline BOOST_NOINLINE int exact_cross_sign(const Grid_vector& a, const Grid_vector& b)
+{
+  const Exact_integer p = product(from_64_bits<Exact_integer>(a[0]),
+                                  from_64_bits<Exact_integer>(b[1]));
+  const Exact_integer q = product(from_64_bits<Exact_integer>(a[1]),
+                                  from_64_bits<Exact_integer>(b[0]));
+  return p > q ? 1 : p < q ? -1 : 0;
+}
+
+// The sign of a x b. Each product has a relative error of at most 4 roundings.
+inline int cross_sign(const Grid_vector& a, const Grid_vector& b)
+{
+  const double p = static_cast<double>(a[0]) * static_cast<double>(b[1]);
+  const double q = static_cast<double>(a[1]) * static_cast<double>(b[0]);
+  const double difference = p - q, bound = 1e-15 * (std::abs(p) + std::abs(q));
+  if(difference > bound)
+    return 1;
+  if(difference < -bound)
+    return -1;
+  return p == 0 && q == 0 ? 0 : exact_cross_sign(a, b);
+}
+
+// Of two vectors on a line through 0: whether they point to opposite sides.
+inline bool are_opposite(const Grid_vector& a, const Grid_vector& b)
+{
+  const std::size_t c = a[0] != 0 ? 0 : 1;
+  return cross_sign(a, b) == 0 && (a[c] > 0) != (b[c] > 0) && b[c] != 0;
+}
+
+// The quadrant that contains the vector, which is not null, each with the axis at its clockwise
+// end.
+inline int quadrant(const Grid_vector& a)
+{
+  if(a[0] > 0 && a[1] >= 0)
+    return 0;
+  if(a[0] <= 0 && a[1] > 0)
+    return 1;
+  return a[0] < 0 && a[1] <= 0 ? 2 : 3;
+}
+
+// By how many axes a vector passes that turns from `first` to `last`, counterclockwise, by less
+// than 180 degrees.
+inline int axes_between(const Grid_vector& first, const Grid_vector& last)
+{
+  return Quarter_turns::turns(Quarter_turns::element(quadrant(last) - quadrant(first)));
+}
+
+inline double dot(const Grid_vector& a, const Grid_vector& b)
+{
+  return static_cast<double>(a[0]) * static_cast<double>(b[0]) +
+         static_cast<double>(a[1]) * static_cast<double>(b[1]);
+}
+
+inline double approximate_cross(const Grid_vector& a, const Grid_vector& b)
+{
+  return static_cast<double>(a[0]) * static_cast<double>(b[1]) -
+         static_cast<double>(a[1]) * static_cast<double>(b[0]);
+}
+
+inline double length(const Grid_vector& a)
+{
+  return std::hypot(static_cast<double>(a[0]), static_cast<double>(a[1]));
+}
 
 struct Integer_corner : Flat_corner
 {

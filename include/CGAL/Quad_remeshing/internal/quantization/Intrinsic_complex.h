@@ -19,7 +19,7 @@
 // vertices may have several edges. It keeps no coordinates but the vectors along its edges, in two
 // sizes: exactly those of the map, and those in units of quads.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 
 #include <cstddef>

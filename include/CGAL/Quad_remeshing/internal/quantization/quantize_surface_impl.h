@@ -21,7 +21,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>

@@ -17,7 +17,7 @@
 
 // The quads around some vertices that move: how bad they are, and whether the moves may stay.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>

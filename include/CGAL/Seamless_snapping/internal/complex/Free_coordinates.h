@@ -17,10 +17,12 @@
 
 // The unknowns that stay free when all constraints of a complex have been eliminated, exactly.
 
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
+#include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/complex/Free_unknowns.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <array>
 #include <cstddef>
@@ -31,6 +33,26 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// The solutions of homogeneous integer equations. Invariant: each column is a sum of free unknowns
+// with integer coefficients; whatever their values are, the equations hold, and any solution is of
+// this form.
+class Free_unknowns
+{
+public:
+  explicit Free_unknowns(const Integer_system& system);
+
+  std::size_t size() const { return m_size; }
+  std::size_t add_unknown() { return m_size++; }
+  const Sparse_row& sum(const std::size_t column) const { return m_sums[column]; }
+
+private:
+  void add_core(const Integer_system& rows, std::vector<char>& is_implied);
+  void substitute_back(const Entries<Exact_integer>& row, Column_index pivot);
+
+  std::vector<Sparse_row> m_sums; // per column
+  std::size_t m_size = 0;
+};
 
 // Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
 // constraints of the complex, with right-hand sides of zero.
@@ -232,5 +254,9 @@ private:
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
+#include <CGAL/Seamless_snapping/internal/complex/Free_unknowns_impl.h>
+#endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_COMPLEX_FREE_COORDINATES_H

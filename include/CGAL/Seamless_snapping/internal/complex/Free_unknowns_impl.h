@@ -19,7 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>
-#include <CGAL/Seamless_snapping/internal/complex/Free_unknowns.h>
+#include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/number_utils.h>

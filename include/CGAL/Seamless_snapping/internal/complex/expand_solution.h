@@ -18,8 +18,8 @@
 // From a solution of the reduced system to the coordinates of all sectors. The sectors between
 // nodes take the grid points nearest to their optimum, given the translations and levels.
 
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
 
 #include <algorithm>

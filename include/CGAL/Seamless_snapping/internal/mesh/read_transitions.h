@@ -20,7 +20,6 @@
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/counted.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>

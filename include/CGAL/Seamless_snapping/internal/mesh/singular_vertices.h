@@ -19,7 +19,7 @@
 // miscount wherever a fold touches a vertex; they only choose among indices that differ by full
 // turns, and find those without holonomy where all faces are positive.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 

@@ -18,7 +18,7 @@
 // Removes flips that moves near by can't: by untangling under all constraints of the complex, and
 // the exact solution near the result.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>

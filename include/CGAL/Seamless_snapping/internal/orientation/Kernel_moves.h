@@ -19,7 +19,7 @@
 // intersection of the half planes beside the link's edges ([MC19] Sec. 5.4): as little as it takes,
 // on the grid, and only if an exact check of the whole ring agrees.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Half_planes.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>

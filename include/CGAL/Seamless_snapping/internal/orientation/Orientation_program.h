@@ -22,7 +22,7 @@
 // only as many unknowns as faces, needs no neighborhood to be chosen, and the ordinary exact
 // solution for the shifted targets takes its solution to the grid.
 
-#include <CGAL/Linear_snapping/internal/exact/rounded_to.h>
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/nonnegative_program.h>
 #include <CGAL/Seamless_snapping/internal/complex/Displacements.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>

@@ -19,7 +19,7 @@
 // coordinates they may change. To the steps that repair, faces are triples of indices; the mesh is
 // read when they ask, and nowhere else.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 

@@ -18,7 +18,7 @@
 // From the arguments of `snap_to_seamless()` to a run, on the mesh itself or on a copy, and its
 // report.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>

@@ -21,7 +21,7 @@
 // translations, the cones their coordinates, and the aligned edges their levels. What follows is
 // exact; this is not, and need not be.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/linear/Range_space_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>

@@ -20,7 +20,6 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
-#include <CGAL/Linear_snapping/internal/exact/exact_sum.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <algorithm>

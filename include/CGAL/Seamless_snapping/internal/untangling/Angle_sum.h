@@ -18,7 +18,7 @@
 // The angles around a vertex. Transitions tell their sum up to full turns only, so that repairs of
 // flips can turn a cone of 450 degrees into one of 90, and another vertex into one of 720.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cmath>

@@ -19,7 +19,6 @@
 // start and sums of free unknowns, so that linear constraints hold whatever the unknowns are.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 

@@ -18,7 +18,7 @@
 // Snapping of volumes where it may change cells away from cuts and boundary, too: to integer-grid
 // maps, and with repairs of cells that are not positive. An exactly seamless map comes first.
 
-#include <CGAL/Linear_snapping/internal/support/counted.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_rounder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
