@@ -4,25 +4,9 @@
 
 import sys
 
-from polygon_mesh import Polygon_mesh, draw_edges, draw_points
+from polygon_mesh import draw_edges, draw_points, read_polygons
 from renderer import Buffer, Camera, visible_pieces
 from style import BLACK, VERMILLION, np, plt, rgb, save, show
-
-
-def read_obj(filename):
-    """A mesh, and the color of each vertex if the file has colors."""
-    numbers, polygons = [], []
-    with open(filename, encoding="utf-8") as lines:
-        for line in lines:
-            words = line.split()
-            if words[:1] == ["v"]:
-                numbers.append([float(x) for x in words[1:]])
-            elif words[:1] == ["f"]:
-                polygons.append([int(w.split("/")[0]) - 1 for w in words[1:]])
-    numbers = np.array(numbers)
-    mesh = Polygon_mesh(numbers[:, :3], polygons)
-    mesh.colors = numbers[:, 3:6] if numbers.shape[1] >= 6 else np.full((len(numbers), 3), 0.95)
-    return mesh
 
 
 def draw(axes, mesh, camera, width):
@@ -43,7 +27,7 @@ def draw_plane(axes, buffer, mesh, x):
 
 def main(sizes_name, symmetric_name, painted_name, remeshed_name, out):
     sizes, symmetric, painted, remeshed = (
-        read_obj(name) for name in (sizes_name, symmetric_name, painted_name, remeshed_name)
+        read_polygons(name) for name in (sizes_name, symmetric_name, painted_name, remeshed_name)
     )
     camera = Camera((0.2, 1, -0.95), (0, 0, 1), painted.points.mean(axis=0), 5.3, (700, 440))
     panels = (

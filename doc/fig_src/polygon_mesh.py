@@ -25,6 +25,22 @@ class Polygon_mesh:
         return np.nonzero(valences != valence)[0]
 
 
+def read_polygons(filename):
+    """The mesh of an OBJ file, with the colors of its vertices, gray if the file has none."""
+    numbers, polygons = [], []
+    with open(filename, encoding="utf-8") as lines:
+        for line in lines:
+            words = line.split()
+            if words[:1] == ["v"]:
+                numbers.append([float(x) for x in words[1:]])
+            elif words[:1] == ["f"]:
+                polygons.append([int(w.split("/")[0]) - 1 for w in words[1:]])
+    numbers = np.array(numbers)
+    mesh = Polygon_mesh(numbers[:, :3], polygons)
+    mesh.colors = numbers[:, 3:6] if numbers.shape[1] >= 6 else np.full((len(numbers), 3), 0.95)
+    return mesh
+
+
 def draw_edges(axes, buffer, mesh, color, width):
     for edge in mesh.edges():
         for piece in visible_pieces(buffer, mesh.points[edge]):

@@ -7,22 +7,10 @@ import sys
 
 from matplotlib.lines import Line2D
 
-from polygon_mesh import Polygon_mesh, draw_edges, draw_points
+from polygon_mesh import draw_edges, draw_points, read_polygons
 from renderer import Buffer, Camera, distance_to_isolines, visible_pieces
 from style import BLACK, BLUE, ORANGE, VERMILLION, np, plt, rgb, save, show
 from uv_mesh import read_obj
-
-
-def read_quads(filename):
-    points, quads = [], []
-    with open(filename, encoding="utf-8") as lines:
-        for line in lines:
-            words = line.split()
-            if words[:1] == ["v"]:
-                points.append([float(x) for x in words[1:4]])
-            elif words[:1] == ["f"]:
-                quads.append([int(w.split("/")[0]) - 1 for w in words[1:]])
-    return Polygon_mesh(points, quads)
 
 
 def draw_map(axes, mesh, camera):
@@ -61,7 +49,7 @@ def draw_quads(axes, mesh, camera):
 
 
 def main(map_name, quads_name, out):
-    mesh, quads = read_obj(map_name), read_quads(quads_name)
+    mesh, quads = read_obj(map_name), read_polygons(quads_name)
     camera = Camera((0.35, 1, -0.95), (0, 0, 1), mesh.points.mean(axis=0), 5.5, (700, 520))
     figure = plt.figure(figsize=(14, 6))
     titles = (
