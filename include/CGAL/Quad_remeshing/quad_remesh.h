@@ -258,7 +258,8 @@ that are made where fewer are wanted. The quad around a vertex of one edge is le
                           this costs little: along sharp edges that are no features, and around
                           round parts.}
     \cgalParamType{`double`, or a `std::optional` of it}
-    \cgalParamDefault{`0.002`; `0` where sizes vary, which direct the field then}
+    \cgalParamDefault{`0.002`, and 100 divided by the number of faces of more than 50,000; `0` where
+                      sizes vary, which direct the field then}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to

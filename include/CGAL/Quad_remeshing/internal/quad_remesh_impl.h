@@ -157,9 +157,16 @@ private:
   }
 
   // By default, so little that it hardly matters where the surface curves alike in all directions,
-  // or without order; but over some tens of faces, edges and round parts direct the field.
+  // or without order; but over some tens of faces, edges and round parts direct the field. Faces
+  // that are twice as small are followed over twice as many from a number on: a surface that is
+  // given more finely has the same field.
   double curvature_alignment() const
-  { return m_options.curvature_alignment.value_or(sizes_vary() ? 0. : 0.002); }
+  {
+    constexpr double most_faces = 50000;
+    const double part = most_faces / double(surface_mesh().number_of_faces());
+    return m_options.curvature_alignment.value_or(sizes_vary() ? 0.
+                                                               : 0.002 * (std::min)(1., part));
+  }
 
   // Of opposite cones: there are quads between them at the wanted size. Sizes that vary need cones.
   double least_cone_distance() const
