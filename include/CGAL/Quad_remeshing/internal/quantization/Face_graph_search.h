@@ -140,6 +140,8 @@ private:
 
   void search()
   {
+    if(at(m_best).number_of_quads / 4 > m_maximum) // the coarsest ones are hardly fewer
+      return;
     const int wanted = m_best;
     const double coarsest = at(m_best = 0).number_of_quads;
     if(coarsest / 2 > m_maximum)

@@ -164,7 +164,7 @@ public:
     if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
       add_note(m_result, counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
                " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
-    if(found.number_of_quads > m_options.maximum_number)
+    if(has_too_many())
       return refuse(m_result, Outcome::TOO_LARGE,
                     "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
                       words_for_number() + ". That is more than maximum_number: raise it, or ask "
@@ -248,7 +248,11 @@ private:
   bool has_more_than_wanted() const
   { return double(m_result.number_of_quads) > 1.1 * m_options.number_of_quads; }
 
-  // So many fewer are found for the same map where features are no walls.
+  bool has_too_many() const
+  { return double(m_result.number_of_quads) > m_options.maximum_number; }
+
+  // So many fewer are found for the same map where features are no walls; where nothing will be
+  // made, without a search for a mesh.
   std::size_t number_of_forced_quads() const
   {
     const std::vector<Feature_chain> features = feature_chains(m_coarse->input);
@@ -256,7 +260,9 @@ private:
       return 0;
     const auto without =
       std::make_shared<const Coarse_surface>(without_features(*m_coarse, features));
-    const double number = Unit_finder(without, m_options, m_result).find_quads().number_of_quads;
+    Unit_finder finder(without, m_options, m_result);
+    const double number = has_too_many() ? finder.first_number_of_quads()
+                                         : finder.find_quads().number_of_quads;
     const std::size_t rounded = std::size_t(std::llround(number));
     return rounded < m_result.number_of_quads ? m_result.number_of_quads - rounded : 0;
   }
