@@ -189,7 +189,7 @@ private:
     return m_report.remaining_flips.empty() ||
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
-                    "; mark fewer features, or remesh the input there");
+                    "; mark fewer features, or remesh the input there or leave out that part");
   }
 
   // An exactly seamless map, and what stays flipped in it.
