@@ -951,6 +951,24 @@ void test_integers_one_after_another(const std::string& name, const double numbe
   CHECK(std::abs(measure.area - number_of_quads) < 0.1 * number_of_quads);
 }
 
+// Where repairs of faces that roundings turn over make cones, these are points of the grid, too, so
+// that the map is an integer-grid map, and stays as it is.
+void test_cones_of_repairs()
+{
+  for(const auto& file : test_data::further_files("uv", ".obj")) {
+    if(file.filename() != "wmtk_seamed_cup.obj")
+      continue;
+    Mesh mesh;
+    UV_map uv = square_complex::uv_map(mesh);
+    CHECK(QR::IO::read_OBJ(file.string(), mesh, uv));
+    const auto np = parameters::integer_grid(true).rounding_tolerance(10.);
+    const double scale = std::sqrt(5000 / QR::measure_integer_grid(mesh, uv).area);
+    CHECK(bool(QR::snap_to_seamless(mesh, uv, np.grid_scale(scale))));
+    CHECK(QR::is_integer_grid_map(mesh, uv));
+    CHECK_EQUAL(QR::snap_to_seamless(mesh, uv, np).largest_change, 0.);
+  }
+}
+
 // Equations that come one after another, against the system with all multipliers; among them one
 // that follows from others, and one that holds by itself.
 void test_range_space()
@@ -1002,6 +1020,7 @@ void test_integer_grids()
   test_integers_one_after_another("genus1", 400);
   test_integers_one_after_another("genus2", 500);
   test_integers_one_after_another("genus3", 800);
+  test_cones_of_repairs();
   Square_complex box = surfaces::box(1, 2, 1);
   surfaces::mark_creases(box);
   for(const auto& [complex, n] : {std::pair{box, 8}, {surfaces::double_torus(), 4},

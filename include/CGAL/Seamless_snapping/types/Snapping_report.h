@@ -66,6 +66,9 @@ struct Snapping_figures
   std::size_t number_of_faces_repaired_by_untangling = 0;
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;
+  /// with `repair_flips`: vertices inside around which the angle is another one than before, by
+  /// full turns, as repairs turned a fold into cones; what it was in folds is an estimate
+  std::size_t number_of_changed_cones = 0;
   /// with `Flip_repair::UNTANGLE`: faces that have no area, whatever the coordinates are, as long
   /// as seams and alignments are what they are
   std::size_t number_of_faces_without_area = 0;

@@ -54,6 +54,8 @@ public:
       add(f);
   }
 
+  const std::vector<Face_index>& faces() const { return m_faces; }
+
   // Those that are not positive, among the faces that were positive in the input, or all others.
   template <typename Points>
   std::vector<Face_index> not_positive(const Points& points, const Uv_state& state,

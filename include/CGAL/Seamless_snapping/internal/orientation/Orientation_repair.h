@@ -324,6 +324,8 @@ void Orientation_repair<Group>::run(Uv_state& state, Snapping_report& report)
   if(m_repair_flips) {
     report.run.number_of_repaired_flips = flipped - best.flips.size();
     report.remaining_flips = m_stars.numbers_in_mesh(best.flips);
+    report.run.number_of_changed_cones +=
+      Vertex_angles<Group>(m_points).number_of_changed_vertices(best.state, m_watched.faces());
   }
   state = std::move(best.state);
 }

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +70,22 @@ public:
     const auto points = m_points.domain_face(f).points; // a copy: stars meet more faces
     return std::all_of(points.begin(), points.end(),
                        [&](const Point_index p) { return is_kept(state, p); });
+  }
+
+  // Vertices of these faces where they are not.
+  std::size_t number_of_changed_vertices(const Uv_state& state,
+                                         const std::vector<Face_index>& faces) const
+  {
+    std::vector<std::pair<std::size_t, Point_index> > vertices;
+    for(const Face_index f : faces)
+      for(const Point_index p : Domain_face(m_points.domain_face(f)).points)
+        vertices.emplace_back(vertex(p), p);
+    std::sort(vertices.begin(), vertices.end());
+    std::size_t result = 0;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      if(i == 0 || vertices[i].first != vertices[i - 1].first)
+        result += is_kept(state, vertices[i].second) ? 0 : 1;
+    return result;
   }
 
 private:

@@ -99,9 +99,8 @@ public:
   Snapping_report run()
   {
     const std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
-    if constexpr(may_untangle)
-      if(!refusal && m_options.rounds && m_flip_repair == Flip_repair::UNTANGLE)
-        round_new_cones();
+    if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
+      round_new_cones();
     return this->report(refusal);
   }
 
@@ -186,6 +185,7 @@ private:
 
   std::optional<Refusal> spread_and_snap(const Cuts& cuts)
   {
+    const double before = m_is_rounded ? m_report.largest_rounding : 0;
     m_is_rounded = m_has_spread = true;
     // those that the displacement may have made
     m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
@@ -194,7 +194,7 @@ private:
       return Refusal(Outcome::INTERNAL_ERROR, "the roundings could not be spread over the "
                      "surface; please report this");
     if(const Rounding<Group>* const worst = farthest(m_choice.roundings, cuts))
-      m_report.largest_rounding = worst->distance();
+      m_report.largest_rounding = (std::max)(before, worst->distance());
     spreader.move();
     m_timer.finish("displacement");
     return snap();
@@ -226,24 +226,33 @@ private:
                                        : infinite_cost;
   }
 
-  // Untangling can turn folds into cones, which are not rounded then. Rounds these, too, and
-  // untangles what that folds, until no cone is new; undoes what fails.
+  // Repairs can turn folds into cones, which are not rounded then. Rounds these, too, and
+  // repairs what that folds, until no cone is new; undoes what fails or, where repairs are asked
+  // for, costs faces. Where they are not, folds that are left may look like cones.
   void round_new_cones()
   {
-    for(int i = 0; i < largest_number_of_roundings && has_point_off_grid(); ++i) {
+    const bool is_asked = m_options.flip_repair != Flip_repair::NONE;
+    const auto has_new_cone = [&] {
+      return (is_asked || number_of_flips(m_report) == 0) && has_point_off_grid();
+    };
+    for(int i = 0; i < largest_number_of_roundings && has_new_cone(); ++i) {
       const std::vector<Uv> before = m_surface.all_uv();
       const Snapping_report report = m_report;
       m_is_rounded = true;
       m_has_spread = false;
-      if(!snap() && number_of_flips(m_report) <= number_of_flips(report)) {
+      m_charts = Charts::AS_GIVEN; // what was chosen before knows nothing of the new cones
+      if(!snap() && (!is_asked || number_of_flips(m_report) <= number_of_flips(report))) {
         // flips of the input: those since then came with the displacement
         m_report.run.number_of_repaired_flips = report.run.number_of_repaired_flips;
         continue;
       }
       m_surface.set_all_uv(before);
       m_report = report;
-      return;
+      break;
     }
+    if(has_new_cone())
+      m_report.message = "repairs of flipped faces have made cones that are no points of the grid; "
+                         "scale the map up by grid_scale";
   }
 
   bool has_point_off_grid() const
