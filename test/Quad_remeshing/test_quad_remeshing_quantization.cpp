@@ -582,6 +582,37 @@ void test_search()
   std::cout << "searches for face graphs: at most " << most << " quantizations" << std::endl;
 }
 
+// What the search finds where `number(n)` quads are made for n, which are a face graph once each is
+// divided into 4 to the power of `divisions(n)`.
+template <typename Number, typename Divisions>
+double searched_number(const Number& number, const Divisions& divisions, const double wanted,
+                       const double maximum)
+{
+  const std::vector<Intrinsic_complex> complexes = tori();
+  const auto quantize = [&](const double n) {
+    internal::Quantized_complex result;
+    result.complex = complexes[std::size_t(divisions(n))];
+    result.number_of_quads = number(n);
+    return result;
+  };
+  return internal::Face_graph_search<decltype(quantize)>(quantize, maximum).run(wanted)
+    .number_of_quads;
+}
+
+void test_choices_of_search()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  // numbers below those of the coarsest quantization are tried
+  CHECK_EQUAL(searched_number([](const double n) { return (std::max)(n, 100.); },
+                              [](const double n) { return n < 85 ? 0 : 2; }, 1, infinity), 100);
+  // what is found later is taken only if it has fewer quads
+  CHECK(searched_number([](const double n) { return (n < 500 ? 1.2 : 1.04) * n; },
+                        [](const double n) { return n < 500 ? 1 : 0; }, 1000, infinity) < 1060);
+  // what has too many quads, whether a face graph or not, ends the search
+  CHECK(searched_number([](const double n) { return (std::max)(n, 60.); },
+                        [](const double) { return 2; }, 50, 100) < 110);
+}
+
 void test_numbers()
 {
   check_numbers(test_meshes::genus_2(), "genus 2");
@@ -936,6 +967,35 @@ void test_place_of_step()
   }));
 }
 
+// A square turned by 45 degrees in the domain: two quads meet at all vertices along its sides but
+// two next to each corner, and none is inverted. Without that, one and three do by turns.
+void test_even_border()
+{
+  for(const std::size_t wanted : {60, 300, 2000}) {
+    Grid_map map(surfaces::disc(4, 4), 1, 1);
+    for(const Halfedge h : map.mesh.halfedges()) {
+      const Point_3& p = map.mesh.point(map.mesh.target(h));
+      map.uv[h] = Point_2(p.x() - p.y(), p.x() + p.y());
+    }
+    Mesh quads;
+    const auto report =
+      QR::quad_remesh(map.mesh, quads,
+                      parameters::target_number_of_quads(wanted).halfedge_uv_map(map.uv));
+    CHECK_IN(report.message, bool(report));
+    CHECK_EQUAL(report.number_of_inverted_quads, std::size_t(0));
+    CHECK_IN(std::to_string(report.mean_scaled_jacobian), report.mean_scaled_jacobian > 0.7);
+    quads.collect_garbage();
+    CHECK(CGAL::is_valid_polygon_mesh(quads) && euler_characteristic(quads) == 1);
+    const auto number_of_others = std::count_if(
+      quads.vertices().begin(), quads.vertices().end(), [&](const Vertex v) {
+        const Point_3& p = quads.point(v);
+        const bool is_corner = (p.x() == 0 || p.x() == 4) && (p.y() == 0 || p.y() == 4);
+        return quads.is_border(v) && !is_corner && quads.degree(v) != 3;
+      });
+    CHECK_IN(std::to_string(number_of_others), number_of_others <= 8);
+  }
+}
+
 void test_unaligned_borders()
 {
   std::size_t number = 0;
@@ -953,6 +1013,7 @@ void test_unaligned_borders()
   std::cout << number << " border edges on no isocurve" << std::endl;
   CHECK(number > 100);
   test_place_of_step();
+  test_even_border();
 }
 
 // --- quads around vertices of one edge -----------------------------------------------------------
@@ -1685,6 +1746,7 @@ int main()
     test_folds();
     test_empty_mesh();
     test_search();
+    test_choices_of_search();
     test_numbers();
     test_remeshing();
     test_sizes_of_quads();

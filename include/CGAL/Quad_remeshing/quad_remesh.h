@@ -252,6 +252,18 @@ that are made where fewer are wanted. The quad around a vertex of one edge is le
                    value type}
     \cgalParamDefault{no edge is a feature}
   \cgalParamNEnd
+  \cgalParamNBegin{halfedge_uv_map}
+    \cgalParamDescription{the map that the quads follow, of any scale, instead of one that is made:
+                          exactly seamless and without flipped faces, as `snap_to_seamless()` leaves
+                          it. That of halfedge `h` is the corner of `face(h)` at `target(h)`. Border
+                          edges may lie on no isocurve: two sides of quads follow each, and edges
+                          next to them are moved until as many quads meet at the vertices of the
+                          border as its angles ask for. What concerns fields and sizes is not read
+                          then.}
+    \cgalParamType{a model of `HalfedgeUVMap` for `TriangleMesh`}
+    \cgalParamDefault{a map is made}
+    \cgalParamExtra{It can't be combined with `symmetry_plane`.}
+  \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
                           `approximate_seamless_parametrization()`. By default they do so where
@@ -393,6 +405,10 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   using Mesh = Surface_to_remesh::Mesh;
+  using Parameters = std::decay_t<decltype(strip(np1))>;
+  static_assert(!is_given<Parameters, internal_np::halfedge_uv_t> ||
+                  !is_given<Parameters, internal_np::symmetry_plane_t>,
+                "symmetry_plane needs a map of one half, which halfedge_uv_map is not");
   const Protect_exact_arithmetic protect;
   using Point = typename boost::property_traits<
     decltype(point_map_of_quads(quads, strip(np2)))>::value_type;
@@ -404,8 +420,8 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
     remesh(surface, remeshing_options(tmesh, strip(np1), std::is_same<FT, float>::value), result,
            is_feature);
   if(report) {
-    Quad_writer<TriangleMesh, QuadMesh, std::decay_t<decltype(strip(np1))>,
-                std::decay_t<decltype(strip(np2))> >(tmesh, strip(np1), strip(np2))
+    Quad_writer<TriangleMesh, QuadMesh, Parameters, std::decay_t<decltype(strip(np2))> >(
+      tmesh, strip(np1), strip(np2))
       .write(result, is_feature, quads);
   }
   return report;

@@ -54,6 +54,7 @@
   F(feature_facets_t, feature_facets, feature_facets)                                              \
   F(grid_scale_t, grid_scale, grid_scale)                                                          \
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
+  F(halfedge_uv_t, halfedge_uv, halfedge_uv_map)                                                   \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
   F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
   F(least_cone_distance_t, least_cone_distance, least_cone_distance)                               \
@@ -236,6 +237,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
  *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
+ * - `halfedge_uv_map`: the coordinates of each corner, where a map is not to be made
  * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
  *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)

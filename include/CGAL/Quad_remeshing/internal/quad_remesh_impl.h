@@ -25,11 +25,13 @@
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
+#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -182,6 +184,8 @@ private:
   // No map of a torus has one cone of each sign alone, but cones cancel down to that.
   bool make_map()
   {
+    if(m_surface.has_map())
+      return read_transitions();
     const double distance = least_cone_distance();
     if(!parametrize(distance) || (!m_report.remaining_flips.empty() && distance > 0 &&
                                   !parametrize(0)))
@@ -190,6 +194,19 @@ private:
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
                     "; mark fewer features, or remesh the input there or leave out that part");
+  }
+
+  // Of the map that is given.
+  bool read_transitions()
+  {
+    const auto transitions = seam_transitions(surface_mesh(), m_surface.uv_map());
+    if(!transitions)
+      return refuse(m_report, *transitions.failure(), transitions.message());
+    for(const auto h : surface_mesh().halfedges()) {
+      m_surface.is_cut()[surface_mesh().edge(h)] = transitions.is_cut(h);
+      m_surface.rotations()[h] = transitions.rotation(h);
+    }
+    return true;
   }
 
   // An exactly seamless map, and what stays flipped in it.
@@ -241,6 +258,8 @@ private:
     m_timer.finish("extraction");
     if(!extracted)
       return refuse(m_report, extracted);
+    if(quantization.number_of_unaligned_border_edges > 0)
+      Border_evener(m_quads, m_is_feature, surface_mesh()).run();
     m_report.message = quantization.message;
     if(m_surface.mirror() && !m_report.message.empty())
       m_report.message += ", for each half";
