@@ -65,6 +65,13 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
   os << " of " << filename << "\n";
 }
 
+void write_displacement(std::ostream& os, const std::size_t number, const double largest)
+{
+  if(number > 0)
+    os << "moved off the surface or off a feature, as quads would be inverted: "
+       << counted(number, "vertex") << ", by at most " << largest << "\n";
+}
+
 namespace {
 
 template <typename... Quads>

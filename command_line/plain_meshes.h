@@ -31,6 +31,9 @@ void check_quad_file(const std::string& filename);
 void write_inverted_quads(std::ostream& os, std::size_t number,
                           const std::vector<std::size_t>& first, const std::string& filename);
 
+// Of vertices that had to leave the surface or its features.
+void write_displacement(std::ostream& os, std::size_t number, double largest);
+
 // In the format that the suffix of the file's name asks for: OFF, OBJ, which is also that of standard
 // streams, or PLY, which has all numbers that hang on the mesh, too. Throws `Failure`.
 std::string text_of_quads(const Mesh& quads, const std::string& filename);

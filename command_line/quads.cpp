@@ -14,9 +14,13 @@
 #include "snap_model.h"
 #include "words.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -29,6 +33,7 @@
 #include <utility>
 #include <vector>
 
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace QR = CGAL::Quad_remeshing;
 
 namespace {
@@ -137,8 +142,11 @@ struct Result
   Mesh mesh;
   Edge_bool_map is_feature;
   QR::Snapping_report snapped; // to integers, unless there is a quantization
+  QR::Snapping_report repaired; // what `--repair-flips` did
   std::string integers;        // which they are
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
+  std::size_t number_of_displaced_vertices = 0; // off the surface or its border
+  double largest_displacement = 0;
 };
 
 // Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
@@ -163,7 +171,7 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
   seams.align_border = true;
   const Alignment alignment(model, seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  QR::Snapping_report snapped;
+  QR::Snapping_report& snapped = result.repaired;
   const auto snap_and_quantize = [&] {
     snapped = snap_in_double(model, alignment, seams);
     check_snapped(snapped, model, seams.tolerance);
@@ -225,7 +233,7 @@ void extract(const Quad_options& options, const Model& model, Result& result, co
 void extract_rounded(const Quad_options& options, Model& model, const double rounding,
                      Result& result)
 {
-  result.snapped = snap_to_integers(options, rounding, model);
+  result.snapped = result.repaired = snap_to_integers(options, rounding, model);
   check_snapped(result.snapped, model, options.seams.tolerance);
   extract(options, model, result, model.mesh, model.uv_map);
 }
@@ -243,6 +251,31 @@ bool has_aligned_border(Model& model, const Quad_options& options)
   return 3 * number_of_others <= number;
 }
 
+// The quads of the same quantization, in a better shape.
+void extract_and_smooth(const Quad_options& options, const Model& model, Result& result)
+{
+  const Progress progress("smoothing quads", options.seams.reading.verbose);
+  result.mesh.clear();
+  result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
+  const auto made = QR::quad_remesh(
+    model.mesh, result.mesh,
+    QR::parameters::halfedge_uv_map(model.uv_map).edge_is_constrained_map(model.is_feature)
+                   .target_number_of_quads(static_cast<std::size_t>(options.number)),
+    QR::parameters::edge_is_constrained_map(result.is_feature));
+  QR::Extraction_report& report = result.report;
+  report.status = made.status;
+  report.message = made.message;
+  report.number_of_faces = made.number_of_quads;
+  report.number_of_vertices = made.number_of_vertices;
+  report.number_of_cones = made.number_of_cones;
+  report.number_of_inverted_quads = made.number_of_inverted_quads;
+  report.first_inverted_quads = made.first_inverted_quads;
+  result.number_of_displaced_vertices = made.number_of_displaced_vertices;
+  result.largest_displacement = made.largest_displacement;
+}
+
+// Smooths them where quads are inverted otherwise: where the map is much distorted, and where two
+// sides of a quad follow one edge of the border.
 void extract_quantized(const Quad_options& options, const Model& model,
                        const QR::Quantization& quantization, Result& result)
 {
@@ -250,6 +283,17 @@ void extract_quantized(const Quad_options& options, const Model& model,
   if(!quantization.message.empty())
     result.integers += "; " + quantization.message;
   extract(options, model, result, quantization, model.mesh);
+  const std::size_t number = result.report.number_of_inverted_quads;
+  const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
+  if(!result.report || options.soup || (number == 0 && !has_steps))
+    return;
+  extract_and_smooth(options, model, result);
+  result.integers += "; vertices are smoothed";
+  if(has_steps)
+    result.integers += ", and edges next to the border moved";
+  if(number > 0)
+    result.integers += ", as " + counted(number, "quad") + (number == 1 ? " was" : " were") +
+                       " inverted";
 }
 
 // By the integers that are near in the map itself, if there are and make about the number; or by a
@@ -265,7 +309,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
       model.uv_map[h] = input[h];
   };
   Result near_by;
-  near_by.snapped = snap_to_integers(options, options.rounding, model);
+  near_by.snapped = near_by.repaired = snap_to_integers(options, options.rounding, model);
   if(near_by.snapped && near_by.snapped.lost_faces.empty() &&
      near_by.snapped.remaining_flips.empty())
     extract(options, model, near_by, model.mesh, model.uv_map);
@@ -304,7 +348,53 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   }
 }
 
-void write_summary(std::ostream& os, const Quad_options& options, const Result& result)
+// How far the map has changed where faces were flipped.
+void write_flip_repairs(std::ostream& os, const QR::Snapping_report& report)
+{
+  const QR::Snapping_figures& run = report.run;
+  if(run.number_of_repaired_flips == 0)
+    return;
+  os << "repaired: " << counted(run.number_of_repaired_flips, "flipped face")
+     << "; coordinates change by up to " << report.largest_change / report.extent
+     << " of their extent";
+  if(run.number_of_changed_cones > 0)
+    os << ", and the angle at " << counted(run.number_of_changed_cones, "vertex")
+       << " by a full turn or more";
+  os << "\n";
+}
+
+// Of the area in the domain.
+double part_left_out(const QR::Extraction_report& report)
+{
+  return report.number_of_cut_cells == 0 ? 0
+                                         : 1 - double(report.number_of_faces) / report.area;
+}
+
+std::size_t number_of_pieces(const Mesh& mesh)
+{
+  std::vector<std::size_t> piece(mesh.num_faces());
+  return PMP::connected_components(
+    mesh, boost::make_iterator_property_map(piece.begin(), get(boost::face_index, mesh)));
+}
+
+// What the result lacks of the surface.
+void write_left_out(std::ostream& os, const Result& result, const std::size_t pieces_of_input)
+{
+  const QR::Extraction_report& report = result.report;
+  if(report.number_of_cut_cells == 0)
+    return;
+  os << "left out: " << counted(report.number_of_cut_cells, "piece")
+     << " of cells at the border or at holes, " << 100 * part_left_out(report)
+     << " % of the area";
+  if(const std::size_t n = number_of_pieces(result.mesh); n > pieces_of_input)
+    os << "; the quads fall into " << counted(n, "part") << ", the mesh has "
+       << pieces_of_input;
+  os << ". More quads leave out less; --align-border keeps cells whole where border edges are "
+        "nearly on isocurves\n";
+}
+
+void write_summary(std::ostream& os, const Quad_options& options, const Result& result,
+                   const std::size_t pieces_of_input)
 {
   const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
@@ -317,19 +407,20 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
        << (result.number_of_repaired_flips == 1 ? ", thinner than the seams are inaccurate, was"
                                                 : ", thinner than the seams are inaccurate, were")
        << " flipped, and repaired\n";
+  if(result.number_of_repaired_flips == 0)
+    write_flip_repairs(os, result.repaired);
   if(result.snapped.run.number_of_faces > 0)
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
        << " of the side of a cell\n";
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
-  if(report.number_of_cut_cells > 0)
-    os << "left out: " << counted(report.number_of_cut_cells, "piece")
-       << " of cells at the border or at holes; --align-border keeps those at the border whole\n";
+  write_left_out(os, result, pieces_of_input);
   if(!report.nonpositive_faces.empty())
     os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
+  write_displacement(os, result.number_of_displaced_vertices, result.largest_displacement);
 }
 
 nlohmann::json json_of(const Result& result, const bool is_written, const std::string& message)
@@ -342,11 +433,15 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"number_of_cones", report.number_of_cones},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
+          {"number_of_displaced_vertices", result.number_of_displaced_vertices},
+          {"largest_displacement", result.largest_displacement},
           {"number_of_other_polygons", report.number_of_other_polygons},
           {"number_of_cut_cells", report.number_of_cut_cells},
           {"nonpositive_faces", report.nonpositive_faces},
           {"integers", result.integers},
-          {"number_of_repaired_flips", result.number_of_repaired_flips},
+          {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
+          {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
+          {"part_left_out", part_left_out(report)},
           {"largest_rounding", result.snapped.largest_rounding},
           {"steps", json_of_steps(result.snapped.step_times)}};
 }
@@ -373,7 +468,7 @@ void quads(const Arguments& arguments)
                                             : text_of_quads(result.mesh, options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
-    write_summary(os, options, result);
+    write_summary(os, options, result, number_of_pieces(model.mesh));
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

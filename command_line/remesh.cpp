@@ -262,10 +262,7 @@ void write_summary(std::ostream& os, const Remesh_options& options,
      << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
-  if(report.number_of_displaced_vertices > 0)
-    os << "moved off the surface or off a feature, as quads would be inverted: "
-       << counted(report.number_of_displaced_vertices, "vertex") << ", by at most "
-       << report.largest_displacement << "\n";
+  write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
   if(report.number_of_released_edges > 0)
     os << "not kept, as faces would be flipped: "
        << counted(report.number_of_released_edges, "feature edge") << "\n";
