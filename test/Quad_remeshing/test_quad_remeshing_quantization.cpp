@@ -14,6 +14,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
@@ -1580,6 +1581,8 @@ void check_mending(Flat_quads& flat, const bool has_single_precision)
   QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
   mender.run(false);
   CHECK_EQUAL(number_of_inverted(), 0u);
+  for(const auto f : flat.quads.faces()) // as the square does
+    CHECK(QR::internal::quad_normal(smoother.quad(f))[2] > 0);
 
   std::size_t moved = 0;
   double largest = 0;
@@ -1605,6 +1608,15 @@ void test_mending()
       flat.quads.point(flat.vertices[5]) = Point_3(x, x, 0);
       check_mending(flat, has_single_precision);
     }
+    // Two of four quads that are inverted lie upside down.
+    Flat_quads folded(1);
+    for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      folded.add_quad(first);
+    folded.quads.point(folded.vertices[5]) = Point_3(2.5, 0.75, 0);
+    folded.quads.point(folded.vertices[6]) = Point_3(1.25, 0.75, 0);
+    folded.quads.point(folded.vertices[9]) = Point_3(0.75, 1.25, 0);
+    folded.quads.point(folded.vertices[10]) = Point_3(0.5, 2.5, 0);
+    check_mending(folded, has_single_precision);
     // No place on the plane mends two quads around a vertex of two edges.
     Flat_quads flat(1);
     const Vertex v = flat.quads.add_vertex(Point_3(1.5, 1.5, 0));
@@ -1612,6 +1624,60 @@ void test_mending()
     flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
     flat.quads.point(v) = Point_3(1.625, 1.375, 0);
     check_mending(flat, has_single_precision);
+  }
+}
+
+// An inverted quad goes, unless it is on the border, or features around it would be folded.
+void test_collapse()
+{
+  enum Case { FREE, ON_LINE, AT_CORNER, ON_BORDER };
+  for(const Case kind : {FREE, ON_LINE, AT_CORNER, ON_BORDER}) {
+    Flat_quads flat(1);
+    for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      if(kind != ON_BORDER || first != 1)
+        flat.add_quad(first);
+    Mesh& quads = flat.quads;
+    const auto& v = flat.vertices;
+    quads.point(v[5]) = Point_3(1.9, 1.3, 0); // beyond the other diagonal
+    const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+    for(const auto e : quads.edges())
+      is_feature[e] = quads.is_border(e);
+    const auto mark = [&](const std::size_t a, const std::size_t b)
+      { is_feature[quads.edge(quads.halfedge(v[a], v[b]))] = true; };
+    if(kind == ON_LINE)
+      mark(6, 10);
+    if(kind == ON_LINE || kind == AT_CORNER)
+      for(const std::size_t i : {2, 10})
+        mark(i, i + 4);
+    if(kind == AT_CORNER) {
+      mark(5, 6);
+      mark(6, 10);
+    }
+    const auto number_of_features = [&] {
+      return std::count_if(quads.edges().begin(), quads.edges().end(),
+                           [&](const auto e) { return bool(is_feature[e]); });
+    };
+    const auto features_before = number_of_features();
+    const QR::internal::Surface_to_remesh surface(
+      flat.square, flat.square.points(),
+      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
+      std::nullopt);
+    flat.scale_quads(1 / surface.unscaled(1));
+    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const Point_3 on_line = quads.point(v[10]);
+    const std::size_t expected = kind == FREE || kind == ON_LINE ? 1 : 0;
+    const std::size_t number_before = quads.number_of_faces();
+    CHECK_EQUAL(QR::internal::Quad_collapser(quads, is_feature, smoother, false).run(), expected);
+    CHECK_EQUAL(quads.number_of_faces(), number_before - expected);
+    CHECK(CGAL::is_valid_polygon_mesh(quads) && CGAL::is_quad_mesh(quads));
+    CHECK_EQUAL(quads.number_of_vertices() + quads.number_of_faces() - quads.number_of_edges(), 1u);
+    std::size_t number_of_inverted = 0;
+    for(const auto f : quads.faces())
+      number_of_inverted += QR::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
+    CHECK((number_of_inverted == 0) == (expected == 1));
+    CHECK_EQUAL(number_of_features(), features_before);
+    for(const std::size_t i : {5, 10}) // one of the two is gone
+      CHECK(kind != ON_LINE || quads.is_removed(v[i]) || quads.point(v[i]) == on_line);
   }
 }
 
@@ -1759,6 +1825,7 @@ int main()
   test_improvement();
   test_division();
   test_mending();
+  test_collapse();
   test_triangles();
   test_refusals();
   return report_checks();

@@ -181,8 +181,10 @@ After some rounds of smoothing, the other vertices move to where their quads are
 and, of up to 6,600 quads, near to the surface: at most four times as many rounds, and of about
 100,000 quads in all, or one round. What this leaves inverted or thin is improved: vertices near by
 move along the surface or along their feature, unless it turns or ends there, and two quads around a
-vertex of two edges become one. What is inverted or flat even then, as between two features that are
-a straight line in space, becomes five quads, one of them inside, if those have a better shape.
+vertex of two edges become one. What is inverted even then is taken out, as two opposite vertices
+become one, if no other quad is inverted by that; what is left, or flat, as between two features
+that are a straight line in space, becomes five quads, one of them inside, if those have a better
+shape.
 
 The vertices of quads that are inverted even then leave their features, and the surface where that
 does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the

@@ -24,6 +24,7 @@
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
@@ -276,6 +277,7 @@ private:
           return true;
       return false;
     };
+    m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
@@ -287,11 +289,16 @@ private:
       if(improver.remove_vertices_of_two_edges() > 0)
         improver.move_vertices();
       improver.move_vertices_of_flat_quads();
+      if(Quad_collapser(m_quads, m_is_feature, smoother, false).run() > 0) {
+        improver.move_vertices();
+        improver.move_vertices_of_flat_quads();
+      }
       Quad_divider divider(m_quads, m_is_feature, smoother);
       for(int i = 0; i < 3 && divider.run() > 0; ++i) {
         improver.move_vertices();
         improver.move_vertices_of_flat_quads();
       }
+      improver.remove_vertices_of_two_edges(); // whose quads may be flat by now
     }
     if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
       mend(smoother);
@@ -319,6 +326,7 @@ private:
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
     mender.run(false);
+    Quad_collapser(m_quads, m_is_feature, smoother, m_options.has_single_precision).run();
     mender.run(true);
     m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
     m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());

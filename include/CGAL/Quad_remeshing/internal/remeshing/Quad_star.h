@@ -66,15 +66,22 @@ public:
       }
     for(const Face f : m_faces) {
       const Quad q = m_smoother.quad(f);
-      m_upper_side.push_back(upper_side_or_own(q, m_smoother.normal_of_surface(q)));
       m_was_inverted.push_back(is_inverted(q));
+      m_upper_side.push_back(m_was_inverted.back()
+                               ? Space_vector{}
+                               : upper_side_or_own(q, m_smoother.normal_of_surface(q)));
     }
   }
 
   const std::vector<Face>& faces() const { return m_faces; }
 
-  // An inverted face that is not to be so any more.
-  void has_to_be_mended(const Face f) { m_was_inverted[index(f)] = false; }
+  // An inverted face that is not to be so any more, and to face as the surface does, or anywhere.
+  void has_to_be_mended(const Face f, const bool faces_anywhere)
+  {
+    m_was_inverted[index(f)] = false;
+    m_upper_side[index(f)] =
+      faces_anywhere ? Space_vector{} : m_smoother.normal_of_surface(m_smoother.quad(f));
+  }
 
   double badness() const
   {
@@ -98,8 +105,7 @@ public:
   {
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = m_smoother.quad(m_faces[i]);
-      if((!m_was_inverted[i] && is_inverted(q)) ||
-         !(inner_product(quad_normal(q), m_upper_side[i]) > 0))
+      if((!m_was_inverted[i] && is_inverted(q)) || is_turned_over(i, quad_normal(q)))
         return false;
     }
     return true;
@@ -126,14 +132,21 @@ private:
   std::size_t index(const Face f) const
   { return std::size_t(std::find(m_faces.begin(), m_faces.end(), f) - m_faces.begin()); }
 
-  // 0 where the shape is good enough. Quads that turn over are worst of all.
+  bool is_turned_over(const std::size_t i, const Space_vector& normal) const
+  { return m_upper_side[i] != Space_vector{} && !(inner_product(normal, m_upper_side[i]) > 0); }
+
+  // 0 where the shape is good enough. All corners count, so that it helps to mend one of two. Quads
+  // that turn over are worst of all.
   double badness_of_face(const std::size_t i) const
   {
     const Quad q = m_smoother.quad(m_faces[i]);
     const Space_vector normal = quad_normal(q);
-    const double missing = good_enough - scaled_jacobian(q, normal);
-    return (missing > 0 ? missing * missing : 0) +
-           (inner_product(normal, m_upper_side[i]) > 0 ? 0 : 4);
+    double sum = is_turned_over(i, normal) ? 4 : 0;
+    for(const double sine : sines_of_angles(q, normal)) {
+      const double missing = good_enough - sine;
+      sum += missing > 0 ? missing * missing : 0;
+    }
+    return sum;
   }
 
   static constexpr double good_enough = 0.02; // as a scaled Jacobian
@@ -143,8 +156,8 @@ private:
   Quad_smoother& m_smoother;
   bool m_has_single_precision;
   std::vector<Face> m_faces;
-  std::vector<Space_vector> m_upper_side;                // of these faces
   std::vector<char> m_was_inverted;                      // of these faces
+  std::vector<Space_vector> m_upper_side;                // of these; 0: any side will do
   std::vector<std::vector<std::size_t> > m_faces_around; // each vertex
 };
 

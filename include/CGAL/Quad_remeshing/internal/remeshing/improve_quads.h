@@ -79,8 +79,8 @@ public:
     m_steepness = 8;
   }
 
-  // Makes one quad of the two around a vertex of two edges, where one of them is inverted and
-  // that one is better. Returns the number of vertices that were removed.
+  // Makes one quad of the two around a vertex of two edges, where one of them is inverted or thin,
+  // and that one is better or can be mended. Returns the number of vertices that were removed.
   std::size_t remove_vertices_of_two_edges()
   {
     std::size_t result = 0;
@@ -292,7 +292,7 @@ private:
       {m_smoother.point(a), m_smoother.point(x), m_smoother.point(b), m_smoother.point(y)}};
     const double least = (std::min)(scaled_jacobian(first, quad_normal(first)),
                                     scaled_jacobian(second, quad_normal(second)));
-    return least < thin && scaled_jacobian(joined, quad_normal(joined)) > least;
+    return least <= 0 || (least < thin && scaled_jacobian(joined, quad_normal(joined)) > least);
   }
 
   static constexpr double thin = 0.2, flat = 0.02; // as scaled Jacobians

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -56,11 +57,13 @@ public:
       m_star(quads, is_feature, smoother, has_single_precision)
   { }
 
-  // At most 18 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
+  // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
   // a vertex in all, each of which looks at about a hundred places.
   // \param with_neighbors whether the vertices of the quads around move, too
   void run(const bool with_neighbors)
   {
+    for(auto it = m_displaced.begin(); it != m_displaced.end();)
+      it = m_quads.is_removed(it->first) ? m_displaced.erase(it) : std::next(it);
     for(const Face f : faces(m_quads))
       if(is_inverted(m_smoother.quad(f)))
         mend(f, with_neighbors);
@@ -89,15 +92,17 @@ private:
         add_vertices(g);
       m_star.collect(m_vertices);
     }
-    m_star.has_to_be_mended(f);
     double longest = 0;
     const Quad q = m_smoother.quad(f);
     for(std::size_t k = 0; k < 4; ++k)
       longest = (std::max)(longest, norm(vector_to(q[k], q[(k + 1) % 4])));
-    for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
-      for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
-        if(improve(part * longest, freedom))
-          return;
+    for(const bool faces_anywhere : {false, true}) {
+      m_star.has_to_be_mended(f, faces_anywhere);
+      for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
+        for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
+          if(improve(part * longest, freedom))
+            return;
+    }
   }
 
   void add_vertices(const Face f)

@@ -56,19 +56,25 @@ inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
   return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
 }
 
-// The least sine of an angle, as seen along `normal`: 1 for rectangles, negative if a corner is
-// inverted; the scaled Jacobian.
-inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_vector& normal)
+// The sines of the angles, as seen along `normal`; -1 where there is no angle.
+inline std::array<double, 4> sines_of_angles(const std::array<Space_vector, 4>& q,
+                                             const Space_vector& normal)
 {
-  double least = 1;
+  std::array<double, 4> result;
   const double size = norm(normal);
   for(std::size_t i = 0; i < 4; ++i) {
     const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
     const double scale = norm(a) * norm(b) * size;
-    least = (std::min)(least,
-                       scale > 0 ? inner_product(outer_product(a, b), normal) / scale : -1.);
+    result[i] = scale > 0 ? inner_product(outer_product(a, b), normal) / scale : -1.;
   }
-  return least;
+  return result;
+}
+
+// The least of them: 1 for rectangles, negative if a corner is inverted; the scaled Jacobian.
+inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_vector& normal)
+{
+  const std::array<double, 4> sines = sines_of_angles(q, normal);
+  return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
 }
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on

@@ -1,0 +1,164 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_COLLAPSE_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_COLLAPSE_QUADS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Takes inverted quads out: two opposite vertices become one. So does what is as thin as a line,
+// where no place of its vertices helps.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// Invariant: the surface of the quads stays what it is, topologically; no other quad becomes
+// inverted, no vertex of two edges comes about; lines are not folded, nor are two of them joined
+// but at their ends.
+class Quad_collapser
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Halfedge = Mesh::Halfedge_index;
+  using Vertex = Mesh::Vertex_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+
+public:
+  // \param is_feature whether an edge is a feature or border
+  Quad_collapser(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,
+                 const bool has_single_precision)
+    : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother),
+      m_star(quads, is_feature, smoother, has_single_precision)
+  { }
+
+  // Returns the number of quads that were taken out.
+  std::size_t run()
+  {
+    std::vector<Face> inverted;
+    for(const Face f : faces(m_quads))
+      if(is_inverted(m_smoother.quad(f)))
+        inverted.push_back(f);
+    std::size_t result = 0;
+    for(const Face f : inverted) {
+      if(m_quads.is_removed(f))
+        continue;
+      const Halfedge h = halfedge(f, m_quads);
+      for(const Halfedge first : {h, next(h, m_quads)})
+        if(is_inverted(m_smoother.quad(f)) && is_collapsible(first) && meet(first)) {
+          join_ends(first);
+          ++result;
+          break;
+        }
+    }
+    return result;
+  }
+
+private:
+  // The ends of two sides, of which the first is given.
+  bool is_collapsible(const Halfedge first) const
+  {
+    std::array<Vertex, 4> corners;
+    std::size_t k = 0;
+    for(const Halfedge h : CGAL::halfedges_around_face(first, m_quads)) {
+      if(m_quads.is_border(m_quads.edge(h)) ||
+         (k % 2 == 0 && m_is_feature[m_quads.edge(h)] &&
+          m_is_feature[m_quads.edge(next(h, m_quads))]))
+        return false;
+      corners[k++] = source(h, m_quads);
+    }
+    const auto [a, b, c, d] = corners;
+    if(degree(a, m_quads) < 3 || degree(b, m_quads) < 4 || degree(c, m_quads) < 3 ||
+       degree(d, m_quads) < 4 || (is_fixed(a) && is_fixed(c)))
+      return false;
+    std::size_t number_of_common_neighbors = 0;
+    for(const Vertex v : CGAL::vertices_around_target(a, m_quads)) {
+      if(v == c)
+        return false;
+      for(const Vertex w : CGAL::vertices_around_target(c, m_quads))
+        number_of_common_neighbors += v == w ? 1 : 0;
+    }
+    return number_of_common_neighbors == 2;
+  }
+
+  bool is_fixed(const Vertex v) const { return m_star.number_of_lines(v) > 1; }
+
+  // Moves both ends to the best of some places. Where another quad would be inverted there, they
+  // stay where they were.
+  bool meet(const Halfedge first)
+  {
+    const Vertex a = source(first, m_quads), c = target(next(first, m_quads), m_quads);
+    m_star.collect({a, c});
+    const Space_vector p = m_smoother.point(a), q = m_smoother.point(c);
+    std::vector<Space_vector> places;
+    if(!is_fixed(c))
+      places.push_back(p);
+    if(!is_fixed(a))
+      places.push_back(q);
+    if(places.size() == 2)
+      places.push_back(m_smoother.nearest(
+        {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}));
+    double least = std::numeric_limits<double>::infinity();
+    Space_vector best = p;
+    for(const Space_vector& place : places) {
+      m_star.set_point(a, place);
+      m_star.set_point(c, place);
+      if(const double now = m_star.badness(); now < least && m_star.is_mended()) {
+        least = now;
+        best = m_smoother.point(a);
+      }
+    }
+    const bool is_better = std::isfinite(least);
+    m_smoother.set_point(a, is_better ? best : p);
+    m_smoother.set_point(c, is_better ? best : q);
+    return is_better;
+  }
+
+  // The source of the first one of two sides becomes the target of the other; the quad is gone.
+  void join_ends(const Halfedge first)
+  {
+    const Halfedge second = next(first, m_quads), third = next(second, m_quads);
+    const Halfedge fourth = next(third, m_quads);
+    for(const auto& [gone, kept] : {std::pair(first, second), std::pair(fourth, third)})
+      if(m_is_feature[m_quads.edge(gone)])
+        m_is_feature[m_quads.edge(kept)] = true;
+    CGAL::Euler::split_face(fourth, second, m_quads);
+    const Halfedge diagonal = next(fourth, m_quads);
+    CGAL::Euler::join_face(first, m_quads);
+    CGAL::Euler::join_face(fourth, m_quads);
+    CGAL::Euler::join_vertex(diagonal, m_quads);
+  }
+
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  Quad_smoother& m_smoother;
+  Quad_star m_star;
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_COLLAPSE_QUADS_H
