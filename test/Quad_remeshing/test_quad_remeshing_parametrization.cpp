@@ -856,6 +856,7 @@ void test_parts_of_a_map()
   const QR::internal::Free_coordinates<Quarter_turns> coordinates(complex.complex());
   const Coordinate_table table(coordinates, complex.number_of_sectors());
   P::Sparse_system<P::Default_solver> system(coordinates.number_of_unknowns(), solver);
+  P::factor_poisson(surface, complex, table, std::vector<double>(size, 1), system);
   const Unknowns smooth = P::solve_poisson(
     surface, [&](const auto h) { return P::wanted_difference(surface, angles, h); }, complex, table,
     std::vector<double>(size, 1), system);

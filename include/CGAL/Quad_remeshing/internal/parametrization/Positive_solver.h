@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,23 +48,23 @@ inline bool is_large(const Triangle_surface& surface) { return surface.number_of
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
 // more, which ends it. A round is as much work for one flip as for many: where they are few on a
 // large surface, `untangle(unknowns)` may end it, and returns whether it left none.
+// \param system with the coefficients 0
 template <typename Solver, typename Untangle, typename Report>
 std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
                       const Coordinate_table& table, const long number_of_rounds,
-                      const Untangle& untangle,
-                      Timed_solver<Solver>& solver, Report& report)
+                      const Untangle& untangle, Sparse_system<Solver>& system, Report& report)
 {
   constexpr std::size_t faces_of_a_flip = 2000;
   const std::size_t few_flips =
     is_large(surface) ? std::size_t(surface.number_of_faces()) / faces_of_a_flip : 0;
-  Sparse_system<Solver> system(coordinates.number_of_unknowns(), solver);
   std::vector<double> weights(surface.number_of_faces(), 1), best;
   for(long round = 0; ; ++round, system.set_zero()) {
     std::vector<double> unknowns;
     try {
+      factor_poisson(surface, complex, table, weights, system);
       unknowns = solve_poisson(
         surface,
         [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
@@ -91,16 +92,16 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
 }
 
 // The free unknowns of coordinates that meet all constraints, up to roundings.
+// \param system factorized for weights of 1
 template <typename Solver>
 std::vector<double>
 unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
-            const Coordinate_table& table, const std::size_t number, Timed_solver<Solver>& solver)
+            const Coordinate_table& table, Sparse_system<Solver>& system)
 {
   const auto difference = [&](const Corner_index h) {
     const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
     return std::array<double, 2>{q[0] - p[0], q[1] - p[1]};
   };
-  Sparse_system<Solver> system(number, solver);
   return solve_poisson(surface, difference, complex, table,
                        std::vector<double>(surface.number_of_faces(), 1), system);
 }
@@ -167,6 +168,8 @@ public:
         make_complex();
       const Coordinates reached = m_uv; // in the last round, before attempts close by
       bool is_untangled = false;
+      std::optional<Sparse_system<Solver> > system(std::in_place, m_rows->number_of_unknowns(),
+                                                   m_solver);
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
@@ -175,14 +178,15 @@ public:
                          untangle(u, Untangling::CLOSE_BY).empty();
           return is_untangled;
         },
-        m_solver, m_report);
+        *system, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
       else if(!is_untangled)
-        keep_better(reached, unknowns);
+        keep_better(reached, *system, unknowns);
       std::vector<std::size_t> stuck;
       m_uv = m_rows->evaluate(unknowns);
       m_solver.solver = Solver(); // frees memory
+      system.reset();
       if(number_of_flips(m_surface, *m_complex, m_uv) > 0)
         stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
                                                          : Untangling::ANGLES_FIRST);
@@ -211,10 +215,10 @@ private:
 
   // What untangling reached before edges were released meets the constraints that are left: goes
   // on from there if it has fewer flips.
-  void keep_better(const Coordinates& uv, std::vector<double>& unknowns)
+  void keep_better(const Coordinates& uv, Sparse_system<Solver>& system,
+                   std::vector<double>& unknowns)
   {
-    std::vector<double> reached =
-      unknowns_of(m_surface, uv, *m_complex, *m_table, m_rows->number_of_unknowns(), m_solver);
+    std::vector<double> reached = unknowns_of(m_surface, uv, *m_complex, *m_table, system);
     const std::size_t flips =
       number_of_flips(m_surface, *m_complex, m_rows->evaluate(reached));
     if(flips < m_report.number_of_flipped_faces) {

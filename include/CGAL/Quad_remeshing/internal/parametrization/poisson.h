@@ -81,10 +81,40 @@ void add_product(const Triangle_surface& surface, const Surface_complex& complex
       system.add(std::size_t(entry.row()), std::size_t(j), entry.value());
 }
 
+inline double cotangent_weight(const Triangle_surface& surface, const std::vector<double>& weights,
+                               const Corner_index h)
+{ return weights[surface.face(h)] / std::tan(surface.angle[surface.next(h)]); }
+
+// The matrix of `solve_poisson()`, factorized.
+// \param system with the coefficients 0
+template <typename Solver>
+void factor_poisson(const Triangle_surface& surface, const Surface_complex& complex,
+                    const Coordinate_table& table, const std::vector<double>& weights,
+                    Sparse_system<Solver>& system)
+{
+  const auto weight_of = [&](const Corner_index h)
+  { return cotangent_weight(surface, weights, h); };
+  Sparse_row row;
+  if(table.has_long_sums()) {
+    add_product(surface, complex, table, weight_of, system);
+  } else {
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+      const double weight = weight_of(h);
+      for(std::size_t c = 0; c < 2; ++c) {
+        table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
+        for(const auto& [i, a] : row)
+          for(const auto& [j, b] : row)
+            system.add(i, j, weight * a * b);
+      }
+    }
+  }
+  system.factor();
+}
+
 // Minimizes the sum over the faces of weight * area * |grad uv - wanted|^2, written with cotangents
 // as a sum over the edges of each face. Returns the values of the free unknowns.
 // \param wanted_difference along a halfedge, in its face
-// \param system with the coefficients 0
+// \param system factorized for these weights
 template <typename Solver, typename Difference>
 std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const Difference& wanted_difference,
@@ -93,29 +123,17 @@ std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const std::vector<double>& weights,
                                   Sparse_system<Solver>& system)
 {
-  const auto weight_of = [&](const Corner_index h) {
-    const double opposite_angle = surface.angle[surface.next(h)];
-    return weights[surface.face(h)] / std::tan(opposite_angle);
-  };
-  const bool has_long_sums = table.has_long_sums();
   std::vector<double> right_hand_side(system.dimension(), 0);
   Sparse_row row;
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
-    const double weight = weight_of(h);
+    const double weight = cotangent_weight(surface, weights, h);
     const std::array<double, 2> wanted = wanted_difference(h);
     for(std::size_t c = 0; c < 2; ++c) {
       table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
-      for(const auto& [i, a] : row) {
+      for(const auto& [i, a] : row)
         right_hand_side[i] += weight * a * wanted[c];
-        if(!has_long_sums)
-          for(const auto& [j, b] : row)
-            system.add(i, j, weight * a * b);
-      }
     }
   }
-  if(has_long_sums)
-    add_product(surface, complex, table, weight_of, system);
-  system.factor();
   return system.solve(right_hand_side);
 }
 
