@@ -610,8 +610,13 @@ expect_message("${err}" "there would be 2.68e+08 quads; ask for fewer by --numbe
 seamless(1 remesh box.off no_quads.obj --quads 1 --feature-angle 40 --maximum-number 5)
 expect_message("${err}" "more than --maximum-number")
 
+# quads that would be inverted are smoothed, but not those of a soup
+seamless(0 quads genus2.obj smoothed.off --number 30 --report smoothed.json)
+expect_message("${out}" "quads were inverted")
+file(READ "${WORK_DIR}/smoothed.json" json)
+expect_message("${json}" "\"number_of_inverted_quads\": 0")
 # inverted quads are named, as the file that is written counts them
-seamless(0 quads genus2.obj inverted.off --number 30 --report inverted.json)
+seamless(0 quads genus2.obj inverted.off --soup --number 30 --report inverted.json)
 string(REGEX MATCH "warning: ([0-9]+) quad" match "${out}")
 set(number ${CMAKE_MATCH_1})
 file(READ "${WORK_DIR}/inverted.json" json)
