@@ -17,8 +17,8 @@
 #include <vector>
 
 namespace internal_np = CGAL::internal_np;
-namespace parameters = CGAL::Seamless_snapping::parameters;
-namespace internal = CGAL::Seamless_snapping::internal;
+namespace parameters = CGAL::Linear_snapping::parameters;
+namespace internal = CGAL::Linear_snapping::internal;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
