@@ -4,6 +4,9 @@
 #include "surface_checks.h"
 
 #include <CGAL/Seamless_snapping/seam_transitions.h>
+
+#include <CGAL/boost/graph/generators.h>
+
 #include <limits>
 #include <random>
 #include <set>
