@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <locale>
 #include <map>
@@ -53,11 +54,11 @@ void for_each_corner(const Model& model, const Location& location, const Visit& 
 // --- PLY -----------------------------------------------------------------------------------------
 
 // The names of lists besides that of the vertices of faces; CGAL reads none of them.
-std::string further_lists(const std::string& text)
+std::string further_lists(const std::string& filename)
 {
-  std::istringstream header(text.substr(0, text.find("end_header")));
+  std::ifstream file(filename, std::ios::binary);
   std::string result, property, list, count, type, name;
-  for(std::string line; std::getline(header, line); ) {
+  for(std::string line; std::getline(file, line) && line.find("end_header") != 0; ) {
     std::istringstream words(line);
     if(words >> property >> list >> count >> type >> name && property == "property" &&
        list == "list" && name != "vertex_indices" && name != "vertex_index")
@@ -424,7 +425,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
     carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
                    std::uint32_t, float, double>(model, file, quads);
     carry_over_colors(model, file, quads);
-    if(const std::string lists = further_lists(read_file(input)); !lists.empty())
+    if(const std::string lists = further_lists(input); !lists.empty())
       std::cerr << "note: not carried over, as these are lists: " << lists << std::endl;
   }
   return text_of_quads(quads.mesh, filename);

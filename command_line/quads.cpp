@@ -378,7 +378,7 @@ std::size_t number_of_pieces(const Mesh& mesh)
 }
 
 // What the result lacks of the surface.
-void write_left_out(std::ostream& os, const Result& result, const std::size_t pieces_of_input)
+void write_left_out(std::ostream& os, const Result& result, const Mesh& input)
 {
   const QR::Extraction_report& report = result.report;
   if(report.number_of_cut_cells == 0)
@@ -386,15 +386,15 @@ void write_left_out(std::ostream& os, const Result& result, const std::size_t pi
   os << "left out: " << counted(report.number_of_cut_cells, "piece")
      << " of cells at the border or at holes, " << 100 * part_left_out(report)
      << " % of the area";
-  if(const std::size_t n = number_of_pieces(result.mesh); n > pieces_of_input)
-    os << "; the quads fall into " << counted(n, "part") << ", the mesh has "
-       << pieces_of_input;
+  const std::size_t n = number_of_pieces(result.mesh), of_input = number_of_pieces(input);
+  if(n > of_input)
+    os << "; the quads fall into " << counted(n, "part") << ", the mesh has " << of_input;
   os << ". More quads leave out less; --align-border keeps cells whole where border edges are "
         "nearly on isocurves\n";
 }
 
 void write_summary(std::ostream& os, const Quad_options& options, const Result& result,
-                   const std::size_t pieces_of_input)
+                   const Mesh& input)
 {
   const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
@@ -415,7 +415,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
-  write_left_out(os, result, pieces_of_input);
+  write_left_out(os, result, input);
   if(!report.nonpositive_faces.empty())
     os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
@@ -468,7 +468,7 @@ void quads(const Arguments& arguments)
                                             : text_of_quads(result.mesh, options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
-    write_summary(os, options, result, number_of_pieces(model.mesh));
+    write_summary(os, options, result, model.mesh);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
