@@ -54,6 +54,51 @@ private:
   std::size_t m_size = 0;
 };
 
+// Linear expressions, most of which are one quantity, which takes its number only. The others are
+// sums, whose numbers are counted down from -1.
+class Short_sums
+{
+public:
+  explicit Short_sums(const std::size_t size) : m_places(size, nothing) { }
+
+  std::size_t size() const { return m_places.size(); }
+  bool is_set(const std::size_t i) const { return m_places[i] != nothing; }
+  void set(const std::size_t i, const std::size_t quantity)
+  { m_places[i] = std::ptrdiff_t(quantity); }
+
+  void set(const std::size_t i, Sparse_row&& sum)
+  {
+    m_sums.push_back(std::move(sum));
+    m_places[i] = -std::ptrdiff_t(m_sums.size());
+  }
+
+  // visit(quantity, factor)
+  template <typename Visit>
+  void for_each_term(const std::size_t i, const Visit& visit) const
+  {
+    if(m_places[i] >= 0)
+      visit(std::size_t(m_places[i]), 1.);
+    else
+      for(const auto& [quantity, factor] : m_sums[std::size_t(-1 - m_places[i])])
+        visit(quantity, factor);
+  }
+
+  // Of those that are not one quantity.
+  std::size_t number_of_terms_of_sums() const
+  {
+    std::size_t result = 0;
+    for(const Sparse_row& sum : m_sums)
+      result += sum.size();
+    return result;
+  }
+
+private:
+  static constexpr std::ptrdiff_t nothing = (std::numeric_limits<std::ptrdiff_t>::max)();
+
+  std::vector<std::ptrdiff_t> m_places;
+  std::vector<Sparse_row> m_sums;
+};
+
 // Invariant: whatever values the free unknowns have, the coordinates of the sectors meet all
 // constraints of the complex, with right-hand sides of zero.
 template <typename Group>
@@ -72,12 +117,13 @@ public:
   Sparse_row coordinate(const std::size_t sector, const std::size_t c) const
   {
     Sparse_row row;
-    for_each_quantity(dimension * sector + c, [&](const std::size_t q, const double factor) {
+    const auto add = [&](const std::size_t q, const double factor) {
       if(is_column(q))
         append(row, m_unknowns.sum(q), factor);
       else
         row.emplace_back(unknown(q), factor);
-    });
+    };
+    m_coordinates.for_each_term(dimension * sector + c, add);
     normalize(row);
     return row;
   }
@@ -91,7 +137,7 @@ public:
       values.push_back(value_of(m_unknowns.sum(q), free_values));
     std::vector<std::array<double, dimension> > uv(m_coordinates.size() / dimension);
     for(std::size_t i = 0; i < m_coordinates.size(); ++i)
-      for_each_quantity(i, [&](const std::size_t q, const double factor) {
+      m_coordinates.for_each_term(i, [&](const std::size_t q, const double factor) {
         uv[i / dimension][i % dimension] +=
           factor * (is_column(q) ? values[q] : free_values[unknown(q)]);
       });
@@ -99,15 +145,10 @@ public:
   }
 
 private:
-  // A column of the reduced system, or else a coordinate that stays free. Most coordinates are one
-  // quantity each; others are sums, whose numbers are counted down from -1.
-  using Quantity = std::ptrdiff_t;
-  static constexpr Quantity nothing = (std::numeric_limits<Quantity>::max)();
-
   Free_coordinates(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
     : m_unknowns(system.rows().system), m_number_of_columns(system.weights().size()),
       m_first_unknown(m_unknowns.size()),
-      m_coordinates(dimension * complex.number_of_sectors(), nothing)
+      m_coordinates(dimension * complex.number_of_sectors())
   {
     add_sectors_of_nodes(complex, system);
     add_chains(complex, system);
@@ -120,28 +161,16 @@ private:
   std::size_t unknown(const std::size_t quantity) const
   { return quantity - m_number_of_columns + m_first_unknown; }
 
-  // visit(quantity, factor)
-  template <typename Visit>
-  void for_each_quantity(const std::size_t coordinate, const Visit& visit) const
-  {
-    const Quantity q = m_coordinates[coordinate];
-    if(q >= 0)
-      visit(std::size_t(q), 1.);
-    else
-      for(const auto& [quantity, factor] : m_sums[std::size_t(-1 - q)])
-        visit(quantity, factor);
-  }
-
-  Quantity& coordinate_of(const Sector_index s, const std::size_t c)
-  { return m_coordinates[dimension * std::size_t(s) + c]; }
+  static std::size_t coordinate_of(const Sector_index s, const std::size_t c)
+  { return dimension * std::size_t(s) + c; }
 
   // What has no value yet.
   void make_free(const Sector_index s)
   {
     for(std::size_t c = 0; c < dimension; ++c)
-      if(coordinate_of(s, c) == nothing)
-        coordinate_of(s, c) =
-          Quantity(m_number_of_columns + m_unknowns.add_unknown() - m_first_unknown);
+      if(!m_coordinates.is_set(coordinate_of(s, c)))
+        m_coordinates.set(coordinate_of(s, c),
+                          m_number_of_columns + m_unknowns.add_unknown() - m_first_unknown);
   }
 
   void add_sectors_of_nodes(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
@@ -149,7 +178,7 @@ private:
     for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
       if(const Column_index first = system.unknown(Sector_index(s)); first >= 0)
         for(std::size_t c = 0; c < dimension; ++c)
-          coordinate_of(Sector_index(s), c) = Quantity(first) + Quantity(c);
+          m_coordinates.set(coordinate_of(Sector_index(s), c), std::size_t(first) + c);
   }
 
   // Between nodes, the constant coordinate is the level of the chain.
@@ -159,7 +188,8 @@ private:
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
       if(complex.has_inner_links(c))
         for(auto s = complex.links_begin(c) + 1; s + 1 != complex.links_end(c); ++s)
-          coordinate_of(*s, std::size_t(complex.functional[c])) = Quantity(system.level(c));
+          m_coordinates.set(coordinate_of(*s, std::size_t(complex.functional[c])),
+                            std::size_t(system.level(c)));
   }
 
   // Between nodes, u- = g u+ + t.
@@ -175,12 +205,11 @@ private:
           Sparse_row minus;
           for(std::size_t d = 0; d < dimension; ++d)
             if(m[c][d] != 0)
-              for_each_quantity(dimension * std::size_t(p->plus) + d,
-                                [&](const std::size_t q, const double factor)
-                                { minus.emplace_back(q, factor * m[c][d]); });
+              m_coordinates.for_each_term(coordinate_of(p->plus, d),
+                                          [&](const std::size_t q, const double factor)
+                                          { minus.emplace_back(q, factor * m[c][d]); });
           minus.emplace_back(std::size_t(system.translation(b)) + c, 1.);
-          m_sums.push_back(std::move(minus));
-          coordinate_of(p->minus, c) = -Quantity(m_sums.size());
+          m_coordinates.set(coordinate_of(p->minus, c), std::move(minus));
         }
       }
     }
@@ -188,8 +217,8 @@ private:
 
   Free_unknowns m_unknowns;
   std::size_t m_number_of_columns, m_first_unknown; // the latter after those of the columns
-  std::vector<Quantity> m_coordinates;              // of the sectors
-  std::vector<Sparse_row> m_sums;                   // of quantities
+  // Of the sectors, over columns of the reduced system, and coordinates that stay free behind them.
+  Short_sums m_coordinates;
 };
 
 // The coordinates of the sectors over the free unknowns.
@@ -198,40 +227,28 @@ class Coordinate_table
 public:
   template <typename Group>
   Coordinate_table(const Free_coordinates<Group>& coordinates, const std::size_t number_of_sectors)
+    : m_coordinates(2 * number_of_sectors)
   {
-    m_coordinates.reserve(2 * number_of_sectors);
     for(std::size_t s = 0; s < number_of_sectors; ++s)
       for(std::size_t c = 0; c < 2; ++c) {
         Sparse_row row = coordinates.coordinate(s, c);
-        if(row.size() == 1 && row.front().second == 1) {
-          m_coordinates.push_back(std::ptrdiff_t(row.front().first));
-        } else {
-          m_sums.push_back(std::move(row));
-          m_coordinates.push_back(-std::ptrdiff_t(m_sums.size()));
-        }
+        if(row.size() == 1 && row.front().second == 1)
+          m_coordinates.set(2 * s + c, row.front().first);
+        else
+          m_coordinates.set(2 * s + c, std::move(row));
       }
   }
 
   // visit(unknown, factor) for the terms of coordinate `c` of a sector.
   template <typename Visit>
   void for_each_term(const std::size_t sector, const std::size_t c, const Visit& visit) const
-  {
-    const std::ptrdiff_t place = m_coordinates[2 * sector + c];
-    if(place >= 0)
-      visit(std::size_t(place), 1.);
-    else
-      for(const auto& [unknown, factor] : m_sums[std::size_t(-1 - place)])
-        visit(unknown, factor);
-  }
+  { m_coordinates.for_each_term(2 * sector + c, visit); }
 
   // Whether the mean coordinate is a long sum, as where features cross the cuts of many handles.
   bool has_long_sums() const
   {
     constexpr std::size_t many = 4; // without cuts and features, each is an unknown
-    std::size_t sum = 0;
-    for(const Sparse_row& row : m_sums)
-      sum += row.size();
-    return sum > many * m_coordinates.size();
+    return m_coordinates.number_of_terms_of_sums() > many * m_coordinates.size();
   }
 
   // row(target) - row(source), as it enters the energy of an edge.
@@ -247,8 +264,7 @@ public:
   }
 
 private:
-  std::vector<std::ptrdiff_t> m_coordinates; // an unknown, or the number of a sum, down from -1
-  std::vector<Sparse_row> m_sums;
+  Short_sums m_coordinates;
 };
 
 } // namespace internal
