@@ -252,15 +252,14 @@ bool has_aligned_border(Model& model, const Quad_options& options)
 }
 
 // The quads of the same quantization, in a better shape.
-void extract_and_smooth(const Quad_options& options, const Model& model, Result& result)
+void extract_and_smooth(const Quad_options& options, const Model& model,
+                        const QR::Quantization& quantization, Result& result)
 {
   const Progress progress("smoothing quads", options.seams.reading.verbose);
   result.mesh.clear();
   result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   const auto made = QR::quad_remesh(
-    model.mesh, result.mesh,
-    QR::parameters::halfedge_uv_map(model.uv_map).edge_is_constrained_map(model.is_feature)
-                   .target_number_of_quads(static_cast<std::size_t>(options.number)),
+    quantization, model.mesh, result.mesh, QR::parameters::default_values(),
     QR::parameters::edge_is_constrained_map(result.is_feature));
   QR::Extraction_report& report = result.report;
   report.status = made.status;
@@ -287,7 +286,7 @@ void extract_quantized(const Quad_options& options, const Model& model,
   const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
   if(!result.report || options.soup || (number == 0 && !has_steps))
     return;
-  extract_and_smooth(options, model, result);
+  extract_and_smooth(options, model, quantization, result);
   result.integers += "; vertices are smoothed";
   if(has_steps)
     result.integers += ", and edges next to the border moved";

@@ -978,10 +978,11 @@ void test_even_border()
       const Point_3& p = map.mesh.point(map.mesh.target(h));
       map.uv[h] = Point_2(p.x() - p.y(), p.x() + p.y());
     }
+    const QR::Quantization quantization =
+      QR::quantize(map.mesh, map.uv,
+                   parameters::target_number_of_quads(wanted).needs_face_graph(true));
     Mesh quads;
-    const auto report =
-      QR::quad_remesh(map.mesh, quads,
-                      parameters::target_number_of_quads(wanted).halfedge_uv_map(map.uv));
+    const auto report = QR::quad_remesh(quantization, map.mesh, quads);
     CHECK_IN(report.message, bool(report));
     CHECK_EQUAL(report.number_of_inverted_quads, std::size_t(0));
     CHECK_IN(std::to_string(report.mean_scaled_jacobian), report.mean_scaled_jacobian > 0.7);
@@ -1068,13 +1069,9 @@ void test_folds()
 
 // --- remeshing -----------------------------------------------------------------------------------
 
-void check_remeshing(const Parametrized_model& model, const std::size_t number,
-                     const std::string& name)
+void check_remeshing(const Parametrized_model& model, const QR::Remeshing_report& report,
+                     const Mesh& quads, const std::size_t number, const std::string& name)
 {
-  Mesh quads;
-  const QR::Remeshing_report report = QR::quad_remesh(
-    model.mesh, quads,
-    parameters::target_number_of_quads(number).edge_is_constrained_map(model.is_aligned));
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_IN(name, CGAL::is_valid_polygon_mesh(quads) && report.number_of_quads > number / 2);
   CHECK_IN(name, !has_double_edges(quads));
@@ -1130,9 +1127,23 @@ void test_empty_mesh()
 
 void test_remeshing()
 {
-  for(const auto& file : test_data::package_files())
-    check_remeshing(Parametrized_model(file.string()), 2000, file.filename().string());
+  for(const auto& file : test_data::package_files()) {
+    const std::string name = file.filename().string();
+    Parametrized_model model(file.string());
+    const auto features = parameters::edge_is_constrained_map(model.is_aligned);
+    const auto np = features.target_number_of_quads(2000).needs_face_graph(true);
+    Mesh quads, others;
+    check_remeshing(model, QR::quad_remesh(model.mesh, quads, np), quads, 2000, name);
+    CHECK_IN(name, bool(QR::snap_to_seamless(model.mesh, model.uv,
+                                             features.repair_flips(true))));
+    const auto quantization = QR::quantize(model.mesh, model.uv, np);
+    CHECK_IN(name + ": " + quantization.message, bool(quantization));
+    check_remeshing(model, QR::quad_remesh(quantization, model.mesh, others), others, 2000,
+                    name + ", of a quantization");
+  }
   Mesh one_quad, square, quads;
+  CHECK(QR::quad_remesh(QR::Quantization(), square, quads).status ==
+        QR::Outcome::INVALID_ARGUMENT);
   std::vector<Vertex> corners;
   for(Mesh* mesh : {&one_quad, &square})
     corners = {mesh->add_vertex(Point_3(0, 0, 0)), mesh->add_vertex(Point_3(1, 0, 0)),

@@ -164,6 +164,48 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
 
+// Gives the quads of a quantization a better shape.
+Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
+                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
+                        const Surface_to_remesh::Feature_map& is_feature);
+
+// The edges on features of a quantization and on the border.
+template <typename TriangleMesh>
+auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
+{
+  const auto result = get(CGAL::dynamic_edge_property_t<bool>(), tmesh);
+  for(const auto e : edges(tmesh))
+    put(result, e, false);
+  const Integer_mesh& mesh = quantization.surface().coarse->input;
+  const Flat_numbering<TriangleMesh> numbering(tmesh);
+  for(const auto h : numbering.halfedges_of_corners())
+    if(mesh.corner(numbering.corner(h)).is_wall)
+      put(result, edge(h, tmesh), true);
+  return result;
+}
+
+// Writes the quads that `make_quads(quads, is_feature, has_single_precision)` makes.
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
+          typename NamedParameters2, typename MakeQuads>
+Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
+                             const NamedParameters1& np1, const NamedParameters2& np2,
+                             const MakeQuads& make_quads)
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Point =
+    typename boost::property_traits<decltype(point_map_of_quads(quads, np2))>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  const Protect_exact_arithmetic protect;
+  Mesh result;
+  const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
+  const Remeshing_report report =
+    make_quads(result, is_feature, std::is_same<FT, float>::value);
+  if(report)
+    Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
+      .write(result, is_feature, quads);
+  return report;
+}
+
 } // namespace internal
 
 /*!
@@ -253,18 +295,6 @@ that are made where fewer are wanted. The quad around a vertex of one edge is le
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
     \cgalParamDefault{no edge is a feature}
-  \cgalParamNEnd
-  \cgalParamNBegin{halfedge_uv_map}
-    \cgalParamDescription{the map that the quads follow, of any scale, instead of one that is made:
-                          exactly seamless and without flipped faces, as `snap_to_seamless()` leaves
-                          it. That of halfedge `h` is the corner of `face(h)` at `target(h)`. Border
-                          edges may lie on no isocurve: two sides of quads follow each, and edges
-                          next to them are moved until as many quads meet at the vertices of the
-                          border as its angles ask for. What concerns fields and sizes is not read
-                          then.}
-    \cgalParamType{a model of `HalfedgeUVMap` for `TriangleMesh`}
-    \cgalParamDefault{a map is made}
-    \cgalParamExtra{It can't be combined with `symmetry_plane`.}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
@@ -400,33 +430,78 @@ tried.
 */
 template <typename TriangleMesh, typename QuadMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
-          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!std::is_same<TriangleMesh, Quantization>::value>* = nullptr
+#endif
+          >
 Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1 = CGAL::parameters::default_values(),
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
   using namespace internal;
-  using Mesh = Surface_to_remesh::Mesh;
-  using Parameters = std::decay_t<decltype(strip(np1))>;
-  static_assert(!is_given<Parameters, internal_np::halfedge_uv_t> ||
-                  !is_given<Parameters, internal_np::symmetry_plane_t>,
-                "symmetry_plane needs a map of one half, which halfedge_uv_map is not");
-  const Protect_exact_arithmetic protect;
-  using Point = typename boost::property_traits<
-    decltype(point_map_of_quads(quads, strip(np2)))>::value_type;
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  Surface_to_remesh surface = surface_to_remesh(tmesh, strip(np1), mirror_of(strip(np1)));
-  Mesh result;
-  const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
-  const Remeshing_report report =
-    remesh(surface, remeshing_options(tmesh, strip(np1), std::is_same<FT, float>::value), result,
-           is_feature);
-  if(report) {
-    Quad_writer<TriangleMesh, QuadMesh, Parameters, std::decay_t<decltype(strip(np2))> >(
-      tmesh, strip(np1), strip(np2))
-      .write(result, is_feature, quads);
-  }
-  return report;
+  const auto& parameters = strip(np1);
+  const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
+    Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
+    return remesh(surface, remeshing_options(tmesh, parameters, is_single), result, is_feature);
+  };
+  return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+makes the quads of a quantization, in the shape that the other overload gives to those of its own
+map. Where border edges lie on no isocurve, so that two sides of quads follow each, edges next to
+them are moved until as many quads meet at the vertices of the border as its angles ask for.
+
+\tparam TriangleMesh as for the other overload
+\tparam QuadMesh as for the other overload
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param quantization a quantization, of which `quantize()` says that it succeeded, with
+       `needs_face_graph`
+\param tmesh the mesh that has been quantized, not changed since
+\param quads the mesh that the quads are added to
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
+       overload that concern the shape and the mesh, which are `number_of_relaxation_steps`,
+       `vertex_point_map`, and `verbose`. Features are those of the quantization.
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
+       overload
+
+\return as the other overload, without what concerns parametrization and features, of which the
+        quantization tells; if no quads were written, `Remeshing_report::status` is what that of
+        `extract_quad_mesh()` of a quantization can be
+
+\par Complexity
+That of the extraction, and about 100 searches for the nearest place on `tmesh` for each quad and,
+where quads are thin, for each of several rounds.
+
+\sa `quantize()`
+*/
+template <typename TriangleMesh, typename QuadMesh,
+          typename NamedParameters1 = CGAL::parameters::Default_named_parameters,
+          typename NamedParameters2 = CGAL::parameters::Default_named_parameters>
+Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMesh& tmesh,
+                             QuadMesh& quads,
+                             const NamedParameters1& np1 = CGAL::parameters::default_values(),
+                             const NamedParameters2& np2 = CGAL::parameters::default_values())
+{
+  using namespace internal;
+  const auto& parameters = strip(np1);
+  const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
+    const Extraction_report extracted =
+      extract_quad_mesh(quantization, tmesh, result, parameters,
+                        CGAL::parameters::edge_is_constrained_map(is_feature));
+    if(!extracted)
+      return refused<Remeshing_report>(extracted.status, extracted.message);
+    Surface_to_remesh surface = surface_to_remesh(
+      tmesh, parameters.edge_is_constrained_map(walls(quantization, tmesh)), std::nullopt);
+    return smooth(surface, quantization, remeshing_options(tmesh, parameters, is_single), result,
+                  is_feature);
+  };
+  return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
 }
 
 /*!

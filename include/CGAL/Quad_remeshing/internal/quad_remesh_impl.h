@@ -32,7 +32,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
-#include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -68,6 +67,16 @@ public:
   {
     if(check_mirror() && make_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
+    return m_report;
+  }
+
+  // Of quads that have been extracted already, in the size of the input.
+  Remeshing_report run_on_quads(const Quantization& quantization)
+  {
+    change_points([&](const double x) { return m_surface.scaled(x); });
+    take_over(quantization);
+    smooth();
+    change_points([&](const double x) { return m_surface.unscaled(x); });
     return m_report;
   }
 
@@ -185,8 +194,6 @@ private:
   // No map of a torus has one cone of each sign alone, but cones cancel down to that.
   bool make_map()
   {
-    if(m_surface.has_map())
-      return read_transitions();
     const double distance = least_cone_distance();
     if(!parametrize(distance) || (!m_report.remaining_flips.empty() && distance > 0 &&
                                   !parametrize(0)))
@@ -195,19 +202,6 @@ private:
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
                     "; mark fewer features, or remesh the input there or leave out that part");
-  }
-
-  // Of the map that is given.
-  bool read_transitions()
-  {
-    const auto transitions = seam_transitions(surface_mesh(), m_surface.uv_map());
-    if(!transitions)
-      return refuse(m_report, *transitions.failure(), transitions.message());
-    for(const auto h : surface_mesh().halfedges()) {
-      m_surface.is_cut()[surface_mesh().edge(h)] = transitions.is_cut(h);
-      m_surface.rotations()[h] = transitions.rotation(h);
-    }
-    return true;
   }
 
   // An exactly seamless map, and what stays flipped in it.
@@ -259,12 +253,17 @@ private:
     m_timer.finish("extraction");
     if(!extracted)
       return refuse(m_report, extracted);
+    take_over(quantization);
+    return true;
+  }
+
+  void take_over(const Quantization& quantization)
+  {
     if(quantization.number_of_unaligned_border_edges > 0)
       Border_evener(m_quads, m_is_feature, surface_mesh()).run();
     m_report.message = quantization.message;
     if(m_surface.mirror() && !m_report.message.empty())
       m_report.message += ", for each half";
-    return true;
   }
 
   // Vertices on features and borders are held. Returns whether the quads are a mesh, also with
@@ -366,6 +365,12 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 { return Quad_remesher(surface, options, quads, is_feature).run(); }
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
+                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
+                        const Surface_to_remesh::Feature_map& is_feature)
+{ return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization); }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::vector<std::size_t>

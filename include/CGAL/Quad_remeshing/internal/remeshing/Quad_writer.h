@@ -61,22 +61,13 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
       return CGAL::to_double(get(get_parameter(np, internal_np::vertex_sizing), v));
     return 1.;
   };
-  const auto read_uv = [&] {
-    if constexpr(is_given<NamedParameters, internal_np::halfedge_uv_t>)
-      return [map = get_parameter(np, internal_np::halfedge_uv)](const auto h) {
-        const auto& uv = get(map, h);
-        return Surface_to_remesh::Kernel::Point_2(CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
-      };
-    else
-      return Surface_to_remesh::No_map();
-  };
   return Surface_to_remesh(
     tmesh,
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                      CGAL::Static_boolean_property_map<Edge, false>()),
-    read_direction, read_size, mirror, read_uv());
+    read_direction, read_size, mirror);
 }
 
 // The numbers of the faces of the input that are nearest to points.

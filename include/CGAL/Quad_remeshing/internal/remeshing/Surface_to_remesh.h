@@ -39,7 +39,6 @@
 #include <iterator>
 #include <optional>
 #include <set>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,8 +49,7 @@ namespace internal {
 // Invariant: no triangle with an area has three sides that are features or border, which no map
 // without flips aligns. Such ones are divided into nine, and their neighbors so that there are
 // triangles only. The copy is the input times a power of two, of a size near 1, so that squares of
-// lengths are neither too large nor too small. With a mirror, it is the half above. With a map, no
-// triangle is divided.
+// lengths are neither too large nor too small. With a mirror, it is the half above.
 class Surface_to_remesh
 {
 public:
@@ -65,25 +63,21 @@ public:
   using Direction_map = Mesh::Property_map<Face, Kernel::Vector_3>;
   using Rotation_map = Mesh::Property_map<Halfedge, int>;
   using Sizing_map = Mesh::Property_map<Mesh::Vertex_index, double>;
-  struct No_map { }; // one is to be made
 
   // \param read_direction of the cross of a face, or 0
   // \param read_size of the quads at a vertex
   // \param mirror on whose upper side the surface is to be
-  // \param read_uv the coordinates of a corner
   template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-            typename ReadDirection, typename ReadSize, typename ReadUv = No_map>
+            typename ReadDirection, typename ReadSize>
   Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
                     const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction,
-                    const ReadSize& read_size, const std::optional<Mirror>& mirror,
-                    [[maybe_unused]] const ReadUv& read_uv = ReadUv())
+                    const ReadSize& read_size, const std::optional<Mirror>& mirror)
     : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
       m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
       m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
       m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first),
-      m_sizes(m_mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1).first),
-      m_has_map(!std::is_same<ReadUv, No_map>::value)
+      m_sizes(m_mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1).first)
   {
     std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
                           Halfedge> > copies;
@@ -97,13 +91,10 @@ public:
     for(const auto& [original, copy] : copies) {
       m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
       m_sizes[m_mesh.target(copy)] = read_size(target(original, tmesh));
-      if constexpr(!std::is_same<ReadUv, No_map>::value)
-        if(!m_mesh.is_border(copy))
-          m_uv_map[copy] = read_uv(original);
     }
     for(const Face f : m_mesh.faces())
       m_originals.push_back(std::size_t(f));
-    if(m_has_map || !CGAL::is_triangle_mesh(m_mesh))
+    if(!CGAL::is_triangle_mesh(m_mesh))
       return;
     if(mirror)
       keep_half(m_mirror.emplace(mirror->scaled(-m_exponent)));
@@ -120,7 +111,6 @@ public:
   Feature_map is_cut() const { return m_is_cut; }
   Rotation_map rotations() const { return m_rotations; }
   Sizing_map sizes() const { return m_sizes; }
-  bool has_map() const { return m_has_map; }
 
   // In the scale of the mesh, which is on its upper side.
   const std::optional<Mirror>& mirror() const { return m_mirror; }
@@ -256,7 +246,6 @@ private:
   std::optional<Mirror> m_mirror;
   std::vector<std::size_t> m_originals; // per face
   int m_exponent = 0;
-  bool m_has_map; // that of the input
 };
 
 } // namespace internal
