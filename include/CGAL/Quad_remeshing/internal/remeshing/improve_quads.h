@@ -59,6 +59,8 @@ public:
 
   void move_vertices()
   {
+    m_last_move.assign(m_quads.num_vertices(), 0);
+    m_last_try = m_last_move;
     for(std::size_t round = 0; round < largest_number_of_rounds; ++round) {
       bool has_changed = false;
       for(const Vertex v : vertices_near_thin_quads())
@@ -138,16 +140,19 @@ private:
     return result;
   }
 
-  // Tries shorter steps as long as none helps.
+  // Tries shorter steps as long as none helps; not again where nothing around has changed since.
   bool move(const Vertex v)
   {
     collect_star(v);
+    if(!is_worth_a_try(v))
+      return false;
+    m_last_try[v] = ++m_time;
     const double before = badness();
     const Space_vector old = m_smoother.point(v);
     for(double step = 1; step > 0.02; step /= 2) {
       double least = before;
       Space_vector best = old;
-      for(const Space_vector& p : m_lines_at_vertex.empty() ? places_around(old, step)
+      for(const Space_vector& p : m_lines_at_vertex.empty() ? places_around(v, step, before)
                                                             : places_on_line(old, step)) {
         m_smoother.set_point(v, p);
         const double now = badness();
@@ -157,25 +162,40 @@ private:
         }
       }
       m_smoother.set_point(v, best);
-      if(least < 0.99 * before)
+      if(least < 0.99 * before) {
+        m_last_move[v] = m_time;
         return true;
+      }
       m_smoother.set_point(v, old);
     }
     return false;
   }
 
-  // In eight directions.
-  std::vector<Space_vector> places_around(const Space_vector& from, const double step) const
+  bool is_worth_a_try(const Vertex v) const
+  {
+    for(const Face f : m_star)
+      for(const Vertex w : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+        if(m_last_move[w] >= m_last_try[v])
+          return true;
+    return false;
+  }
+
+  // In eight directions; where a place beside the surface is far worse, the one on it is not found.
+  std::vector<Space_vector> places_around(const Vertex v, const double step, const double before)
   {
     std::vector<Space_vector> result;
+    const Space_vector from = m_smoother.point(v);
     for(int i = 0; i < 8; ++i) {
       const double angle = i * std::acos(0.) / 2;
       Space_vector p = from;
       for(std::size_t c = 0; c < 3; ++c)
         p[c] += step * m_longest_edge *
                 (std::cos(angle) * m_tangents[0][c] + std::sin(angle) * m_tangents[1][c]);
-      result.push_back(m_smoother.nearest(p, from));
+      m_smoother.set_point(v, p);
+      if(badness() < far_worse * before)
+        result.push_back(m_smoother.nearest(p, from));
     }
+    m_smoother.set_point(v, from);
     return result;
   }
 
@@ -296,6 +316,7 @@ private:
   }
 
   static constexpr double thin = 0.2, flat = 0.02; // as scaled Jacobians
+  static constexpr double far_worse = 10;          // as a ratio
   static constexpr std::size_t largest_number_of_rounds = 10;
 
   Mesh& m_quads;
@@ -304,6 +325,8 @@ private:
   Quad_smoother& m_smoother;
   double m_thin = thin, m_steepness = 8;
   std::map<Face, Space_vector> m_upper_side;
+  std::vector<std::size_t> m_last_move, m_last_try; // per vertex: when
+  std::size_t m_time = 0;
   // scratch: of the vertex that moves
   std::vector<Face> m_star;
   std::vector<Space_vector> m_normals; // where the faces are to face
