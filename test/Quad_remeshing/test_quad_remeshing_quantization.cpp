@@ -1102,6 +1102,23 @@ void check_remeshing(const Parametrized_model& model, const QR::Remeshing_report
   }
 }
 
+// Where fewer are wanted, there are not more, nor where they are to be as few as possible.
+void check_monotony(const Parametrized_model& model, const std::string& name)
+{
+  const auto number_of_quads = [&](const auto& np) {
+    const auto report = QR::quad_remesh(model.mesh, *std::make_unique<Mesh>(), np);
+    CHECK_IN(name + ": " + report.message, bool(report));
+    return report.number_of_quads;
+  };
+  std::size_t most = number_of_quads(parameters::minimize_number_of_quads(true));
+  for(const std::size_t wanted : {1, 50}) {
+    const std::size_t number = number_of_quads(parameters::target_number_of_quads(wanted));
+    CHECK_IN(name + ": " + std::to_string(number) + " quads, and " + std::to_string(most),
+             double(number) >= 0.95 * double(most));
+    most = (std::max)(most, number);
+  }
+}
+
 // Refused alike by all functions.
 void test_empty_mesh()
 {
@@ -1140,6 +1157,7 @@ void test_remeshing()
     CHECK_IN(name + ": " + quantization.message, bool(quantization));
     check_remeshing(model, QR::quad_remesh(quantization, model.mesh, others), others, 2000,
                     name + ", of a quantization");
+    check_monotony(model, name);
   }
   Mesh one_quad, square, quads;
   CHECK(QR::quad_remesh(QR::Quantization(), square, quads).status ==

@@ -215,8 +215,8 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
-field that are less than two edges of the wanted quads apart cancel, unless sizes vary, or
-`minimize_number_of_quads` is given. Borders are aligned, and so are feature edges: they become
+field that are less than about two edges of the wanted quads apart cancel, unless sizes vary.
+Borders are aligned, and so are feature edges: they become
 chains of edges of quads, whose vertices lie on them and are not smoothed.
 
 After some rounds of smoothing, the other vertices move to where their quads are near to rectangles
@@ -245,8 +245,11 @@ other twice, which no mesh can hold. Then the least larger number for which ther
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
 (up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are made, or a
 quarter as many and divided into four each, or a sixteenth and into sixteen, which always helps.
-There are at most 254 quantizations, and 149 with `minimize_number_of_quads`; as many again where
-there are far more quads than wanted, to tell how many the features force. The result has about as
+There are at most 254 quantizations of a map, and 149 with `minimize_number_of_quads`; as many again
+where there are far more quads than wanted, to tell how many the features force. Where there are
+more than 1.1 times as many as wanted, and not for features, further maps are made, with more or
+fewer cones: for each halving of the number four times, and for each doubling up to about 1.5 times
+the fewest quads that are known. The result has about as
 many quads as wanted, or as few as were found, which the message tells; and at least 95 % of those
 that are made where fewer are wanted. The quad around a vertex of one edge is left out.
 

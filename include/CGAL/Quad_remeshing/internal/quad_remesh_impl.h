@@ -43,6 +43,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,7 +66,7 @@ public:
 
   Remeshing_report run()
   {
-    if(check_mirror() && make_map() && make_quads())
+    if(check_mirror() && quantize_a_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
     return m_report;
   }
@@ -125,6 +126,8 @@ private:
       }
       m_options.quantization.is_coarsest = false;
       m_options.quantization.number_of_quads = 1.5 * number_in_half;
+      if(!quantize())
+        return false;
     }
     return refuse(m_report, Outcome::NO_FACE_GRAPH,
                   "the quads of one half meet their mirror images twice; ask for more quads");
@@ -180,23 +183,91 @@ private:
                                                                : 0.002 * (std::min)(1., part));
   }
 
-  // Of opposite cones: there are quads between them at the wanted size. Sizes that vary need cones.
-  double least_cone_distance() const
+  // Each map is made for a number of quads of this ladder, which all numbers near it share: were
+  // there a map for each, more quads might be made where fewer are wanted.
+  static double number_on_ladder(const int rung) { return std::ldexp(5000., rung); }
+
+  static int nearest_rung(const double number_of_quads)
   {
-    const double number = m_options.quantization.number_of_quads;
-    if(m_options.quantization.is_coarsest || sizes_vary() || !(number >= 1))
-      return 0;
+    return (std::max)(lowest_rung,
+                      int(std::lround(std::log2(number_of_quads / number_on_ladder(0)))));
+  }
+
+  // Of opposite cones: there are quads between them at that number.
+  double least_cone_distance(const int rung) const
+  {
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
-    return 2 * std::sqrt(area / number);
+    return 2 * std::sqrt(area / number_on_ladder(rung));
+  }
+
+  // Of the map for the wanted number. Where that has more quads, and not for features, of other
+  // maps, too: four for fewer quads, and those for more that may have less than are known already.
+  // Sizes that vary need all cones.
+  bool quantize_a_map()
+  {
+    constexpr int most_lower = 4;
+    const double number =
+      m_options.quantization.is_coarsest ? 1 : m_options.quantization.number_of_quads;
+    if(sizes_vary() || !(number >= 1))
+      return make_map(0) && quantize();
+    const State start = state();
+    const int wanted = nearest_rung(number);
+    if(!make_map(least_cone_distance(wanted)) ||
+       (!quantize() && m_report.status != Outcome::TOO_LARGE))
+      return false;
+    State best = state();
+    const auto least = [&] { return double(best.quantization.number_of_quads); };
+    const auto may_try = [&](const int rung) {
+      return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
+             rung >= lowest_rung && rung >= wanted - most_lower &&
+             (rung <= wanted || 0.67 * number_on_ladder(rung) < least()); // 0.95 / sqrt(2)
+    };
+    for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
+      for(const int rung : {wanted + i, wanted - i})
+        if(may_try(rung)) {
+          set_state(start);
+          if(parametrize(least_cone_distance(rung)) && m_report.remaining_flips.empty() &&
+             quantize() && double(m_quantization.number_of_quads) < least())
+            best = state();
+        }
+    set_state(best);
+    return bool(m_quantization);
+  }
+
+  // What the steps up to a quantization change, but for the map.
+  struct State
+  {
+    Remeshing_report report;
+    Quantization quantization;
+    std::vector<char> is_feature; // per edge
+  };
+
+  State state() const
+  {
+    State result{m_report, m_quantization, {}};
+    for(const auto e : surface_mesh().edges())
+      result.is_feature.push_back(m_surface.is_feature()[e]);
+    return result;
+  }
+
+  // Times add up.
+  void set_state(const State& state)
+  {
+    auto times = std::move(m_report.step_times);
+    m_report = state.report;
+    m_report.step_times = std::move(times);
+    m_quantization = state.quantization;
+    std::size_t i = 0;
+    for(const auto e : surface_mesh().edges())
+      m_surface.is_feature()[e] = bool(state.is_feature[i++]);
   }
 
   // An exactly seamless map without flips: where none was found with few cones, with all of them.
   // No map of a torus has one cone of each sign alone, but cones cancel down to that.
-  bool make_map()
+  bool make_map(const double least_cone_distance)
   {
-    const double distance = least_cone_distance();
-    if(!parametrize(distance) || (!m_report.remaining_flips.empty() && distance > 0 &&
-                                  !parametrize(0)))
+    if(!parametrize(least_cone_distance) ||
+       (!m_report.remaining_flips.empty() && least_cone_distance > 0 && !parametrize(0)))
       return false;
     return m_report.remaining_flips.empty() ||
            refuse(m_report, Outcome::NOT_POSITIVE,
@@ -236,24 +307,26 @@ private:
     return true;
   }
 
+  bool quantize()
+  {
+    m_quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
+                                  strip(features_and_transitions()), m_options.quantization);
+    m_timer.finish("quantization");
+    m_report.number_of_forced_quads = m_quantization.number_of_forced_quads *
+                                      (m_surface.mirror() ? 2 : 1);
+    return m_quantization || refuse(m_report, m_quantization);
+  }
+
   bool extract()
   {
-    const Quantization quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
-                                                   strip(features_and_transitions()),
-                                                   m_options.quantization);
-    m_timer.finish("quantization");
-    m_report.number_of_forced_quads = quantization.number_of_forced_quads *
-                                      (m_surface.mirror() ? 2 : 1);
-    if(!quantization)
-      return refuse(m_report, quantization);
-    release_features(quantization.released_features);
+    release_features(m_quantization.released_features);
     const Extraction_report extracted = extract_quad_mesh(
-      quantization, surface_mesh(), m_quads, CGAL::parameters::default_values(),
+      m_quantization, surface_mesh(), m_quads, CGAL::parameters::default_values(),
       parameters::edge_is_constrained_map(m_is_feature));
     m_timer.finish("extraction");
     if(!extracted)
       return refuse(m_report, extracted);
-    take_over(quantization);
+    take_over(m_quantization);
     return true;
   }
 
@@ -349,6 +422,7 @@ private:
         ++m_report.number_of_cones;
   }
 
+  static constexpr int lowest_rung = -12; // of about one quad
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
@@ -357,6 +431,7 @@ private:
   Mesh& m_quads;
   Feature_map m_is_feature;
   Remeshing_report m_report;
+  Quantization m_quantization;
   Step_timer m_timer;
 };
 
