@@ -19,10 +19,9 @@
 // border, all edges that it crosses change by one unit, in one direction. So triangles stay closed,
 // sides of edges match, and walls stay on their isocurves.
 
-#include <CGAL/Quad_remeshing/internal/quantization/Strip_search.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Strip_finder.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,24 +45,21 @@ class Strip_moves
 {
 public:
   Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex), m_rules(complex, scales),
-      m_searches{Strip_search(m_rules), Strip_search(m_rules)}
+    : m_complex(complex), m_rules(complex, scales), m_finder(m_rules)
   { }
 
   // Moves that lower the sum of weighted squares of deviations, until there are few. Returns their
-  // number.
+  // number. Starts with large gains come first: where there is no strip from one, none from a later
+  // one leads there either, as it would have been found.
   std::size_t improve(const std::size_t most_rounds)
   {
     std::size_t number = 0, before = 0;
     for(std::size_t round = 0;
         round < most_rounds && (round == 0 || number - before > few_moves(m_complex)); ++round) {
       before = number;
+      m_rules.allow_all();
       for(const Strip_state s : improving_states())
-        while(m_rules.cost(s) < -least_gain && find_strip(s, -m_rules.cost(s)) &&
-              apply(-least_gain))
-          do
-            ++number;
-          while(apply(-least_gain));
+        number += improve_from(s);
     }
     return number;
   }
@@ -101,22 +97,27 @@ private:
     return result;
   }
 
-  // The cheapest strip through the state whose other costs add up to less than `bound`, gains not
-  // counted. It is looked for from both sides of the edge, further where fewer ways are open: where
-  // triangles can't get smaller, one of the searches ends soon, and there is none.
-  bool find_strip(const Strip_state start, const double bound)
+  // Returns the number of moves.
+  std::size_t improve_from(const Strip_state s)
   {
-    const bool is_border = m_complex.opposite(halfedge_of(start)) == no_index;
-    m_searches[0].start(start, bound);
-    if(!is_border)
-      m_searches[1].start(m_rules.reversed(start), bound);
-    for(;;) {
-      m_found = !is_border && m_searches[1].width() < m_searches[0].width() ? 1 : 0;
-      if(m_searches[m_found].width() == 0)
-        return false;
-      if(m_searches[m_found].advance())
-        return true;
-    }
+    std::size_t number = 0;
+    while(m_rules.cost(s) < -least_gain && move(s, -m_rules.cost(s), -least_gain))
+      do
+        ++number;
+      while(apply(-least_gain));
+    if(number == 0 && m_rules.cost(s) < -least_gain && !m_finder.is_found())
+      m_rules.forbid(s);
+    return number;
+  }
+
+  // Makes a move along a strip as the finder and apply() say. Two searches don't know of each
+  // other which faces they pass: where both pass one, and it doesn't stay positive, a single one
+  // may still find a way.
+  bool move(const Strip_state start, const double bound, const double bound_of_change)
+  {
+    return (m_finder.find(start, bound) && apply(bound_of_change)) ||
+           (m_finder.is_from_both_sides() && m_finder.is_found() &&
+            m_finder.find(start, bound, false) && apply(bound_of_change));
   }
 
   // Makes the move along the strip that was found, if it changes the sum of squares by less than
@@ -124,7 +125,7 @@ private:
   bool apply(const double bound)
   {
     m_changes.clear();
-    m_searches[m_found].for_each_face(
+    m_finder.for_each_face(
       [&](const Corner_index exit, const Corner_index entry, const Grid_vector& change) {
         m_changes.push_back({exit, change});
         m_changes.push_back({entry, negated(change)});
@@ -185,8 +186,8 @@ private:
         least = bound;
         best = cheapest_raise(face, least);
       }
-    const bool is_found = best != no_strip_state && find_strip(best, dearest_repair) &&
-                          apply(std::numeric_limits<double>::infinity());
+    const bool is_found = best != no_strip_state &&
+                          move(best, dearest_repair, std::numeric_limits<double>::infinity());
     m_rules.face_to_raise = no_index;
     return is_found;
   }
@@ -199,10 +200,10 @@ private:
       for(int k = 0; k < 4; ++k) {
         const Strip_state s = strip_state(h, k);
         const double cost = m_rules.price(s);
-        if(!m_rules.is_allowed(s) || !find_strip(s, least - cost))
+        if(!m_rules.is_allowed(s) || !m_finder.find(s, least - cost))
           continue;
         best = s;
-        least = m_searches[m_found].distance() + cost;
+        least = m_finder.length() + cost;
       }
     return best;
   }
@@ -215,9 +216,8 @@ private:
 
   Intrinsic_complex& m_complex;
   Strip_rules m_rules;
-  std::array<Strip_search, 2> m_searches; // of the two directions
-  std::size_t m_found = 0;                // the one that found a strip, or ended
-  std::vector<Change> m_changes;          // of the strip
+  Strip_finder m_finder;
+  std::vector<Change> m_changes; // of the strip
 };
 
 } // namespace internal

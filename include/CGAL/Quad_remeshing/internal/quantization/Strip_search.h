@@ -95,10 +95,27 @@ public:
     m_determinant[std::size_t(h / 3)] = determinant(units_of_face(h / 3));
     for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s) {
       State_values& values = m_values[std::size_t(s)];
-      values.price = is_allowed(s) ? (std::max)(cost(s), 0.) + 1e-6
+      values.price = is_allowed(s) ? price_of_allowed(s)
                                    : std::numeric_limits<double>::infinity();
       values.cross = cross_product(change_of(s), m_complex.corner(h).units);
     }
+  }
+
+  // No strip but one from there may change the edge so, until it is changed otherwise or all is
+  // allowed again.
+  void forbid(const Strip_state s)
+  {
+    for(const Strip_state t : {s, across(s) == no_strip_state ? s : reversed(s)}) {
+      m_values[std::size_t(t)].price = std::numeric_limits<double>::infinity();
+      m_forbidden.push_back(t);
+    }
+  }
+
+  void allow_all()
+  {
+    for(const Strip_state s : m_forbidden)
+      m_values[std::size_t(s)].price = price_of_allowed(s);
+    m_forbidden.clear();
   }
 
   const Intrinsic_complex& complex() const { return m_complex; }
@@ -157,14 +174,18 @@ public:
   Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
 
 private:
+  double price_of_allowed(const Strip_state s) const { return (std::max)(cost(s), 0.) + 1e-6; }
+
   const Intrinsic_complex& m_complex;
-  std::vector<Strip_state> m_border;
+  std::vector<Strip_state> m_border, m_forbidden;
   std::vector<std::array<double, 2> > m_wanted; // per halfedge
   std::vector<double> m_weight;                 // per halfedge
   std::vector<State_values> m_values;           // per state
   std::vector<std::int64_t> m_determinant;      // per face
 };
 
+// From the start on, or, as one of two, from its other side back: these close a strip where they
+// meet.
 // Invariant: what has been reached was reached from the start, by allowed changes.
 class Strip_search
 {
@@ -175,46 +196,58 @@ public:
   { }
 
   // Of a strip through the state whose other costs add up to less than `bound`, gains not counted.
-  void start(const Strip_state s, const double bound)
+  void clear(const Strip_state s, const double bound)
   {
     ++m_round;
     m_queue.clear();
     m_is_border_reached = false;
     m_start = s;
-    m_bound = bound;
-    expand(s, 0);
+    m_bound = m_length = bound;
   }
 
-  // The number of ways that are open. Without any, there is no strip.
+  // \param other the search from the other side, if there is one
+  // \pre both are clear
+  void start(const Strip_search* other)
+  {
+    m_other = other;
+    expand(m_start, 0);
+  }
+
+  // The number of ways that are open. Without any, nothing else will be reached.
   std::size_t width() const { return m_queue.size(); }
 
-  // One step. Returns whether the strip has closed.
+  // What a strip costs at least that goes on from here.
+  double distance() const { return m_queue.top().distance(); }
+
+  // One step.
   // \pre width() > 0
-  bool advance()
+  void advance()
   {
     const double distance = m_queue.top().distance();
     const Strip_state s = m_queue.top().state;
     m_queue.pop();
     if(distance > reached(s).distance)
-      return false;
-    if(s == m_start)
-      return true;
+      return;
     Passed& passed = m_passed[std::size_t(halfedge_of(s) / 3)];
     if(passed.round != m_round)
       passed = {distance, m_round};
     expand(s, distance);
-    return false;
   }
 
-  // Of the strip that has closed: the sum of the other costs.
-  double distance() const { return reached(m_start).distance; }
+  // Of the cheapest strip that has closed: the sum of the other costs; or the bound.
+  double length() const { return m_length; }
 
-  // Of the strip that has closed: calls `visit(exit, entry, change)` for its faces, with the
-  // halfedges over which it leaves and enters a face, and the change in the face's chart.
+  bool has_closed() const { return m_length < m_bound; }
+
+  // Where the two have met, or the start.
+  Strip_state end() const { return m_end; }
+
+  // Back from the end to the start: calls `visit(exit, entry, change)` for the faces of the strip,
+  // with the halfedges over which it leaves and enters a face, and the change in the face's chart.
   template <typename Visit>
-  void for_each_face(const Visit& visit) const
+  void for_each_face(const Strip_state end, const Visit& visit) const
   {
-    Strip_state s = m_start;
+    Strip_state s = end;
     do {
       visit(halfedge_of(s), reached(s).entry, change_of(s));
       s = reached(s).parent;
@@ -344,16 +377,33 @@ private:
       if(d >= m_bound || (is_reached(s) && reached(s).distance <= d) || !is_open(from, entry, s))
         continue;
       m_reached[std::size_t(s)] = {d, faces_before(from) | bit_of(exit / 3), from, entry, m_round};
-      m_queue.emplace(d, s);
+      if(const double length = length_through(s); length < m_length) {
+        m_length = length;
+        m_end = s;
+      }
+      if(s != m_start)
+        m_queue.emplace(d, s);
     }
+  }
+
+  // Of the strip that closes here, or infinite.
+  double length_through(const Strip_state s) const
+  {
+    if(m_other == nullptr)
+      return s == m_start ? reached(s).distance : std::numeric_limits<double>::infinity();
+    const bool is_inside = s != m_start && m_rules.across(s) != no_strip_state;
+    if(!is_inside || !m_other->is_reached(m_rules.reversed(s)))
+      return std::numeric_limits<double>::infinity();
+    return reached(s).distance - m_rules.price(s) + m_other->reached(m_rules.reversed(s)).distance;
   }
 
   const Strip_rules& m_rules;
   std::vector<Reached> m_reached; // per state
   std::vector<Passed> m_passed;   // per face
   std::int32_t m_round = 0;
-  Strip_state m_start = no_strip_state;
-  double m_bound = 0;
+  Strip_state m_start = no_strip_state, m_end = no_strip_state;
+  double m_bound = 0, m_length = 0;
+  const Strip_search* m_other = nullptr;
   bool m_is_border_reached = false;
   Queue m_queue;
 };
