@@ -773,7 +773,8 @@ void test_maps()
   CHECK(sizes.maps >= 5 && sizes.meshes > 4 * sizes.runs / 5);
 }
 
-// What is told of the quads that features force is what there is without them.
+// What is told of the quads that features force is what there is without them, also where more are
+// needed for a mesh.
 void test_quads_without_features()
 {
   std::size_t number_of_forced = 0;
@@ -788,6 +789,9 @@ void test_quads_without_features()
       continue;
     CHECK_EQUAL(with.number_of_quads - with.number_of_forced_quads,
                 (std::min)(with.number_of_quads, without.number_of_quads));
+    const auto mesh = QR::quantize(model.mesh, model.uv,
+                                   features.target_number_of_quads(1).needs_face_graph(true));
+    CHECK_EQUAL(mesh.number_of_forced_quads, with.number_of_forced_quads);
     number_of_forced += with.number_of_forced_quads;
   }
   std::cout << number_of_forced << " quads are forced by features" << std::endl;

@@ -47,8 +47,9 @@ public:
   /// \name Size
   /// @{
   std::size_t number_of_quads = 0;           ///< of the mesh that it describes
-  /// where there are more than 1.1 times as many as wanted: how many of them the features force, as
-  /// so many fewer were found where these need not lie on edges of quads
+  /// where there are more than 1.1 times as many as wanted: how many the features force, as there
+  /// are so many fewer where these need not lie on edges of quads. Both numbers are of the first
+  /// integers that are tried, whether their quads are a face graph or not.
   std::size_t number_of_forced_quads = 0;
   /// features that were released with `maximum_feature_loss`: the vertices along each, in the order
   /// of iteration over all vertices that have faces, from 0

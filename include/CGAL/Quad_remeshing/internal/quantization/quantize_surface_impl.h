@@ -251,20 +251,18 @@ private:
   bool has_too_many() const
   { return double(m_result.number_of_quads) > m_options.maximum_number; }
 
-  // So many fewer are found for the same map where features are no walls; where nothing will be
-  // made, without a search for a mesh.
-  std::size_t number_of_forced_quads() const
+  // So many fewer are in the first quantization that is tried where features are no walls. Numbers
+  // that make a face graph would not compare: where one is found is more chance.
+  std::size_t number_of_forced_quads()
   {
     const std::vector<Feature_chain> features = feature_chains(m_coarse->input);
     if(features.empty())
       return 0;
     const auto without =
       std::make_shared<const Coarse_surface>(without_features(*m_coarse, features));
-    Unit_finder finder(without, m_options, m_result);
-    const double number = has_too_many() ? finder.first_number_of_quads()
-                                         : finder.find_quads().number_of_quads;
-    const std::size_t rounded = std::size_t(std::llround(number));
-    return rounded < m_result.number_of_quads ? m_result.number_of_quads - rounded : 0;
+    const double more = first_number_of_quads() -
+                        Unit_finder(without, m_options, m_result).first_number_of_quads();
+    return std::size_t(std::llround((std::max)(0., more)));
   }
 
   std::string words_for_number() const
