@@ -222,14 +222,18 @@ private:
              rung >= lowest_rung && rung >= wanted - most_lower &&
              (rung <= wanted || 0.67 * number_on_ladder(rung) < least()); // 0.95 / sqrt(2)
     };
+    const auto try_map = [&](const double least_cone_distance) {
+      set_state(start);
+      if(parametrize(least_cone_distance) && m_report.remaining_flips.empty() && quantize() &&
+         double(m_quantization.number_of_quads) < least())
+        best = state();
+    };
     for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
       for(const int rung : {wanted + i, wanted - i})
-        if(may_try(rung)) {
-          set_state(start);
-          if(parametrize(least_cone_distance(rung)) && m_report.remaining_flips.empty() &&
-             quantize() && double(m_quantization.number_of_quads) < least())
-            best = state();
-        }
+        if(may_try(rung))
+          try_map(least_cone_distance(rung));
+    if(m_options.quantization.is_coarsest)
+      try_map(0);
     set_state(best);
     return bool(m_quantization);
   }
