@@ -245,13 +245,14 @@ other twice, which no mesh can hold. Then the least larger number for which ther
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
 (up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are made, or a
 quarter as many and divided into four each, or a sixteenth and into sixteen, which always helps.
-There are at most 254 quantizations of a map, and 149 with `minimize_number_of_quads`; as many again
+There are at most 254 quantizations of a map, and 149 with `minimize_number_of_quads`; two more
 where there are far more quads than wanted, to tell how many the features force. Where there are
-more than 1.1 times as many as wanted, and not for features, further maps are made, with more or
-fewer cones: for each halving of the number four times, and for each doubling up to about 1.5 times
-the fewest quads that are known. The result has about as
-many quads as wanted, or as few as were found, which the message tells; and at least 95 % of those
-that are made where fewer are wanted. The quad around a vertex of one edge is left out.
+more than 1.1 times as many as wanted, and features neither force these nor are released, further
+maps are made, with more or fewer cones: for each halving of the number four times, and for each
+doubling up to about 1.5 times the fewest quads that are known. The result has about as many quads
+as wanted, or as few as were found, which the message tells; and, unless features force quads or are
+released, at least 95 % of those that are made where fewer are wanted. The quad around a vertex of
+one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

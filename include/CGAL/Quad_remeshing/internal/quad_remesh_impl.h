@@ -126,7 +126,7 @@ private:
       }
       m_options.quantization.is_coarsest = false;
       m_options.quantization.number_of_quads = 1.5 * number_in_half;
-      if(!quantize())
+      if(!take(quantize_again(m_quantization, m_options.quantization)))
         return false;
     }
     return refuse(m_report, Outcome::NO_FACE_GRAPH,
@@ -200,9 +200,9 @@ private:
     return 2 * std::sqrt(area / number_on_ladder(rung));
   }
 
-  // Of the map for the wanted number. Where that has more quads, and not for features, of other
-  // maps, too: four for fewer quads, and those for more that may have less than are known already.
-  // Sizes that vary need all cones.
+  // Of the map for the wanted number. Where that has more quads, and features neither force these
+  // nor are released, of other maps, too: four for fewer quads, and those for more that may have
+  // less than are known already. Sizes that vary need all cones.
   bool quantize_a_map()
   {
     constexpr int most_lower = 4;
@@ -219,7 +219,8 @@ private:
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
       return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
-             rung >= lowest_rung && rung >= wanted - most_lower &&
+             best.report.number_of_released_edges == 0 && rung >= lowest_rung &&
+             rung >= wanted - most_lower &&
              (rung <= wanted || 0.67 * number_on_ladder(rung) < least()); // 0.95 / sqrt(2)
     };
     const auto try_map = [&](const double least_cone_distance) {
@@ -232,7 +233,7 @@ private:
       for(const int rung : {wanted + i, wanted - i})
         if(may_try(rung))
           try_map(least_cone_distance(rung));
-    if(m_options.quantization.is_coarsest)
+    if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0)
       try_map(0);
     set_state(best);
     return bool(m_quantization);
@@ -313,8 +314,13 @@ private:
 
   bool quantize()
   {
-    m_quantization = quantize_map(surface_mesh(), m_surface.uv_map(),
-                                  strip(features_and_transitions()), m_options.quantization);
+    return take(quantize_map(surface_mesh(), m_surface.uv_map(), strip(features_and_transitions()),
+                             m_options.quantization));
+  }
+
+  bool take(Quantization quantization)
+  {
+    m_quantization = std::move(quantization);
     m_timer.finish("quantization");
     m_report.number_of_forced_quads = m_quantization.number_of_forced_quads *
                                       (m_surface.mirror() ? 2 : 1);
