@@ -19,6 +19,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -693,11 +694,29 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
   ++sizes.divided;
 }
 
+using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
+
+template <typename Surface>
+bool lie_where_told(const Mesh& quads, const Surface& mesh,
+                    const Mesh::Property_map<Vertex, Location>& location)
+{
+  for(const auto v : quads.vertices()) {
+    const auto& [f, w] = location[v];
+    const auto h = mesh.halfedge(f);
+    const auto vector = [&](const auto u) { return mesh.point(u) - CGAL::ORIGIN; };
+    const auto p = w[0] * vector(mesh.source(h)) + w[1] * vector(mesh.target(h)) +
+                   w[2] * vector(mesh.target(mesh.next(h)));
+    if(!(w[0] >= 0 && w[1] >= 0 && w[2] >= 0 &&
+         (quads.point(v) - (CGAL::ORIGIN + p)).squared_length() <= 1e-18 * p.squared_length()))
+      return false;
+  }
+  return true;
+}
+
 // Whether all faces are quads and the mesh is what the surface is; vertices lie where they say.
 void check_mesh(const Parametrized_model& model, const QR::Quantization& quantization,
                 const std::size_t number, const std::string& name, Sizes& sizes)
 {
-  using Location = std::pair<Parametrized_model::Mesh::Face_index, std::array<double, 3> >;
   Mesh quads;
   const auto location = quads.add_property_map<Vertex, Location>("v:location").first;
   const auto report = QR::extract_quad_mesh(quantization, model.mesh, quads,
@@ -714,18 +733,7 @@ void check_mesh(const Parametrized_model& model, const QR::Quantization& quantiz
   CHECK_IN(name, are_quads);
   CHECK_IN(name, euler_characteristic(quads) == expected_characteristic(model));
   CHECK_IN(name, !has_double_edges(quads));
-  bool are_located = true;
-  for(const auto v : quads.vertices()) {
-    const auto& [f, w] = location[v];
-    const auto h = model.mesh.halfedge(f);
-    const auto vector = [&](const auto u) { return model.mesh.point(u) - CGAL::ORIGIN; };
-    const auto p = w[0] * vector(model.mesh.source(h)) + w[1] * vector(model.mesh.target(h)) +
-                   w[2] * vector(model.mesh.target(model.mesh.next(h)));
-    are_located = are_located && w[0] >= 0 && w[1] >= 0 && w[2] >= 0 &&
-                  (quads.point(v) - (CGAL::ORIGIN + p)).squared_length() <=
-                    1e-18 * p.squared_length();
-  }
-  CHECK_IN(name, are_located);
+  CHECK_IN(name, lie_where_told(quads, model.mesh, location));
   ++sizes.meshes;
 }
 
@@ -928,7 +936,6 @@ std::size_t number_of_unaligned_border_edges(const Grid_map& map)
 // The border of the quads is that of the surface.
 void check_unaligned_border(const Grid_map& map, const std::size_t number, const std::string& name)
 {
-  using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
   const QR::Quantization quantization =
     QR::quantize(map.mesh, map.uv,
                  parameters::target_number_of_quads(number).needs_face_graph(true));
@@ -1061,13 +1068,15 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
     map.mesh, map.uv, parameters::target_number_of_quads(std::size_t(folded.number_of_squares())));
   CHECK_EQUAL(quantization.number_of_quads, std::size_t(folded.number_of_squares()));
   Mesh quads;
-  const auto defaults = parameters::default_values();
+  const auto location = quads.add_property_map<Vertex, Location>("v:location").first;
+  const auto np = parameters::vertex_location_map(location);
   const auto report = internal::extract_cells_of<CGAL::Sequential_tag>(
-    quantization, map.mesh, defaults, true,
-    internal::cell_mesh_output(map.mesh, quads, defaults));
+    quantization, map.mesh, parameters::default_values(), true,
+    internal::cell_mesh_output(map.mesh, quads, np));
   CHECK_IN(report.message, bool(report));
   CHECK_EQUAL(internal::close_folds(quads), sides.size());
   quads.collect_garbage();
+  CHECK(lie_where_told(quads, map.mesh, location));
   CHECK(CGAL::is_valid_polygon_mesh(quads) && !has_double_edges(quads));
   CHECK_EQUAL(quads.number_of_faces(), Mesh::size_type(complex.number_of_squares()));
   CHECK_EQUAL(euler_characteristic(quads), euler_characteristic(without.mesh));
@@ -1386,7 +1395,6 @@ void test_symmetry()
 void test_locations()
 {
   const Mesh mesh = symmetric_torus(48, 24, 0);
-  using Location = std::pair<Mesh::Face_index, std::array<double, 3> >;
   const auto check = [&](const auto& np, const double largest) {
     Mesh quads;
     const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
@@ -1622,6 +1630,9 @@ void check_mending(Flat_quads& flat, const bool has_single_precision)
       result += QR::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
     return result;
   };
+  const QR::internal::Upper_sides upper_sides(flat.quads, is_feature, surface, smoother);
+  for(const auto f : flat.quads.faces())
+    CHECK_EQUAL(upper_sides.is_folded(f), QR::internal::quad_normal(smoother.quad(f))[2] < 0);
   const std::vector<Point_3> before(flat.quads.points().begin(), flat.quads.points().end());
   CHECK(number_of_inverted() > 0);
   QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
@@ -1670,6 +1681,46 @@ void test_mending()
     flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
     flat.quads.point(v) = Point_3(1.625, 1.375, 0);
     check_mending(flat, has_single_precision);
+  }
+}
+
+// A quad over a valley, whose middle is nearest to something that faces the other way.
+void test_folded_quads()
+{
+  for(const bool is_folded : {false, true}) {
+    Mesh valley;
+    std::vector<Vertex> v;
+    for(const int x : {-1, 0, 1})
+      for(const int y : {0, 1})
+        v.push_back(valley.add_vertex(Point_3(x, y, std::abs(x))));
+    for(const std::size_t i : {0, 2}) {
+      valley.add_face(v[i], v[i + 2], v[i + 3]);
+      valley.add_face(v[i + 3], v[i + 1], v[i]);
+    }
+    const Vertex a = valley.add_vertex(Point_3(-1, 0, 1.1)),
+                 b = valley.add_vertex(Point_3(0, 2, 1.1)),
+                 c = valley.add_vertex(Point_3(1, 0, 1.1));
+    if(is_folded)
+      valley.add_face(a, c, b);
+    else
+      valley.add_face(a, b, c);
+    const QR::internal::Surface_to_remesh surface(
+      valley, valley.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
+      no_direction, no_size, std::nullopt);
+    Mesh quads;
+    std::vector<Vertex> corners;
+    for(const std::size_t i : {0, 4, 5, 1})
+      corners.push_back(quads.add_vertex(surface.mesh().point(v[i])));
+    if(is_folded)
+      std::reverse(corners.begin(), corners.end());
+    const auto f = quads.add_face(corners);
+    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+    const QR::internal::Upper_sides upper_sides(quads, is_feature, surface, smoother);
+    const auto quad = smoother.quad(f);
+    CHECK(QR::internal::inner_product(smoother.normal_of_surface(quad),
+                                      QR::internal::quad_normal(quad)) < 0);
+    CHECK_EQUAL(upper_sides.is_folded(f), is_folded);
   }
 }
 
@@ -1871,6 +1922,7 @@ int main()
   test_improvement();
   test_division();
   test_mending();
+  test_folded_quads();
   test_collapse();
   test_triangles();
   test_refusals();

@@ -31,6 +31,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -361,6 +362,7 @@ private:
     };
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
+    const Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
       Quad_shaper(m_quads, surface_mesh(), smoother)
@@ -386,14 +388,22 @@ private:
       mend(smoother);
     m_timer.finish("smoothing");
     m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
+    if(m_surface.mirror())
+      m_quads.collect_garbage();
+    std::vector<bool> is_folded; // the image has the same order
+    for(const auto f : m_quads.faces())
+      is_folded.push_back(upper_sides.is_folded(f));
     if(m_surface.mirror() && !Mirror_image(m_surface, m_quads, m_is_feature).add())
       return false;
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);
     count();
     std::size_t i = 0;
-    for(const auto f : m_quads.faces())
-      count_if_inverted(smoother.quad(f), i++, m_report);
+    for(const auto f : m_quads.faces()) {
+      if(is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f)))
+        count_inverted_quad(i, m_report);
+      ++i;
+    }
     const std::array<double, 2> shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape[0];
     m_report.mean_scaled_jacobian = shape[1];

@@ -71,8 +71,8 @@ void count_inverted_quads(const Cell_vertices& vertices, const Places& places,
         quad[n] = places[vertices.point(vertices.vertex(d))];
       ++n;
     });
-    if(n == 4)
-      count_if_inverted(quad, c, extractor.report());
+    if(n == 4 && is_inverted(quad))
+      count_inverted_quad(c, extractor.report());
   }
 }
 
@@ -135,8 +135,12 @@ private:
   void move_points_of_folded_cells(const Cell_complex& complex, const Cell_vertices& vertices)
   {
     for(const Cell_complex::Folded_cell& folded : complex.folded_cells())
-      if(folded.is_opposite_free)
-        m_places[vertices.point(complex.origin(vertices, folded.rest[1]))] = m_places[folded.point];
+      if(folded.is_opposite_free) {
+        const std::size_t p = vertices.point(complex.origin(vertices, folded.rest[1]));
+        m_places[p] = m_places[folded.point];
+        if(!m_locations.empty())
+          m_locations[p] = m_locations[folded.point];
+      }
   }
 
   template <typename Writer>

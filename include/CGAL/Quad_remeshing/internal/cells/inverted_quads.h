@@ -101,13 +101,12 @@ inline bool is_inverted(const Quad_in_space& q)
   return !has_area || least_corner_area(q, normal) < 0;
 }
 
-// Counts a face that was written, if it is an inverted quad, in a report.
+// In a report.
+// \param face its number among those that were written
 template <typename Report>
-void count_if_inverted(const Quad_in_space& q, const std::size_t face, Report& report)
+void count_inverted_quad(const std::size_t face, Report& report)
 {
   constexpr std::size_t listed_at_most = 10;
-  if(!is_inverted(q))
-    return;
   ++report.number_of_inverted_quads;
   if(report.first_inverted_quads.size() < listed_at_most)
     report.first_inverted_quads.push_back(face);

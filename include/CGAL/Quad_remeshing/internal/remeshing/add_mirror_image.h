@@ -42,7 +42,7 @@ class Mirror_image
   using Feature_map = Surface_to_remesh::Feature_map;
 
 public:
-  // \pre the surface has a mirror
+  // \pre the surface has a mirror, and nothing that was removed from the quads is left in memory
   Mirror_image(const Surface_to_remesh& surface, Mesh& quads, Feature_map is_feature)
     : m_surface(surface), m_mirror(*surface.mirror()), m_quads(quads), m_is_feature(is_feature)
   { }
@@ -50,7 +50,6 @@ public:
   // Returns whether the two halves are a mesh, of the surface's topology; if not, nothing is left.
   bool add()
   {
-    m_quads.collect_garbage();
     const Seam of_quads = seam(m_quads);
     find_images(of_quads);
     const Seam of_surface = seam(m_surface.mesh());

@@ -194,7 +194,11 @@ public:
     for(const Space_vector& p : q)
       for(std::size_t c = 0; c < 3; ++c)
         middle[c] += p[c] / 4;
-    const Face f = nearest_face(middle);
+    return normal_of_surface(nearest_face(middle));
+  }
+
+  Space_vector normal_of_surface(const Face f) const
+  {
     std::array<Space_vector, 3> t;
     std::size_t i = 0;
     for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {

@@ -1,0 +1,176 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_UPPER_SIDES_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_UPPER_SIDES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Which quads lie upside down on the surface. What is nearest to them in space may be another part,
+// so the places below them are looked for by walks, from where their corners were extracted.
+
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+class Upper_sides
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  using Vertex = Mesh::Vertex_index;
+  using Halfedge = Mesh::Halfedge_index;
+  using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Point = Surface_to_remesh::Kernel::Point_3;
+  using Quad = Quad_smoother::Quad;
+
+public:
+  // Of quads whose vertices lie on the surface, which are not to move before.
+  // \param is_feature whether an edge of the quads is a feature or border
+  Upper_sides(Mesh& quads, const Feature_map& is_feature, const Surface_to_remesh& surface,
+              const Quad_smoother& smoother)
+    : m_quads(quads), m_is_feature(is_feature), m_surface(surface), m_smoother(smoother),
+      m_starts(quads.add_property_map<Vertex, Face>("v:face_of_surface").first)
+  {
+    for(const Vertex v : vertices(quads))
+      m_starts[v] = smoother.nearest_face(smoother.point(v));
+  }
+
+  // Whether a quad faces against the surface at its middle, and half way from there to each corner,
+  // as walks from all corners find it, or from those that are on no feature; and as what is nearest
+  // tells, or the quads beside it.
+  bool is_folded(const Face f) const
+  {
+    const Quad q = m_smoother.quad(f);
+    if(!is_suspicious(f, q))
+      return false;
+    std::vector<Face> starts, starts_on_lines;
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      (is_on_line(v) ? starts_on_lines : starts).push_back(face_of_surface(v));
+    if(starts.empty())
+      starts = starts_on_lines;
+    return std::all_of(starts.begin(), starts.end(),
+                       [&](const Face start) { return faces_against_surface(q, start); });
+  }
+
+private:
+  const Mesh& mesh() const { return m_surface.mesh(); }
+
+  // Whether it faces against what is nearest, or against most of the quads beside it. Walks alone
+  // may be wrong where a vertex has come to a feature, and over it.
+  bool is_suspicious(const Face f, const Quad& q) const
+  {
+    const Space_vector own = quad_normal(q);
+    int against = 0, along = 0;
+    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_quads), m_quads))
+      if(const Face other = face(opposite(h, m_quads), m_quads); other != Mesh::null_face())
+        ++(inner_product(own, quad_normal(m_smoother.quad(other))) < 0 ? against : along);
+    return against > along || inner_product(own, m_smoother.normal_of_surface(q)) < 0;
+  }
+
+  // Where a vertex lies, on the part of the surface that it comes from; the nearest face if it has
+  // left that part, or came later.
+  Face face_of_surface(const Vertex v) const
+  {
+    const Point& p = m_quads.point(v);
+    if(m_starts[v] != Mesh::null_face()) {
+      const Face f = walk(m_starts[v], p);
+      if(squared_distance_to(p, f) < 1e-20)
+        return f;
+    }
+    return m_smoother.nearest_face(m_smoother.point(v));
+  }
+
+  bool is_on_line(const Vertex v) const
+  {
+    const auto around = CGAL::halfedges_around_target(v, m_quads);
+    return std::any_of(around.begin(), around.end(),
+                       [&](const Halfedge h) { return m_is_feature[m_quads.edge(h)]; });
+  }
+
+  bool faces_against_surface(const Quad& q, const Face start) const
+  {
+    const Space_vector own = quad_normal(q);
+    const auto is_against = [&](const Face f)
+      { return inner_product(own, m_smoother.normal_of_surface(f)) < 0; };
+    Space_vector middle{};
+    for(std::size_t c = 0; c < 3; ++c)
+      middle[c] = (q[0][c] + q[1][c] + q[2][c] + q[3][c]) / 4;
+    const auto is_against_near = [&](const Space_vector& corner) {
+      return is_against(walk(start, Point((middle[0] + corner[0]) / 2, (middle[1] + corner[1]) / 2,
+                                          (middle[2] + corner[2]) / 2)));
+    };
+    return is_against_near(middle) && std::all_of(q.begin(), q.end(), is_against_near);
+  }
+
+  // To where no face around is nearer to a point; not over features.
+  Face walk(const Face start, const Point& p) const
+  {
+    Face best = start;
+    double least = squared_distance_to(p, best);
+    for(Face last = Mesh::null_face(); last != best;) {
+      last = best;
+      for_neighbors(last, [&](const Face f) {
+        if(const double d = squared_distance_to(p, f); d < least) {
+          least = d;
+          best = f;
+        }
+      });
+    }
+    return best;
+  }
+
+  double squared_distance_to(const Point& p, const Face f) const
+  {
+    const Halfedge h = mesh().halfedge(f);
+    return CGAL::squared_distance(
+      p, Surface_to_remesh::Kernel::Triangle_3(mesh().point(mesh().source(h)),
+                                               mesh().point(mesh().target(h)),
+                                               mesh().point(mesh().target(mesh().next(h)))));
+  }
+
+  // Around the corners of a face, in both directions.
+  template <typename Visit>
+  void for_neighbors(const Face f, const Visit& visit) const
+  {
+    for(const Halfedge h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh()))
+      for(const bool goes_on : {false, true})
+        for(Halfedge g = h;;) {
+          const Halfedge side = goes_on ? mesh().next(g) : g;
+          if(m_surface.is_feature()[mesh().edge(side)] || mesh().is_border(mesh().edge(side)))
+            break;
+          g = goes_on ? mesh().opposite(side) : mesh().prev(mesh().opposite(side));
+          if(g == h)
+            break;
+          visit(mesh().face(g));
+        }
+  }
+
+  const Mesh& m_quads;
+  Feature_map m_is_feature;
+  const Surface_to_remesh& m_surface;
+  const Quad_smoother& m_smoother;
+  Mesh::Property_map<Vertex, Face> m_starts; // of the surface
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_UPPER_SIDES_H
