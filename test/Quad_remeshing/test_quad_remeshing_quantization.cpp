@@ -1613,7 +1613,7 @@ void test_division()
   }
 }
 
-// Inverted quads that are held by features are mended, in either precision.
+// Quads that are inverted or upside down, and held by features, are mended, in either precision.
 void check_mending(Flat_quads& flat, const bool has_single_precision)
 {
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
@@ -1624,22 +1624,23 @@ void check_mending(Flat_quads& flat, const bool has_single_precision)
     no_direction, no_size, std::nullopt);
   flat.scale_quads(1 / surface.unscaled(1));
   QR::internal::Quad_smoother smoother(flat.quads, surface.mesh());
-  const auto number_of_inverted = [&] {
+  QR::internal::Upper_sides upper_sides(flat.quads, is_feature, surface, smoother);
+  const auto faces_down = [&](const auto f) // other than the square
+    { return QR::internal::quad_normal(smoother.quad(f))[2] < 0; };
+  for(const auto f : flat.quads.faces())
+    CHECK_EQUAL(upper_sides.is_folded(f), faces_down(f));
+  const auto number_of_bad = [&] {
     std::size_t result = 0;
     for(const auto f : flat.quads.faces())
-      result += QR::internal::is_inverted(smoother.quad(f)) ? 1 : 0;
+      result += QR::internal::is_inverted(smoother.quad(f)) || faces_down(f) ? 1 : 0;
     return result;
   };
-  const QR::internal::Upper_sides upper_sides(flat.quads, is_feature, surface, smoother);
-  for(const auto f : flat.quads.faces())
-    CHECK_EQUAL(upper_sides.is_folded(f), QR::internal::quad_normal(smoother.quad(f))[2] < 0);
   const std::vector<Point_3> before(flat.quads.points().begin(), flat.quads.points().end());
-  CHECK(number_of_inverted() > 0);
+  CHECK(number_of_bad() > 0);
+  upper_sides.update();
   QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
   mender.run(false);
-  CHECK_EQUAL(number_of_inverted(), 0u);
-  for(const auto f : flat.quads.faces()) // as the square does
-    CHECK(QR::internal::quad_normal(smoother.quad(f))[2] > 0);
+  CHECK_EQUAL(number_of_bad(), 0u);
 
   std::size_t moved = 0;
   double largest = 0;
@@ -1681,6 +1682,15 @@ void test_mending()
     flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
     flat.quads.point(v) = Point_3(1.625, 1.375, 0);
     check_mending(flat, has_single_precision);
+    // Three quads in a row lie upside down between the others, and all nine are rectangles.
+    Flat_quads pleat(1);
+    for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      pleat.add_quad(first);
+    for(const std::size_t row : {0, 4, 8, 12})
+      for(const std::size_t i : {1, 2})
+        pleat.quads.point(pleat.vertices[row + i]) =
+          Point_3(i == 1 ? 1.75 : 1.25, double(row / 4), 0);
+    check_mending(pleat, has_single_precision);
   }
 }
 

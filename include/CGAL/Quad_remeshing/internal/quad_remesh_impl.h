@@ -362,7 +362,7 @@ private:
     };
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
-    const Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
+    Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
       Quad_shaper(m_quads, surface_mesh(), smoother)
@@ -385,7 +385,7 @@ private:
       improver.remove_vertices_of_two_edges(); // whose quads may be flat by now
     }
     if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
-      mend(smoother);
+      mend(upper_sides, smoother);
     m_timer.finish("smoothing");
     m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
     if(m_surface.mirror())
@@ -412,8 +412,9 @@ private:
   }
 
   // Not where there is to be a mirror image: vertices on the plane have to stay there.
-  void mend(Quad_smoother& smoother)
+  void mend(Upper_sides& upper_sides, Quad_smoother& smoother)
   {
+    upper_sides.update();
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);

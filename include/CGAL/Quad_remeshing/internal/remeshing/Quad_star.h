@@ -54,7 +54,7 @@ public:
   {
     m_faces.clear();
     m_upper_side.clear();
-    m_was_inverted.clear();
+    m_was_bad.clear();
     m_faces_around.assign(vertices.size(), {});
     for(std::size_t i = 0; i < vertices.size(); ++i)
       for(const Face f : CGAL::faces_around_target(halfedge(vertices[i], m_quads), m_quads)) {
@@ -66,8 +66,8 @@ public:
       }
     for(const Face f : m_faces) {
       const Quad q = m_smoother.quad(f);
-      m_was_inverted.push_back(is_inverted(q));
-      m_upper_side.push_back(m_was_inverted.back()
+      m_was_bad.push_back(m_smoother.is_bad(f));
+      m_upper_side.push_back(m_was_bad.back()
                                ? Space_vector{}
                                : upper_side_or_own(q, m_smoother.normal_of_surface(q)));
     }
@@ -75,12 +75,11 @@ public:
 
   const std::vector<Face>& faces() const { return m_faces; }
 
-  // An inverted face that is not to be so any more, and to face as the surface does, or anywhere.
-  void has_to_be_mended(const Face f, const bool faces_anywhere)
+  // A face that is to be neither inverted nor upside down any more.
+  void has_to_be_mended(const Face f)
   {
-    m_was_inverted[index(f)] = false;
-    m_upper_side[index(f)] =
-      faces_anywhere ? Space_vector{} : m_smoother.normal_of_surface(m_smoother.quad(f));
+    m_was_bad[index(f)] = false;
+    m_upper_side[index(f)] = m_smoother.upper_sides()[f];
   }
 
   double badness() const
@@ -100,12 +99,12 @@ public:
     return sum;
   }
 
-  // Whether no face is inverted that was not, or turns to the other side of the surface.
+  // Whether no face is inverted that was not bad, or turns to the other side of the surface.
   bool is_mended() const
   {
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = m_smoother.quad(m_faces[i]);
-      if((!m_was_inverted[i] && is_inverted(q)) || is_turned_over(i, quad_normal(q)))
+      if((!m_was_bad[i] && is_inverted(q)) || is_turned_over(i, quad_normal(q)))
         return false;
     }
     return true;
@@ -135,13 +134,18 @@ private:
   bool is_turned_over(const std::size_t i, const Space_vector& normal) const
   { return m_upper_side[i] != Space_vector{} && !(inner_product(normal, m_upper_side[i]) > 0); }
 
-  // 0 where the shape is good enough. All corners count, so that it helps to mend one of two. Quads
-  // that turn over are worst of all.
+  // 0 where the shape is good enough, seen from the upper side. All corners count, so that it helps
+  // to mend one of two. Quads that turn over are worst of all.
   double badness_of_face(const std::size_t i) const
   {
     const Quad q = m_smoother.quad(m_faces[i]);
-    const Space_vector normal = quad_normal(q);
-    double sum = is_turned_over(i, normal) ? 4 : 0;
+    Space_vector normal = quad_normal(q);
+    double sum = 0;
+    if(is_turned_over(i, normal)) {
+      sum = 4;
+      for(double& x : normal)
+        x = -x;
+    }
     for(const double sine : sines_of_angles(q, normal)) {
       const double missing = good_enough - sine;
       sum += missing > 0 ? missing * missing : 0;
@@ -156,7 +160,7 @@ private:
   Quad_smoother& m_smoother;
   bool m_has_single_precision;
   std::vector<Face> m_faces;
-  std::vector<char> m_was_inverted;                      // of these faces
+  std::vector<char> m_was_bad;                           // of these faces
   std::vector<Space_vector> m_upper_side;                // of these; 0: any side will do
   std::vector<std::vector<std::size_t> > m_faces_around; // each vertex
 };

@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -60,13 +61,29 @@ public:
     const Quad q = m_smoother.quad(f);
     if(!is_suspicious(f, q))
       return false;
-    std::vector<Face> starts, starts_on_lines;
-    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
-      (is_on_line(v) ? starts_on_lines : starts).push_back(face_of_surface(v));
-    if(starts.empty())
-      starts = starts_on_lines;
+    const std::vector<Face> starts = faces_of_corners(f);
     return std::all_of(starts.begin(), starts.end(),
                        [&](const Face start) { return faces_against_surface(q, start); });
+  }
+
+  // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
+  // does on the average.
+  void update()
+  {
+    for(const Face f : faces(m_quads)) {
+      const Quad q = m_smoother.quad(f);
+      m_smoother.upper_sides()[f] = Space_vector{};
+      if(is_folded(f) || is_inverted(q)) {
+        Space_vector sum{};
+        for(const Face start : faces_of_corners(f))
+          for(const Point& p : places(q)) {
+            const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
+            for(std::size_t c = 0; c < 3; ++c)
+              sum[c] += n[c];
+          }
+        m_smoother.upper_sides()[f] = sum;
+      }
+    }
   }
 
 private:
@@ -84,14 +101,14 @@ private:
     return against > along || inner_product(own, m_smoother.normal_of_surface(q)) < 0;
   }
 
-  // Where a vertex lies, on the part of the surface that it comes from; the nearest face if it has
-  // left that part, or came later.
+  // Where a vertex lies, up to single precision, on the part of the surface that it comes from; the
+  // nearest face if it has left that part, or came later.
   Face face_of_surface(const Vertex v) const
   {
     const Point& p = m_quads.point(v);
     if(m_starts[v] != Mesh::null_face()) {
       const Face f = walk(m_starts[v], p);
-      if(squared_distance_to(p, f) < 1e-20)
+      if(squared_distance_to(p, f) < 1e-12)
         return f;
     }
     return m_smoother.nearest_face(m_smoother.point(v));
@@ -104,19 +121,33 @@ private:
                        [&](const Halfedge h) { return m_is_feature[m_quads.edge(h)]; });
   }
 
-  bool faces_against_surface(const Quad& q, const Face start) const
+  std::vector<Face> faces_of_corners(const Face f) const
   {
-    const Space_vector own = quad_normal(q);
-    const auto is_against = [&](const Face f)
-      { return inner_product(own, m_smoother.normal_of_surface(f)) < 0; };
+    std::vector<Face> starts, starts_on_lines;
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      (is_on_line(v) ? starts_on_lines : starts).push_back(face_of_surface(v));
+    return starts.empty() ? starts_on_lines : starts;
+  }
+
+  // The middle, and half way from there to each corner.
+  static std::array<Point, 5> places(const Quad& q)
+  {
     Space_vector middle{};
     for(std::size_t c = 0; c < 3; ++c)
       middle[c] = (q[0][c] + q[1][c] + q[2][c] + q[3][c]) / 4;
-    const auto is_against_near = [&](const Space_vector& corner) {
-      return is_against(walk(start, Point((middle[0] + corner[0]) / 2, (middle[1] + corner[1]) / 2,
-                                          (middle[2] + corner[2]) / 2)));
-    };
-    return is_against_near(middle) && std::all_of(q.begin(), q.end(), is_against_near);
+    std::array<Point, 5> result{Point(middle[0], middle[1], middle[2])};
+    for(std::size_t i = 0; i < 4; ++i)
+      result[i + 1] = CGAL::midpoint(result[0], Point(q[i][0], q[i][1], q[i][2]));
+    return result;
+  }
+
+  bool faces_against_surface(const Quad& q, const Face start) const
+  {
+    const Space_vector own = quad_normal(q);
+    const std::array<Point, 5> places = this->places(q);
+    return std::all_of(places.begin(), places.end(), [&](const Point& p) {
+      return inner_product(own, m_smoother.normal_of_surface(walk(start, p))) < 0;
+    });
   }
 
   // To where no face around is nearer to a point; not over features.

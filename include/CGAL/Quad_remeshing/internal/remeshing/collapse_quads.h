@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Takes inverted quads out: two opposite vertices become one. So does what is as thin as a line,
-// where no place of its vertices helps.
+// Takes quads out that are inverted or upside down: two opposite vertices become one. So does what
+// is as thin as a line, where no place of its vertices helps.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
@@ -57,17 +57,17 @@ public:
   // Returns the number of quads that were taken out.
   std::size_t run()
   {
-    std::vector<Face> inverted;
+    std::vector<Face> bad;
     for(const Face f : faces(m_quads))
-      if(is_inverted(m_smoother.quad(f)))
-        inverted.push_back(f);
+      if(m_smoother.is_bad(f))
+        bad.push_back(f);
     std::size_t result = 0;
-    for(const Face f : inverted) {
+    for(const Face f : bad) {
       if(m_quads.is_removed(f))
         continue;
       const Halfedge h = halfedge(f, m_quads);
       for(const Halfedge first : {h, next(h, m_quads)})
-        if(is_inverted(m_smoother.quad(f)) && is_collapsible(first) && meet(first)) {
+        if(m_smoother.is_bad(f) && is_collapsible(first) && meet(first)) {
           join_ends(first);
           ++result;
           break;

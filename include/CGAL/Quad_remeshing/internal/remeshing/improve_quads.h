@@ -274,12 +274,6 @@ private:
     return upper_side_or_own(q, it->second);
   }
 
-  static Space_vector scaled_to_one(const Space_vector& a)
-  {
-    const double n = norm(a);
-    return n > 0 ? Space_vector{a[0] / n, a[1] / n, a[2] / n} : Space_vector{};
-  }
-
   // Grows fast where quads are inverted. Quads that turn over are worst of all.
   double badness() const
   {

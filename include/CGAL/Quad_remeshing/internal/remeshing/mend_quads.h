@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The last resort for quads that are inverted: their vertices leave the features, and where that is
-// not enough the surface, by as little as helps. Exact signs decide whether it does.
+// The last resort for quads that are inverted or upside down: their vertices leave the features,
+// and where that is not enough the surface, by as little as helps. Exact signs decide whether it
+// does.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
@@ -57,7 +58,7 @@ public:
       m_star(quads, is_feature, smoother, has_single_precision)
   { }
 
-  // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
+  // At most 18 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
   // a vertex in all, each of which looks at about a hundred places.
   // \param with_neighbors whether the vertices of the quads around move, too
   void run(const bool with_neighbors)
@@ -65,7 +66,7 @@ public:
     for(auto it = m_displaced.begin(); it != m_displaced.end();)
       it = m_quads.is_removed(it->first) ? m_displaced.erase(it) : std::next(it);
     for(const Face f : faces(m_quads))
-      if(is_inverted(m_smoother.quad(f)))
+      if(m_smoother.is_bad(f))
         mend(f, with_neighbors);
   }
 
@@ -96,13 +97,11 @@ private:
     const Quad q = m_smoother.quad(f);
     for(std::size_t k = 0; k < 4; ++k)
       longest = (std::max)(longest, norm(vector_to(q[k], q[(k + 1) % 4])));
-    for(const bool faces_anywhere : {false, true}) {
-      m_star.has_to_be_mended(f, faces_anywhere);
-      for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
-        for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
-          if(improve(part * longest, freedom))
-            return;
-    }
+    m_star.has_to_be_mended(f);
+    for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
+      for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
+        if(improve(part * longest, freedom))
+          return;
   }
 
   void add_vertices(const Face f)
@@ -114,7 +113,7 @@ private:
       }
   }
 
-  // Returns whether the face is no longer inverted, and all around it as good as before; else the
+  // Returns whether the face is no longer bad, and all around it as good as before; else the
   // vertices stay where they were.
   bool improve(const double radius, const Freedom freedom)
   {

@@ -18,6 +18,7 @@
 // Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
 // their neighbors; and measures the result. All of this is floating point.
 
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
@@ -49,6 +50,12 @@ inline Space_vector outer_product(const Space_vector& a, const Space_vector& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double norm(const Space_vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+inline Space_vector scaled_to_one(const Space_vector& a)
+{
+  const double n = norm(a);
+  return n > 0 ? Space_vector{a[0] / n, a[1] / n, a[2] / n} : Space_vector{};
+}
 
 // The area vector of a quad, times two.
 inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
@@ -101,6 +108,7 @@ public:
 
   Quad_smoother(Mesh& quads, const Mesh& surface)
     : m_quads(quads), m_surface(surface),
+      m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first),
       m_tree(faces(surface).begin(), faces(surface).end(), surface)
   {
     m_tree.accelerate_distance_queries();
@@ -167,6 +175,15 @@ public:
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
       result[i++] = point(v);
     return result;
+  }
+
+  // Where quads are to face that are inverted or upside down; 0 elsewhere.
+  Mesh::Property_map<Face, Space_vector> upper_sides() const { return m_upper_sides; }
+
+  bool is_bad(const Face f) const
+  {
+    const Quad q = quad(f);
+    return is_inverted(q) || inner_product(quad_normal(q), m_upper_sides[f]) < 0;
   }
 
   // The nearest point of the surface.
@@ -244,6 +261,7 @@ private:
 
   Mesh& m_quads;
   const Mesh& m_surface;
+  Mesh::Property_map<Face, Space_vector> m_upper_sides;
   Tree m_tree;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
