@@ -1391,47 +1391,260 @@ void test_symmetry()
   }
 }
 
-// Each vertex lies where its location says; the half that is a mirror image lies near by.
+// Each vertex lies where its location says, up to a distance. Returns the quads.
+template <typename NamedParameters>
+Mesh check_locations(const Mesh& mesh, const NamedParameters& np, const double largest)
+{
+  Mesh quads;
+  const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
+  const auto of_face = quads.add_property_map<Mesh::Face_index, Location>("f:location").first;
+  const auto report = QR::quad_remesh(
+    mesh, quads, np, parameters::vertex_location_map(of_vertex).face_location_map(of_face));
+  CHECK_IN(report.message, bool(report));
+  const auto distance = [&](const Point_3& p, const Location& location) {
+    const auto h = mesh.halfedge(location.first);
+    Kernel::Vector_3 sum(0, 0, 0);
+    double weight = 0;
+    std::size_t i = 0;
+    for(const auto v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}) {
+      CHECK(location.second[i] >= 0);
+      weight += location.second[i];
+      sum = sum + location.second[i++] * (mesh.point(v) - CGAL::ORIGIN);
+    }
+    CHECK(std::abs(weight - 1) < 1e-14);
+    return std::sqrt((p - (CGAL::ORIGIN + sum)).squared_length());
+  };
+  for(const auto v : quads.vertices())
+    CHECK(distance(quads.point(v), of_vertex[v]) < largest);
+  for(const auto f : quads.faces()) {
+    Kernel::Vector_3 sum(0, 0, 0);
+    for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
+      sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
+    CHECK(distance(CGAL::ORIGIN + sum, of_face[f]) < 0.1);
+  }
+  return quads;
+}
+
+// The half that is a mirror image lies near by.
 void test_locations()
 {
   const Mesh mesh = symmetric_torus(48, 24, 0);
-  const auto check = [&](const auto& np, const double largest) {
-    Mesh quads;
-    const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
-    const auto of_face = quads.add_property_map<Mesh::Face_index, Location>("f:location").first;
-    CHECK(bool(QR::quad_remesh(
-      mesh, quads, np, parameters::vertex_location_map(of_vertex).face_location_map(of_face))));
-    const auto distance = [&](const Point_3& p, const Location& location) {
-      const auto h = mesh.halfedge(location.first);
-      Kernel::Vector_3 sum(0, 0, 0);
-      double weight = 0;
-      std::size_t i = 0;
-      for(const auto v : {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}) {
-        CHECK(location.second[i] >= 0);
-        weight += location.second[i];
-        sum = sum + location.second[i++] * (mesh.point(v) - CGAL::ORIGIN);
-      }
-      CHECK(std::abs(weight - 1) < 1e-14);
-      return std::sqrt((p - (CGAL::ORIGIN + sum)).squared_length());
-    };
-    for(const auto v : quads.vertices())
-      CHECK(distance(quads.point(v), of_vertex[v]) < largest);
-    for(const auto f : quads.faces()) {
-      Kernel::Vector_3 sum(0, 0, 0);
-      for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
-        sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
-      CHECK(distance(CGAL::ORIGIN + sum, of_face[f]) < 0.1);
-    }
-  };
   const auto np = parameters::target_number_of_quads(1000);
-  check(np, 1e-12);
-  check(np.symmetry_plane(Kernel::Plane_3(1, 0, 0, 0)), 0.05);
+  check_locations(mesh, np, 1e-12);
+  check_locations(mesh, np.symmetry_plane(Kernel::Plane_3(1, 0, 0, 0)), 0.05);
+}
+
+// What surfaces to remesh have if none is given.
+const auto no_direction = [](const Mesh::Face_index) { return Kernel::Vector_3(0, 0, 0); };
+const auto no_size = [](const Mesh::Vertex_index) { return 1.; };
+
+// --- long triangles ------------------------------------------------------------------------------
+
+// A flat cylinder, as programs for construction write it: each cap is a fan of one of its vertices,
+// and one of them, or none, is left out. Its rims are features.
+struct Coin
+{
+  explicit Coin(const bool is_open)
+  {
+    const double pi = std::acos(-1.);
+    for(const double z : {-0.125, 0.125})
+      for(int i = 0; i < n; ++i)
+        mesh.add_vertex(Point_3(2 * std::cos(2 * pi * (i + 0.5) / n),
+                                2 * std::sin(2 * pi * (i + 0.5) / n), z));
+    const auto at = [](const int ring, const int i) { return Vertex(ring * n + i % n); };
+    for(int i = 0; i < n; ++i) {
+      mesh.add_face(at(0, i), at(0, i + 1), at(1, i + 1));
+      mesh.add_face(at(0, i), at(1, i + 1), at(1, i));
+    }
+    for(int i = 1; i + 1 < n; ++i) {
+      mesh.add_face(at(0, 0), at(0, i + 1), at(0, i));
+      if(!is_open)
+        mesh.add_face(at(1, 0), at(1, i), at(1, i + 1));
+    }
+    for(const int ring : {0, 1})
+      for(int i = 0; i < n; ++i)
+        is_feature[mesh.edge(mesh.halfedge(at(ring, i), at(ring, i + 1)))] = true;
+  }
+
+  static constexpr int n = 100;
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature =
+    mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+};
+
+double length_of(const Mesh& mesh, const Mesh::Edge_index e)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
+                                          mesh.point(mesh.vertex(e, 1))));
+}
+
+Kernel::Triangle_3 triangle(const Mesh& mesh, const Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
+
+double area_of(const Mesh& mesh)
+{
+  double sum = 0;
+  for(const auto f : mesh.faces())
+    sum += std::sqrt(triangle(mesh, f).squared_area());
+  return sum;
+}
+
+// In each part, below a height or above it, the area is the same as before.
+void check_refined_coin(const Coin& coin, const std::string& context)
+{
+  internal::Surface_to_remesh surface(
+    coin.mesh, coin.mesh.points(), coin.is_feature, no_direction,
+    [&](const Vertex v) { return 2 + coin.mesh.point(v).x() / 4; }, std::nullopt);
+  const double scale = surface.unscaled(1);
+  CHECK_IN(context, surface.refine());
+  const auto& refined = surface.mesh();
+  CHECK_IN(context, CGAL::is_valid_polygon_mesh(refined) && CGAL::is_triangle_mesh(refined) &&
+                      !has_double_edges(refined));
+  CHECK_EQUAL(euler_characteristic(refined), euler_characteristic(coin.mesh));
+  CHECK_IN(context, refined.number_of_faces() <= coin.mesh.number_of_faces() + 40000);
+  const auto point = [&](const auto v)
+    { return CGAL::ORIGIN + scale * (refined.point(v) - CGAL::ORIGIN); };
+  std::set<Point_3> points;
+  for(const auto v : refined.vertices())
+    points.insert(point(v));
+  for(const Point_3& p : coin.mesh.points())
+    CHECK_IN(context, points.count(p) == 1);
+  double features = 0, border = 0, size_error = 0, distance = 0;
+  for(const auto e : refined.edges()) {
+    features += surface.is_feature()[e] ? scale * length_of(refined, e) : 0;
+    border += refined.is_border(e) ? scale * length_of(refined, e) : 0;
+  }
+  double features_before = 0, border_before = 0;
+  for(const auto e : coin.mesh.edges()) {
+    features_before += coin.is_feature[e] ? length_of(coin.mesh, e) : 0;
+    border_before += coin.mesh.is_border(e) ? length_of(coin.mesh, e) : 0;
+  }
+  CHECK_IN(context, std::abs(features - features_before) < 1e-11 &&
+                      std::abs(border - border_before) < 1e-11);
+  CHECK_IN(context, std::abs(scale * scale * area_of(refined) - area_of(coin.mesh)) < 1e-11);
+  for(const auto v : refined.vertices()) {
+    const Point_3 p = point(v);
+    size_error = (std::max)(size_error, std::abs(surface.sizes()[v] - (2 + p.x() / 4)));
+    double nearest = 1;
+    for(const auto f : coin.mesh.faces())
+      nearest = (std::min)(nearest, CGAL::squared_distance(p, triangle(coin.mesh, f)));
+    distance = (std::max)(distance, nearest);
+  }
+  CHECK_IN(context, size_error < 1e-12 && distance < 1e-24);
+  std::size_t flat = 0; // no side leads from cap to cap, or through the coin
+  for(const auto f : refined.faces()) {
+    const Point_3 middle = CGAL::centroid(triangle(refined, f));
+    double nearest = 1;
+    for(const auto g : coin.mesh.faces())
+      nearest = (std::min)(nearest,
+                           CGAL::squared_distance(CGAL::ORIGIN + scale * (middle - CGAL::ORIGIN),
+                                                  triangle(coin.mesh, g)));
+    flat += nearest < 1e-24 ? 1 : 0;
+  }
+  CHECK_EQUAL(flat, std::size_t(refined.number_of_faces()));
+  const auto has_two_walls = [&](const auto f) {
+    int result = 0;
+    for(const auto h : refined.halfedges_around_face(refined.halfedge(f)))
+      result += refined.is_border(refined.edge(h)) || surface.is_feature()[refined.edge(h)] ? 1 : 0;
+    return result > 1;
+  };
+  for(const auto f : refined.faces()) // ends of fans at most
+    CHECK_IN(context, !has_two_walls(f) ||
+                        std::size_t(f) < std::size_t(coin.mesh.number_of_faces()));
+  std::size_t number_of_long = 0;
+  for(const auto f : refined.faces()) {
+    double longest = 0, size = 0;
+    for(const auto h : refined.halfedges_around_face(refined.halfedge(f))) {
+      longest = (std::max)(longest, length_of(refined, refined.edge(h)));
+      size += surface.sizes()[refined.target(h)] / 3;
+    }
+    const double height = 2 * std::sqrt(triangle(refined, f).squared_area()) / longest;
+    // about 12.6 squares of the size 2 each are half of the surface, whose scale is 2
+    number_of_long += scale * longest > 0.1 * size && longest > 4 * height ? 1 : 0;
+  }
+  CHECK_EQUAL(number_of_long, 0u);
+}
+
+// A square of narrow strips, flat or folded, with a direction on its left part, and a feature in
+// the middle: each keeps its area, or length.
+void check_refined_strips(const double height)
+{
+  Mesh strips;
+  for(int i = 0; i < 21; ++i)
+    for(const double y : {0., 1.})
+      strips.add_vertex(Point_3(0.05 * i, y, i % 2 * height));
+  for(unsigned int i = 0; i < 20; ++i) {
+    strips.add_face(Vertex(2 * i), Vertex(2 * i + 2), Vertex(2 * i + 3));
+    strips.add_face(Vertex(2 * i), Vertex(2 * i + 3), Vertex(2 * i + 1));
+  }
+  const auto is_feature =
+    strips.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  is_feature[strips.edge(strips.halfedge(Vertex(20), Vertex(21)))] = true;
+  internal::Surface_to_remesh surface(
+    strips, strips.points(), is_feature,
+    [](const Mesh::Face_index f) { return Kernel::Vector_3(f < Mesh::Face_index(18), 0, 0); },
+    no_size, std::nullopt);
+  const double scale = surface.unscaled(1);
+  CHECK(surface.refine());
+  const auto& refined = surface.mesh();
+  CHECK(refined.number_of_faces() > strips.number_of_faces());
+  double area = 0, length = 0;
+  for(const auto f : refined.faces())
+    if(surface.directions()[f].x() == 1)
+      area += scale * scale * std::sqrt(triangle(refined, f).squared_area());
+  for(const auto e : refined.edges())
+    length += surface.is_feature()[e] ? scale * length_of(refined, e) : 0;
+  CHECK(std::abs(area - 9 * std::hypot(0.05, height)) < 1e-13);
+  CHECK(std::abs(scale * scale * area_of(refined) - area_of(strips)) < 1e-13);
+  CHECK(std::abs(length - 1) < 1e-13);
+}
+
+// A surface without long triangles is the same.
+void test_refinement()
+{
+  for(const bool is_open : {false, true})
+    check_refined_coin(Coin(is_open), is_open ? "open coin" : "coin");
+  check_refined_strips(0);
+  check_refined_strips(0.001);
+  const CGAL::Static_boolean_property_map<Mesh::Edge_index, false> no_feature;
+  const Mesh torus = symmetric_torus(48, 24, 0);
+  const auto copy = [&](const bool may_refine) {
+    internal::Surface_to_remesh surface(torus, torus.points(), no_feature, no_direction, no_size,
+                                        std::nullopt);
+    CHECK(!may_refine || !surface.refine());
+    std::vector<Point_3> points;
+    for(const auto f : surface.mesh().faces())
+      for(const auto v : CGAL::vertices_around_face(surface.mesh().halfedge(f), surface.mesh()))
+        points.push_back(surface.mesh().point(v));
+    return points;
+  };
+  CHECK(copy(true) == copy(false));
+}
+
+// Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
+void test_remeshing_of_long_triangles()
+{
+  const Coin coin(false);
+  const auto np = parameters::target_number_of_quads(1000).edge_is_constrained_map(coin.is_feature);
+  Mesh quads;
+  const auto report = QR::quad_remesh(coin.mesh, quads, np);
+  std::cout << "coin: " << report.number_of_quads << " quads, " << report.number_of_cones
+            << " cones, mean Jacobian " << report.mean_scaled_jacobian << std::endl;
+  CHECK_IN(report.message, bool(report));
+  CHECK_EQUAL(report.number_of_cones, 8u);
+  CHECK_EQUAL(report.number_of_released_edges, 0u);
+  CHECK(report.mean_scaled_jacobian > 0.9 && report.number_of_inverted_quads == 0);
+  check_locations(coin.mesh, np, 1e-12);
+  const Mesh mirrored =
+    check_locations(coin.mesh, np.symmetry_plane(Kernel::Plane_3(1, 0, 0, 0)), 0.1);
+  CHECK(is_symmetric(mirrored, 0));
 }
 
 // --- improvement of quads ------------------------------------------------------------------------
-
-const auto no_direction = [](const Mesh::Face_index) { return Kernel::Vector_3(0, 0, 0); };
-const auto no_size = [](const Mesh::Vertex_index) { return 1.; };
 
 // A grid of 4 x 4 points at integers, times a height, and the surface below.
 struct Flat_quads
@@ -1842,7 +2055,7 @@ void test_triangles()
 {
   const Point_3 a(0, 0, 0);
   const std::vector<std::array<Mesh::size_type, 3> > one{{{0, 1, 2}}};
-  for(const Point_3& c : {Point_3(0, 1, 0), Point_3(0.5, 0.9, 0), Point_3(2, 1, 0),
+  for(const Point_3& c : {Point_3(0, 1, 0), Point_3(0.5, 0.9, 0), Point_3(1.8, 1, 0),
                           Point_3(0.5, 0.29, 0), Point_3(0.1, 8, 3)})
     check_aligned_triangles<Mesh>({a, Point_3(1, 0, 0), c}, one);
   for(const Point_3& d : {Point_3(0, 0, 1), Point_3(0.3, 0.4, 0.3), Point_3(2, 2, 3)})
@@ -1925,7 +2138,9 @@ int main()
     test_sizes_of_quads();
     test_symmetry();
     test_locations();
+    test_remeshing_of_long_triangles();
   }
+  test_refinement();
   test_sizes_in_space();
   test_shape_of_flat_quads();
   test_distance_of_quads();

@@ -234,8 +234,17 @@ The vertices of quads that are inverted even then leave their features, and the 
 does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the
 report counts them, and tells by how much. Where that is not enough, the vertices of the quads
 around move, too. There are at most 20,000 such moves of a vertex in all. With `symmetry_plane`,
-they stay. Quads that stay inverted are counted in the report. Triangles with three sides that are
-features or border are divided before, in a copy.
+they stay. Quads that stay inverted are counted in the report.
+
+Before, in a copy, triangles with three sides that are features or border are divided, and so are
+long triangles, as of flat faces without vertices inside, if they cover a quarter of the area: those
+longer than four times their height, and than the side of one of 5,000 squares of the surface's
+area, in units of `vertex_sizing_map`. Longest edges are halved, those of the largest triangles
+first, until there are 40,000 more faces. Edges that are not Delaunay are flipped if both faces have
+the same direction by `face_direction_map` and lie in a plane, up to a millionth of the diagonal of
+the bounding box; so vertices of quads can lie off the input by about as much. Parts of features and
+of the border are features and border. Where no quads are found on the refined surface, the input is
+remeshed as it is.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -448,8 +457,19 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   using namespace internal;
   const auto& parameters = strip(np1);
   const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
-    Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
-    return remesh(surface, remeshing_options(tmesh, parameters, is_single), result, is_feature);
+    const Remeshing_options options = remeshing_options(tmesh, parameters, is_single);
+    bool is_refined = true;
+    const auto remesh_surface = [&] {
+      Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
+      is_refined = is_refined && surface.refine();
+      return remesh(surface, options, result, is_feature);
+    };
+    const Remeshing_report report = remesh_surface();
+    if(report || !is_refined)
+      return report;
+    is_refined = false;
+    result.clear_without_removing_property_maps();
+    return remesh_surface();
   };
   return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
 }

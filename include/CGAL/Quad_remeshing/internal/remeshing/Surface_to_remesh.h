@@ -20,6 +20,7 @@
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Half_surface.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/refine_surface.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -103,6 +104,13 @@ public:
 
   Surface_to_remesh(const Surface_to_remesh&) = delete; // the maps belong to the mesh
   Surface_to_remesh& operator=(const Surface_to_remesh&) = delete;
+
+  // Divides long triangles; returns whether there are any.
+  bool refine()
+  {
+    return CGAL::is_triangle_mesh(m_mesh) &&
+           Surface_refiner(m_mesh, m_is_feature, m_directions, m_sizes, m_originals).run();
+  }
 
   const Mesh& mesh() const { return m_mesh; }
   Feature_map is_feature() const { return m_is_feature; }

@@ -1,0 +1,275 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_REFINE_SURFACE_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_REFINE_SURFACE_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Divides long triangles, such as those of a flat face without vertices inside, where no cones
+// could lie: longest edges are halved (Rivara's longest-edge propagation), and edges between
+// triangles of a plane are flipped to Delaunay ones.
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// Invariant: all vertices stay, and so do features and border, of which new edges are parts. No
+// flip makes a triangle with two sides that are features or border, which both would direct it.
+// Lengths do not depend on the number of quads, so that all numbers have the same surface.
+class Surface_refiner
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+  using Vector = Kernel::Vector_3;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Vertex = Mesh::Vertex_index;
+  using Edge = Mesh::Edge_index;
+  using Face = Mesh::Face_index;
+  using Halfedge = Mesh::Halfedge_index;
+
+public:
+  // Triangles are long if they are longer than the side of one of so many squares, and than so many
+  // times their height. Where they cover less than such a share of the area, nothing is changed.
+  static constexpr double number_of_squares = 5000;
+  static constexpr double longness = 4;
+  static constexpr double least_share = 0.25;
+  static constexpr std::size_t most_new_faces = 40000;
+
+  // \param sizes lengths count in units of them
+  // \param originals per face: new ones get those of the faces that they are parts of
+  Surface_refiner(Mesh& mesh, const Mesh::Property_map<Edge, bool>& is_feature,
+                  const Mesh::Property_map<Face, Vector>& directions,
+                  const Mesh::Property_map<Vertex, double>& sizes,
+                  std::vector<std::size_t>& originals)
+    : m_mesh(mesh), m_is_feature(is_feature), m_directions(directions), m_sizes(sizes),
+      m_originals(originals), m_most_faces(mesh.number_of_faces() + most_new_faces),
+      m_most_flips(10 * (mesh.number_of_edges() + 2 * most_new_faces))
+  { }
+
+  // Returns false if the surface is left as it is, as most are.
+  // \pre triangles only
+  bool run()
+  {
+    if(!choose_lengths())
+      return false;
+    double area_of_long_faces = 0;
+    for(const Face f : m_mesh.faces())
+      if(push_if_long(f)) {
+        area_of_long_faces += area(f);
+        for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+          m_unchecked.push_back(m_mesh.edge(h));
+      }
+    if(!(area_of_long_faces > least_share * m_area))
+      return false;
+    flip();
+    while(!m_long_faces.empty() && m_mesh.number_of_faces() + 2 <= m_most_faces) {
+      const auto [area, f] = m_long_faces.top();
+      m_long_faces.pop();
+      if(area != this->area(f) || !is_long(f))
+        continue; // it has changed since
+      halve(longest_near(f));
+      flip();
+      push_if_long(f);
+    }
+    return true;
+  }
+
+private:
+  Vector vector(const Halfedge h) const
+  { return m_mesh.point(m_mesh.target(h)) - m_mesh.point(m_mesh.source(h)); }
+
+  Vector normal(const Face f) const
+  {
+    const Halfedge h = m_mesh.halfedge(f);
+    return CGAL::cross_product(vector(h), vector(m_mesh.next(h)));
+  }
+
+  double size(const Face f) const
+  {
+    const Halfedge h = m_mesh.halfedge(f);
+    return (m_sizes[m_mesh.source(h)] + m_sizes[m_mesh.target(h)] +
+            m_sizes[m_mesh.target(m_mesh.next(h))]) / 3;
+  }
+
+  // In units of the size.
+  double area(const Face f) const
+  { return std::sqrt(normal(f).squared_length()) / (2 * size(f) * size(f)); }
+
+  // Returns false where there are none: numbers that others will refuse.
+  bool choose_lengths()
+  {
+    CGAL::Bbox_3 box;
+    for(const Vertex v : m_mesh.vertices()) {
+      const Point& p = m_mesh.point(v);
+      if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()) &&
+           std::isfinite(m_sizes[v]) && m_sizes[v] > 0))
+        return false;
+      box += p.bbox();
+    }
+    m_area = 0;
+    for(const Face f : m_mesh.faces())
+      m_area += area(f);
+    constexpr double flatness = 1e-6; // as of points that were rounded to single precision
+    m_height_of_flat = flatness * std::hypot(box.x_span(), box.y_span(), box.z_span());
+    m_length = std::sqrt(m_area / number_of_squares);
+    return m_length > 0 && std::isfinite(m_length);
+  }
+
+  Halfedge longest_side(const Face f) const
+  {
+    Halfedge result = m_mesh.halfedge(f);
+    for(const Halfedge h : {m_mesh.next(result), m_mesh.prev(result)})
+      if(vector(h).squared_length() > vector(result).squared_length())
+        result = h;
+    return result;
+  }
+
+  bool is_long(const Face f) const
+  {
+    const double length = std::sqrt(vector(longest_side(f)).squared_length());
+    return length > m_length * size(f) &&
+           longness * std::sqrt(normal(f).squared_length()) < length * length;
+  }
+
+  bool push_if_long(const Face f)
+  {
+    const bool result = is_long(f);
+    if(result)
+      m_long_faces.emplace(area(f), f);
+    return result;
+  }
+
+  // The first edge that is the longest one on both sides, from the longest one of a face on.
+  Halfedge longest_near(Face f) const
+  {
+    for(;;) {
+      const Halfedge h = longest_side(f), o = m_mesh.opposite(h);
+      if(m_mesh.is_border(o))
+        return h;
+      f = m_mesh.face(o);
+      if(vector(longest_side(f)).squared_length() <= vector(h).squared_length())
+        return h;
+    }
+  }
+
+  void halve(const Halfedge h)
+  {
+    const Point middle = m_mesh.point(m_mesh.source(h)) + vector(h) / 2;
+    const double size = (m_sizes[m_mesh.source(h)] + m_sizes[m_mesh.target(h)]) / 2;
+    const Halfedge to_middle = CGAL::Euler::split_edge(h, m_mesh); // and h goes on from there
+    m_mesh.point(m_mesh.target(to_middle)) = middle;
+    m_sizes[m_mesh.target(to_middle)] = size;
+    m_is_feature[m_mesh.edge(to_middle)] = bool(m_is_feature[m_mesh.edge(h)]);
+    for(const Halfedge g : {to_middle, m_mesh.opposite(h)})
+      if(!m_mesh.is_border(g))
+        divide_face(g);
+    for(const Halfedge g : CGAL::halfedges_around_target(to_middle, m_mesh))
+      if(!m_mesh.is_border(g)) {
+        push_if_long(m_mesh.face(g));
+        m_unchecked.push_back(m_mesh.edge(m_mesh.prev(g)));
+      }
+  }
+
+  // One of four vertices, by an edge from the target of `h`.
+  void divide_face(const Halfedge h)
+  {
+    const Face f = m_mesh.face(h);
+    const Halfedge g = CGAL::Euler::split_face(h, m_mesh.next(m_mesh.next(h)), m_mesh);
+    const Face other = m_mesh.face(g) == f ? m_mesh.face(m_mesh.opposite(g)) : m_mesh.face(g);
+    m_directions[other] = Vector(m_directions[f]);
+    m_originals.push_back(std::size_t(m_originals[f]));
+  }
+
+  // Between slivers, rounding could let flips go on; so they are counted.
+  void flip()
+  {
+    while(!m_unchecked.empty()) {
+      const Halfedge h = m_mesh.halfedge(m_unchecked.back()), o = m_mesh.opposite(h);
+      m_unchecked.pop_back();
+      if(m_number_of_flips >= m_most_flips || is_wall(h) || !is_to_flip(h))
+        continue;
+      CGAL::Euler::flip_edge(h, m_mesh);
+      ++m_number_of_flips;
+      for(const Halfedge g : {h, o}) {
+        push_if_long(m_mesh.face(g));
+        m_unchecked.push_back(m_mesh.edge(m_mesh.next(g)));
+        m_unchecked.push_back(m_mesh.edge(m_mesh.prev(g)));
+      }
+    }
+  }
+
+  bool is_wall(const Halfedge h) const
+  { return m_is_feature[m_mesh.edge(h)] || m_mesh.is_border(m_mesh.edge(h)); }
+
+  // Whether it is no Delaunay edge, in a plane. One that exists already is not made again.
+  bool is_to_flip(const Halfedge h) const
+  {
+    const Halfedge o = m_mesh.opposite(h);
+    if(m_directions[m_mesh.face(h)] != m_directions[m_mesh.face(o)] ||
+       (is_wall(m_mesh.next(h)) && is_wall(m_mesh.prev(o))) ||
+       (is_wall(m_mesh.prev(h)) && is_wall(m_mesh.next(o))))
+      return false;
+    const Vertex v = m_mesh.target(m_mesh.next(h)), w = m_mesh.target(m_mesh.next(o));
+    const Point &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
+    return is_flat_and_not_Delaunay(a, b, m_mesh.point(v), m_mesh.point(w)) && v != w &&
+           !CGAL::halfedge(v, w, m_mesh).second;
+  }
+
+  // Of the triangles abp and baq: whether they face alike, as abp and baq and as pqb and qpa, the
+  // lines ab and pq are near to each other, and the angles at p and q add up to more than 180
+  // degrees.
+  bool is_flat_and_not_Delaunay(const Point& a, const Point& b, const Point& p,
+                                const Point& q) const
+  {
+    constexpr double rounding = 1e-9;
+    const Vector n = CGAL::cross_product(a - p, b - p), m = CGAL::cross_product(b - q, a - q);
+    const double sine_p = std::sqrt(n.squared_length()), cosine_p = (a - p) * (b - p);
+    const double sine_q = std::sqrt(m.squared_length()), cosine_q = (b - q) * (a - q);
+    if(!(sine_p * cosine_q + sine_q * cosine_p <
+         -rounding * std::hypot(sine_p, cosine_p) * std::hypot(sine_q, cosine_q)))
+      return false;
+    const Vector across = CGAL::cross_product(b - a, q - p), normal = n + m;
+    return std::abs(across * (p - a)) <= m_height_of_flat * std::sqrt(across.squared_length()) &&
+           n * m >= 0 && CGAL::cross_product(q - a, p - a) * normal > 0 &&
+           CGAL::cross_product(p - b, q - b) * normal > 0;
+  }
+
+  Mesh& m_mesh;
+  Mesh::Property_map<Edge, bool> m_is_feature;
+  Mesh::Property_map<Face, Vector> m_directions;
+  Mesh::Property_map<Vertex, double> m_sizes;
+  std::vector<std::size_t>& m_originals;
+  std::size_t m_most_faces, m_most_flips, m_number_of_flips = 0;
+  double m_area = 0, m_length = 0, m_height_of_flat = 0;
+  std::priority_queue<std::pair<double, Face> > m_long_faces; // the largest first
+  std::vector<Edge> m_unchecked; // which may have to be flipped
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_REFINE_SURFACE_H
