@@ -414,12 +414,14 @@ private:
   // Not where there is to be a mirror image: vertices on the plane have to stay there.
   void mend(Upper_sides& upper_sides, Quad_smoother& smoother)
   {
-    upper_sides.update();
+    upper_sides.update(); // and after each step, which moves the places below
     if(m_options.has_single_precision)
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
     mender.run(false);
+    upper_sides.update();
     Quad_collapser(m_quads, m_is_feature, smoother, m_options.has_single_precision).run();
+    upper_sides.update();
     mender.run(true);
     m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
     m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());
