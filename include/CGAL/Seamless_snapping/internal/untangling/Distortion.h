@@ -18,6 +18,8 @@
 // Minimizes the distortion of some triangles over some of the unknowns, by Newton's method with a
 // positive definite Hessian, while the regularization that lets triangles turn over is taken away.
 
+#include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
 #include <Eigen/Cholesky>
@@ -30,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -265,8 +268,14 @@ private:
     }
     // translations change nothing, where all triangles of a component are chosen
     m_hessian.diagonal() = (1 + 1e-9) * m_hessian.diagonal();
-    m_solver.factorize(m_hessian);
-    return m_solver.solve(-gradient);
+    if(!m_dense_solver) {
+      m_solver.factorize(m_hessian);
+      return m_solver.solve(-gradient);
+    }
+    m_dense_solver->factorize(m_hessian);
+    return m_dense_solver->info() == Eigen::Success
+             ? Vector(m_dense_solver->solve(-gradient))
+             : Vector::Constant(m_count, std::numeric_limits<FT>::quiet_NaN());
   }
 
   // Which entries the Hessian has, and where those of each term are.
@@ -285,7 +294,11 @@ private:
     for_each_entry([&](const int i, const int j) {
       m_places.push_back(&m_hessian.coeffRef(i, j) - m_hessian.valuePtr());
     });
-    m_solver.analyzePattern(m_hessian);
+    constexpr Eigen::Index many = 24; // in a row: three times as many as where points are free
+    if(m_hessian.nonZeros() > many * m_count)
+      m_dense_solver.emplace().analyzePattern(m_hessian);
+    else
+      m_solver.analyzePattern(m_hessian);
   }
 
   FT least_determinant() const
@@ -316,6 +329,8 @@ private:
   Sparse_matrix m_hessian;              // its lower triangle
   std::vector<std::ptrdiff_t> m_places; // among its values: of the entries of each term
   Eigen::SimplicialLDLT<Sparse_matrix> m_solver; // of lower triangles
+  // in place of it where the translations of cuts make long rows, and large blocks in the factor
+  std::optional<Sparse_cholesky<Sparse_matrix> > m_dense_solver;
 };
 
 } // namespace internal
