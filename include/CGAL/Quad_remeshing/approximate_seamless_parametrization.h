@@ -378,7 +378,8 @@ report.
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{about the largest number of iterations that are spent on untangling, over
                           as many faces as the mesh has; each costs about as much as a stiffening
-                          round. 0 for no untangling}
+                          round. Those after a release of features that has not helped count
+                          threefold. 0 for no untangling}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`500`}
   \cgalParamNEnd

@@ -298,10 +298,14 @@ private:
       return refuse(m_report, made);
     release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
+    // where untangling has left flips already, all cones are tried next
+    const bool is_hopeless = made.number_of_flipped_faces > 0 && least_cone_distance > 0;
     const auto snapped =
       snap_to_seamless(surface_mesh(), m_surface.uv_map(),
-                       features_and_transitions().align_border(true)
-                                                 .repair_flips(Flip_repair::UNTANGLE));
+                       features_and_transitions()
+                         .align_border(true)
+                         .repair_flips(is_hopeless ? Flip_repair::NEAR_BY
+                                                   : Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
       return refuse(m_report, snapped);

@@ -142,6 +142,26 @@ inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
   return released;
 }
 
+// How many edges to release at once for each face: twice as many each time that the faces have not
+// become fewer, as all of the surface is solved for again.
+class Release_size
+{
+public:
+  std::size_t get() const { return m_number; }
+
+  // Returns whether the faces have become fewer.
+  bool update(const std::size_t number_of_faces)
+  {
+    const bool is_less = number_of_faces < m_fewest_faces;
+    m_number = is_less ? 1 : (std::min)(2 * m_number, std::size_t(64));
+    m_fewest_faces = (std::min)(m_fewest_faces, number_of_faces);
+    return is_less;
+  }
+
+private:
+  std::size_t m_fewest_faces = static_cast<std::size_t>(-1), m_number = 1;
+};
+
 // Invariant: the edges that were released are aligned no more, all others are as they were.
 template <typename Solver, typename Report>
 class Positive_solver
@@ -162,10 +182,9 @@ public:
   void run(const std::size_t number_of_untangling_iterations)
   {
     m_iterations_left = number_of_untangling_iterations;
+    Release_size number_of_edges; // per stuck face
     for(std::size_t round = 0; ; ++round) {
-      make_complex();
-      while(m_options.may_release && release(degenerate_faces()))
-        make_complex();
+      make_complex_of_faces_with_area();
       const Coordinates reached = m_uv; // in the last round, before attempts close by
       bool is_untangled = false;
       std::optional<Sparse_system<Solver> > system(std::in_place, m_rows->number_of_unknowns(),
@@ -184,14 +203,19 @@ public:
       else if(!is_untangled)
         keep_better(reached, *system, unknowns);
       std::vector<std::size_t> stuck;
+      const std::size_t iterations_before = m_iterations_left;
       m_uv = m_rows->evaluate(unknowns);
       m_solver.solver = Solver(); // frees memory
       system.reset();
       if(number_of_flips(m_surface, *m_complex, m_uv) > 0)
         stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
                                                          : Untangling::ANGLES_FIRST);
+      if(!number_of_edges.update(stuck.size())) // what has not helped counts threefold
+        m_iterations_left -=
+          (std::min)(m_iterations_left, 2 * (iterations_before - m_iterations_left));
       const bool is_last = round == largest_number_of_rounds || m_iterations_left == 0;
-      if(!stuck.empty() && m_options.may_release && !is_last && release(stuck))
+      if(!stuck.empty() && m_options.may_release && !is_last &&
+         release(stuck, number_of_edges.get()))
         continue;
       if(!stuck.empty() && m_options.may_release)
         untangle(unknowns, Untangling::ANGLES_FIRST);
@@ -211,6 +235,21 @@ private:
     m_complex.emplace(m_surface, m_is_cut, m_rotation, m_angles);
     m_rows.emplace(m_complex->complex());
     m_table.emplace(*m_rows, m_complex->number_of_sectors());
+  }
+
+  // Releases edges where the constraints leave faces no area.
+  void make_complex_of_faces_with_area()
+  {
+    Release_size number_of_edges; // per face
+    make_complex();
+    if(m_options.may_release)
+      for(std::vector<std::size_t> faces = degenerate_faces(); !faces.empty();
+          faces = degenerate_faces()) {
+        number_of_edges.update(faces.size());
+        if(!release(faces, number_of_edges.get()))
+          return;
+        make_complex();
+      }
   }
 
   // What untangling reached before edges were released meets the constraints that are left: goes
@@ -270,10 +309,8 @@ private:
   std::vector<std::size_t> degenerate_faces() const
   {
     std::vector<std::size_t> result;
-    Sparse_row row;
     const auto is_constant = [&](const Corner_index h, const std::size_t c) {
-      m_table->difference(m_complex->sector(h), m_complex->sector(m_surface.prev(h)), c, row);
-      return row.empty();
+      return m_table->are_equal(m_complex->sector(h), m_complex->sector(m_surface.prev(h)), c);
     };
     for(Flat_face_index f = 0; f < m_surface.number_of_faces(); ++f)
       for(std::size_t c = 0; c < 2; ++c)
@@ -284,13 +321,15 @@ private:
     return result;
   }
 
-  // Releases an edge of each face: the shortest feature of its own, or else of a vertex; of one
-  // near by where large patches are not tried. Returns whether there is one.
-  bool release(const std::vector<std::size_t>& faces)
+  // Releases so many edges of each face, one after the other: the shortest feature of its own, or
+  // else of a vertex; of one near by where large patches are not tried. Returns whether there is
+  // one.
+  bool release(const std::vector<std::size_t>& faces, const std::size_t edges_per_face)
   {
     const std::size_t before = m_released.size();
     const std::size_t most_vertices = m_table->has_long_sums() ? 100 : 3;
-    for(const std::size_t f : faces) {
+    for(std::size_t k = 0; k < faces.size() * edges_per_face; ++k) {
+      const std::size_t f = faces[k / edges_per_face];
       Shortest_feature best(m_surface);
       std::vector<std::size_t> vertices;
       for(Corner_index h = Corner_index(3 * f); h < Corner_index(3 * f + 3); ++h) {

@@ -83,6 +83,13 @@ public:
         visit(quantity, factor);
   }
 
+  bool are_equal(const std::size_t i, const std::size_t j) const
+  {
+    return m_places[i] >= 0 || m_places[j] >= 0
+             ? m_places[i] == m_places[j]
+             : m_sums[std::size_t(-1 - m_places[i])] == m_sums[std::size_t(-1 - m_places[j])];
+  }
+
   // Of those that are not one quantity.
   std::size_t number_of_terms_of_sums() const
   {
@@ -243,6 +250,10 @@ public:
   template <typename Visit>
   void for_each_term(const std::size_t sector, const std::size_t c, const Visit& visit) const
   { m_coordinates.for_each_term(2 * sector + c, visit); }
+
+  // Whether the constraints give both sectors the same coordinate `c`.
+  bool are_equal(const std::size_t sector, const std::size_t other, const std::size_t c) const
+  { return m_coordinates.are_equal(2 * sector + c, 2 * other + c); }
 
   // Whether the mean coordinate is a long sum, as where features cross the cuts of many handles.
   bool has_long_sums() const
