@@ -543,23 +543,40 @@ void check_numbers(const Square_complex& complex, const std::string& name)
   CHECK(near_by > 5);
 }
 
-// Tori of n x n quads: face graphs for n = 4, or once each quad is divided into 4, or into 16.
-std::vector<Intrinsic_complex> tori()
+// A torus of m x n quads.
+Intrinsic_complex quads_of_torus(const int m, const int n)
 {
-  std::vector<Intrinsic_complex> result;
-  for(const int n : {4, 2, 1}) {
-    const Grid_map map(surfaces::torus(n, n), 4, 4);
-    const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
-    Intrinsic_complex complex = internal::make_complex(input);
-    coarsen(input, complex);
-    complex = compacted(complex);
-    for(Intrinsic_corner& corner : complex.corners)
-      for(std::size_t c = 0; c < 2; ++c)
-        corner.units[c] = std::llround(double(corner.vector[c]) * input.steps[0] / 4);
-    result.push_back(complex);
-  }
-  return result;
+  const Grid_map map(surfaces::torus(m, n), 4, 4);
+  const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
+  Intrinsic_complex complex = internal::make_complex(input);
+  coarsen(input, complex);
+  complex = compacted(complex);
+  for(Intrinsic_corner& corner : complex.corners)
+    for(std::size_t c = 0; c < 2; ++c)
+      corner.units[c] = std::llround(double(corner.vector[c]) * input.steps[0] / 4);
+  return complex;
 }
+
+// The quads of a torus are a face graph if there are at least 3 in each direction: strips are
+// doubled until then, and no further.
+void test_doubled_strips()
+{
+  for(int m = 1; m <= 5; ++m)
+    for(int n = 1; n <= 5; ++n) {
+      const std::string context = std::to_string(m) + " x " + std::to_string(n) + " quads";
+      Intrinsic_complex torus = quads_of_torus(m, n);
+      const std::vector<int> angles = internal::angles_around_vertices(torus);
+      CHECK_IN(context, internal::number_of_quads(torus) == m * n);
+      CHECK_IN(context, internal::Face_graph_mender(torus, {1.}).run());
+      CHECK_IN(context, internal::defect(torus, angles, &Intrinsic_corner::units).empty());
+      CHECK_IN(context,
+               internal::number_of_quads(torus) == (std::max)(m, 3) * (std::max)(n, 3));
+    }
+}
+
+// Tori that are face graphs, and ones that can be made some.
+std::vector<Intrinsic_complex> tori()
+{ return {quads_of_torus(4, 4), quads_of_torus(2, 2), quads_of_torus(1, 1)}; }
 
 // However the numbers of quads differ from those wanted, and whichever of them face graphs have:
 // the search is bounded, and what it finds grows with what is wanted.
@@ -575,6 +592,7 @@ void test_search()
       ++calls;
       internal::Quantized_complex result;
       result.complex = complexes[std::min<std::size_t>(random() % 8, 2)];
+      result.scales = {1.};
       result.number_of_quads =
         (std::max)(number * (0.85 + 0.2 * uniform()), 20. * seed * (0.8 + 0.4 * uniform()));
       return result;
@@ -588,7 +606,7 @@ void test_search()
                                   " quads: " + std::to_string(found.number_of_quads) + " after " +
                                   std::to_string(before);
       CHECK_IN(context, found.number_of_quads >= 0.95 * (std::max)(wanted, before));
-      CHECK_IN(context, internal::has_face_graph(found.complex));
+      CHECK_IN(context, internal::number_of_quads(found.complex) >= 9); // less is no face graph
       CHECK_IN(context, calls <= (before == 0 ? 149 : 254));
       before = (std::max)(before, found.number_of_quads);
       most = (std::max)(most, calls);
@@ -597,16 +615,17 @@ void test_search()
   std::cout << "searches for face graphs: at most " << most << " quantizations" << std::endl;
 }
 
-// What the search finds where `number(n)` quads are made for n, which are a face graph once each is
-// divided into 4 to the power of `divisions(n)`.
-template <typename Number, typename Divisions>
-double searched_number(const Number& number, const Divisions& divisions, const double wanted,
+// What the search finds where `number(n)` quads are made for n, which are a face graph at once if
+// `kind(n)` is 0, and else with some more.
+template <typename Number, typename Kind>
+double searched_number(const Number& number, const Kind& kind, const double wanted,
                        const double maximum)
 {
   const std::vector<Intrinsic_complex> complexes = tori();
   const auto quantize = [&](const double n) {
     internal::Quantized_complex result;
-    result.complex = complexes[std::size_t(divisions(n))];
+    result.complex = complexes[std::size_t(kind(n))];
+    result.scales = {1.};
     result.number_of_quads = number(n);
     return result;
   };
@@ -2131,7 +2150,8 @@ int main()
     test_unaligned_borders();
     test_folds();
     test_empty_mesh();
-    test_search();
+    test_doubled_strips();
+  test_search();
     test_choices_of_search();
     test_numbers();
     test_remeshing();

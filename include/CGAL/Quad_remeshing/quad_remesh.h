@@ -254,10 +254,12 @@ function says so.
 Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
-(up to 41 % where the coarse triangulation has more than 1,400 triangles): quads are made, or a
-quarter as many and divided into four each, or a sixteenth and into sixteen, which always helps.
-There are at most 254 quantizations of a map, and 149 with `minimize_number_of_quads`; two more
-where there are far more quads than wanted, to tell how many the features force. Where there are
+(up to 41 % where the coarse triangulation has more than 1,400 triangles): strips of quads across
+edges that are in the way are doubled; or there are a quarter as many quads, and each is divided
+into four, or a sixteenth, into sixteen. That always helps. There are at most 254 quantizations of a
+map, and 149 with `minimize_number_of_quads`, with up to 16 extractions of quads for each of the
+three ways; two more quantizations where there are far more quads than wanted, to tell how many the
+features force. Where there are
 more than 1.1 times as many as wanted, and features neither force these nor are released, further
 maps are made, with more or fewer cones: for each halving of the number four times, and for each
 doubling up to about 1.5 times the fewest quads that are known. The result has about as many quads

@@ -139,21 +139,33 @@ private:
   std::vector<std::size_t> m_folded_darts; // their sides but those from their points, sorted
 };
 
-// A vertex that has an edge to itself, or two edges to another one, or one edge in all, so that its
-// face has a vertex twice; or the number of vertices.
+// The darts from a vertex along edges to itself, along two or more to one other vertex, or along the
+// only one, so that a face has the vertex twice.
+inline boost::container::small_vector<std::size_t, 16>
+double_edges(const Cell_complex& complex, const Cell_vertices& vertices, const std::size_t v)
+{
+  boost::container::small_vector<std::pair<std::size_t, std::size_t>, 16> neighbors;
+  const std::size_t p = vertices.point(v);
+  for(std::size_t d = complex.darts.first(p); d < complex.darts.first(p + 1); ++d)
+    if(complex.is_edge(d) && !complex.is_folded(d) && complex.origin(vertices, d) == v)
+      neighbors.emplace_back(complex.origin(vertices, complex.twin(d)), d);
+  std::sort(neighbors.begin(), neighbors.end());
+  boost::container::small_vector<std::size_t, 16> result;
+  for(std::size_t i = 0; i < neighbors.size(); ++i) {
+    const std::size_t w = neighbors[i].first;
+    if(w == v || neighbors.size() == 1 || (i > 0 && neighbors[i - 1].first == w) ||
+       (i + 1 < neighbors.size() && neighbors[i + 1].first == w))
+      result.push_back(neighbors[i].second);
+  }
+  return result;
+}
+
+// A vertex with such edges, or the number of vertices.
 template <typename ConcurrencyTag>
 std::size_t vertex_with_double_edges(const Cell_complex& complex, const Cell_vertices& vertices)
 {
-  return find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t v) {
-    boost::container::small_vector<std::size_t, 16> neighbors(1, v);
-    const std::size_t p = vertices.point(v);
-    for(std::size_t d = complex.darts.first(p); d < complex.darts.first(p + 1); ++d)
-      if(complex.is_edge(d) && !complex.is_folded(d) && complex.origin(vertices, d) == v)
-        neighbors.push_back(complex.origin(vertices, complex.twin(d)));
-    std::sort(neighbors.begin(), neighbors.end());
-    return neighbors.size() == 2 ||
-           std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end();
-  });
+  return find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t v)
+                                    { return !double_edges(complex, vertices, v).empty(); });
 }
 
 } // namespace internal

@@ -16,15 +16,15 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // The least number of quads, not below the one wanted, that a face graph can hold. A coarse mesh
-// may have quads that meet themselves, or each other twice. Then there are two ways: more quads, or
-// fewer, each divided into four or sixteen; that helps always, but for quads around vertices of one
-// edge, which are left out.
+// may have quads that meet themselves, or each other twice. Then strips of quads are doubled; or
+// there are fewer quads, each divided into four or sixteen: that helps always, but for quads around
+// vertices of one edge, which are left out.
 //
 // The numbers that are tried are steps of a ladder that doesn't depend on what is wanted, so that
 // the result grows with what is wanted, up to the tolerance.
 
-#include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
-#include <CGAL/Quad_remeshing/internal/quantization/make_chart_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Face_graph_mender.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,48 +48,18 @@ inline void refine(const std::int64_t factor, Intrinsic_complex& complex)
       coordinate = checked_product(factor, coordinate);
 }
 
-// Whether the quads that the units describe are a face graph, once folded ones are left out.
-inline bool has_face_graph(const Intrinsic_complex& complex)
-{
-  Extraction_options options;
-  options.leave_out_folded_cells = true;
-  Quad_extractor extractor(make_chart_mesh(complex), {}, options,
-                           [](const Corner_index) { return std::string(); });
-  if(!extractor.template run<CGAL::Sequential_tag>([] { }))
-    return false;
-  const Cell_complex& quads = extractor.complex();
-  const auto vertices =
-    Cell_vertices::make<CGAL::Sequential_tag>(quads.points.size(), quads.darts,
-                                              [&](const auto d) { return quads.is_gap(d); });
-  return vertex_with_double_edges<CGAL::Sequential_tag>(quads, vertices) == vertices.size();
-}
-
 // A quantization of about a number of quads.
-class Quantized_complex
+struct Quantized_complex
 {
-public:
   Intrinsic_complex complex;
   double number_of_quads = 0;
   double first_scale = 1;
   std::size_t number_of_moves = 0, number_of_long_edges = 0;
+  std::vector<double> scales; // wanted units per step of the input's grid, per part
 
   // Once each quad is divided into four so often.
   double number_after(const int divisions) const
   { return std::ldexp(number_of_quads, 2 * divisions); }
-
-  // The same for the face graph; what has been found out is kept.
-  bool has_face_graph_after(const int divisions) const
-  {
-    if(divisions > m_most_bad && divisions < m_least_good) {
-      Intrinsic_complex divided = complex;
-      refine(1 << divisions, divided);
-      (has_face_graph(divided) ? m_least_good : m_most_bad) = divisions;
-    }
-    return divisions >= m_least_good;
-  }
-
-private:
-  mutable int m_most_bad = -1, m_least_good = (std::numeric_limits<int>::max)();
 };
 
 // `quantize(number)` returns a Quantized_complex.
@@ -111,18 +81,20 @@ public:
     : m_quantize(quantize), m_maximum(maximum_number), m_stride(stride)
   { }
 
-  // The result, divided as often as it has to be; or an undivided one that is none, or has more
+  // The result; or a quantization that is none, or has more
   // quads than the largest number. It is not less than that for a smaller number, up to the
   // tolerance.
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;
     m_best = step_of(wanted);
-    if(!is_reached(at(m_best)))
+    if(!is_reached())
       search();
     Quantized_complex result = at(m_best);
-    refine(1 << m_divisions, result.complex);
-    result.number_of_quads = result.number_after(m_divisions);
+    if(const Face_graph& found = face_graph(m_best, m_divisions); found.exists) {
+      result.complex = found.complex;
+      result.number_of_quads = found.number_of_quads;
+    }
     return result;
   }
 
@@ -132,10 +104,11 @@ private:
   static double number_at(const int step) { return std::exp2(2. * step / steps_per_division); }
 
   // So that nothing better is left to be found: most often, the first one is so.
-  bool is_reached(const Quantized_complex& q) const
+  bool is_reached()
   {
-    return q.number_of_quads >= (1 - tolerance) * m_wanted &&
-           q.number_of_quads <= number_at(m_best + 1) && q.has_face_graph_after(0);
+    const Face_graph& found = face_graph(m_best, 0);
+    return found.exists && found.number_of_quads >= (1 - tolerance) * m_wanted &&
+           found.number_of_quads <= number_at(m_best + 1);
   }
 
   void search()
@@ -184,14 +157,42 @@ private:
 
   void try_divisions(const int step, const int divisions)
   {
-    const Quantized_complex& q = at(step);
-    const double number = q.number_after(divisions);
+    if(at(step).number_after(divisions) >= m_least)
+      return;
+    const Face_graph& found = face_graph(step, divisions);
+    const double number = found.number_of_quads;
     if(number >= (1 - tolerance) * m_wanted && number < m_least &&
-       (number > m_maximum || q.has_face_graph_after(divisions))) {
+       (number > m_maximum || found.exists)) {
       m_least = number;
       m_best = step;
       m_divisions = divisions;
     }
+  }
+
+  // Each quad is divided into four so often, and strips are doubled.
+  struct Face_graph
+  {
+    Intrinsic_complex complex;
+    double number_of_quads = 0;
+    bool exists = false;
+  };
+
+  const Face_graph& face_graph(const int step, const int divisions)
+  {
+    const auto [found, is_new] = m_face_graphs.try_emplace({step, divisions});
+    Face_graph& result = found->second;
+    const Quantized_complex& q = at(step);
+    if(!is_new)
+      return result;
+    result.number_of_quads = q.number_after(divisions);
+    if(result.number_of_quads > m_maximum)
+      return result;
+    result.complex = q.complex;
+    refine(1 << divisions, result.complex);
+    const double before = internal::number_of_quads(result.complex);
+    result.exists = Face_graph_mender(result.complex, q.scales).run();
+    result.number_of_quads += internal::number_of_quads(result.complex) - before;
+    return result;
   }
 
   const Quantized_complex& at(const int step)
@@ -202,7 +203,8 @@ private:
   }
 
   const Quantize& m_quantize;
-  std::map<int, Quantized_complex> m_known; // by step
+  std::map<int, Quantized_complex> m_known;                 // by step
+  std::map<std::pair<int, int>, Face_graph> m_face_graphs;  // by step and divisions
   double m_maximum;
   int m_stride;
   double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();

@@ -39,6 +39,14 @@ inline std::size_t few_moves(const Intrinsic_complex& complex)
   return std::size_t(complex.number_of_faces() / 100);
 }
 
+// A face of a strip, with the halfedges over which the strip leaves and enters it, and the change of
+// the first one's vector, in the face's chart.
+struct Strip_face
+{
+  Corner_index exit, entry;
+  Grid_vector change;
+};
+
 // Invariant: no move makes a positive triangle otherwise; nor does it change the angle around a
 // vertex where all triangles are positive, since they stay positive all along the move.
 class Strip_moves
@@ -74,6 +82,26 @@ public:
         return false;
     }
     return false;
+  }
+
+  // Makes the move along a strip if it keeps triangles positive that are. Returns whether it does.
+  bool move_along(const std::vector<Strip_face>& faces)
+  {
+    m_changes.clear();
+    for(const Strip_face& f : faces)
+      add_changes(f.exit, f.entry, f.change);
+    return apply_changes(std::numeric_limits<double>::infinity());
+  }
+
+  // Makes the cheapest move that changes the units of a halfedge by a unit vector. Returns whether
+  // there is one.
+  bool change(const Corner_index h, const Grid_vector& vector)
+  {
+    constexpr double no_bound = std::numeric_limits<double>::infinity();
+    Strip_state s = strip_state(h, 0);
+    while(change_of(s) != vector)
+      ++s;
+    return m_rules.is_allowed(s) && move(s, no_bound, no_bound);
   }
 
 private:
@@ -120,16 +148,25 @@ private:
             m_finder.find(start, bound, false) && apply(bound_of_change));
   }
 
-  // Makes the move along the strip that was found, if it changes the sum of squares by less than
-  // `bound`, and keeps triangles positive that are.
+  // Makes the move along the strip that was found, as below.
   bool apply(const double bound)
   {
     m_changes.clear();
     m_finder.for_each_face(
-      [&](const Corner_index exit, const Corner_index entry, const Grid_vector& change) {
-        m_changes.push_back({exit, change});
-        m_changes.push_back({entry, negated(change)});
-      });
+      [&](const Corner_index exit, const Corner_index entry, const Grid_vector& change)
+      { add_changes(exit, entry, change); });
+    return apply_changes(bound);
+  }
+
+  void add_changes(const Corner_index exit, const Corner_index entry, const Grid_vector& change)
+  {
+    m_changes.push_back({exit, change});
+    m_changes.push_back({entry, negated(change)});
+  }
+
+  // If they change the sum of squares by less than `bound`, and keep triangles positive that are.
+  bool apply_changes(const double bound)
+  {
     double difference = 0;
     for(const Change& c : m_changes) {
       const Corner_index g = m_complex.opposite(c.halfedge);

@@ -227,7 +227,8 @@ private:
     result.complex = std::move(start.complex);
     result.first_scale = start.first_scale / wanted;
     result.number_of_moves = start.number_of_moves;
-    Complex_quantizer quantizer(m_coarse->input, result.complex, ladder.scales(wanted));
+    result.scales = ladder.scales(wanted);
+    Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales);
     result.number_of_moves += quantizer.improve();
     if(!is_coarsest)
       result.number_of_moves += quantizer.adjust(number_of_quads);
