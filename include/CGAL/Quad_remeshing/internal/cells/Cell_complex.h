@@ -139,8 +139,8 @@ private:
   std::vector<std::size_t> m_folded_darts; // their sides but those from their points, sorted
 };
 
-// The darts from a vertex along edges to itself, along two or more to one other vertex, or along the
-// only one, so that a face has the vertex twice.
+// The darts from a vertex along edges to itself, along two or more to one other vertex, or along
+// the only one, so that a face has the vertex twice.
 inline boost::container::small_vector<std::size_t, 16>
 double_edges(const Cell_complex& complex, const Cell_vertices& vertices, const std::size_t v)
 {

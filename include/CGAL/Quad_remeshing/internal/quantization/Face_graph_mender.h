@@ -16,9 +16,9 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Quads that are no face graph, as some vertices have an edge to themselves or two to another one,
-// become one where such edges get longer by one unit: the strip of quads across the edge is doubled;
-// or, where that is long, as strips may wind around the surface many times, the cheapest strip of
-// triangles is taken that crosses the same edge of the complex.
+// become one where such edges get longer by one unit: the strip of quads across the edge is doubled.
+// Strips may wind around the surface many times; where one is long, the cheapest strip of triangles
+// is taken that crosses the same edge of the complex.
 
 #include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
@@ -113,10 +113,10 @@ private:
   void add_faces(const Place& start, std::vector<Strip_face>& faces) const
   {
     const std::size_t first = faces.size();
-    faces.push_back({exit(start), no_index, unit_vector(turned(start.direction, 1))});
+    faces.push_back({way_out(start), no_index, unit_vector(turned(start.direction, 1))});
     if(!follow(start, start, faces)) {
       const Place back{start.corner, start.point, reversed(start.direction)};
-      faces[first].entry = exit(back);
+      faces[first].entry = way_out(back);
       follow(back, back, faces);
     } else {
       faces[first].entry = faces.back().exit; // of the first face, which has come again
@@ -127,27 +127,27 @@ private:
   // Appends the faces behind the first one. Returns whether the line closes.
   bool follow(Place place, const Place& start, std::vector<Strip_face>& faces) const
   {
-    const Corner_index first = exit(start);
+    const Corner_index first = way_out(start);
     for(;;) {
-      const Corner_index h = exit(place), entry = m_mesh.opposite(h);
+      const Corner_index h = way_out(place), entry = m_mesh.opposite(h);
       if(entry == no_index)
         return false;
       Uv point = across(h, place.point);
       place = {entry, point, turned(place.direction, m_mesh.rotation(h))};
       const std::size_t running = running_component(place.direction);
       place.point[running] = m_mesh.uv(entry)[running]; // so that it stays small
-      if(exit(place) == first && place.direction == start.direction &&
+      if(way_out(place) == first && place.direction == start.direction &&
          place.point[1 - running] == start.point[1 - running]) {
         faces.push_back({entry, entry, {}});
         return true;
       }
-      faces.push_back({exit(place), entry, unit_vector(turned(place.direction, 1))});
+      faces.push_back({way_out(place), entry, unit_vector(turned(place.direction, 1))});
     }
   }
 
   // Over which the line leaves the face: it comes from the left of one end and the right of the
   // other.
-  Corner_index exit(const Place& place) const
+  Corner_index way_out(const Place& place) const
   {
     const std::size_t c = constant_component(place.direction);
     const auto side = [&](const Corner_index corner)

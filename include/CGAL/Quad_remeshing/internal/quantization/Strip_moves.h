@@ -39,8 +39,8 @@ inline std::size_t few_moves(const Intrinsic_complex& complex)
   return std::size_t(complex.number_of_faces() / 100);
 }
 
-// A face of a strip, with the halfedges over which the strip leaves and enters it, and the change of
-// the first one's vector, in the face's chart.
+// A face of a strip: the halfedges over which the strip leaves and enters it, and the change of the
+// first one's vector, in the face's chart.
 struct Strip_face
 {
   Corner_index exit, entry;
