@@ -233,8 +233,8 @@ shape.
 The vertices of quads that are inverted even then leave their features, and the surface where that
 does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the
 report counts them, and tells by how much. Where that is not enough, the vertices of the quads
-around move, too. There are at most 20,000 such moves of a vertex in all. With `symmetry_plane`,
-they stay. Quads that stay inverted are counted in the report.
+around move, too, in at most five rounds. There are at most 20,000 such moves of a vertex in all.
+With `symmetry_plane`, they stay. Quads that stay inverted are counted in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 long triangles, as of flat faces without vertices inside, if they cover a quarter of the area: those
@@ -259,13 +259,12 @@ edges that are in the way are doubled; or there are a quarter as many quads, and
 into four, or a sixteenth, into sixteen. That always helps. There are at most 254 quantizations of a
 map, and 149 with `minimize_number_of_quads`, with up to 16 extractions of quads for each of the
 three ways; two more quantizations where there are far more quads than wanted, to tell how many the
-features force. Where there are
-more than 1.1 times as many as wanted, and features neither force these nor are released, further
-maps are made, with more or fewer cones: for each halving of the number four times, and for each
-doubling up to about 1.5 times the fewest quads that are known. The result has about as many quads
-as wanted, or as few as were found, which the message tells; and, unless features force quads or are
-released, at least 95 % of those that are made where fewer are wanted. The quad around a vertex of
-one edge is left out.
+features force. Where there are more than 1.1 times as many as wanted, and features neither force
+these nor are released, further maps are made, with more or fewer cones: for each halving of the
+number four times, and for each doubling up to about 1.5 times the fewest quads that are known. The
+result has about as many quads as wanted, or as few as were found, which the message tells; and,
+unless features force quads or are released, at least 95 % of those that are made where fewer are
+wanted. The quad around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

@@ -423,10 +423,11 @@ private:
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
     mender.run(false);
-    upper_sides.update();
-    Quad_collapser(m_quads, m_is_feature, smoother, m_options.has_single_precision).run();
-    upper_sides.update();
-    mender.run(true);
+    for(int i = 0; i < most_mending_rounds && upper_sides.update() > 0; ++i) {
+      Quad_collapser(m_quads, m_is_feature, smoother, m_options.has_single_precision).run();
+      upper_sides.update();
+      mender.run(true);
+    }
     m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
     m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());
   }
@@ -450,6 +451,7 @@ private:
   }
 
   static constexpr int lowest_rung = -12; // of about one quad
+  static constexpr int most_mending_rounds = 4;
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 

@@ -16,7 +16,7 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Quads that are no face graph, as some vertices have an edge to themselves or two to another one,
-// become one where such edges get longer by one unit: the strip of quads across the edge is doubled.
+// become one where such edges get longer by one unit: the strip of quads across each is doubled.
 // Strips may wind around the surface many times; where one is long, the cheapest strip of triangles
 // is taken that crosses the same edge of the complex.
 

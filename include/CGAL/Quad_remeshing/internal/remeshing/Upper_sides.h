@@ -67,9 +67,10 @@ public:
   }
 
   // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
-  // does on the average.
-  void update()
+  // does on the average. Returns their number.
+  std::size_t update()
   {
+    std::size_t number = 0;
     for(const Face f : faces(m_quads)) {
       const Quad q = m_smoother.quad(f);
       m_smoother.upper_sides()[f] = Space_vector{};
@@ -82,8 +83,10 @@ public:
               sum[c] += n[c];
           }
         m_smoother.upper_sides()[f] = sum;
+        ++number;
       }
     }
+    return number;
   }
 
 private:
