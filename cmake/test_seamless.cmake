@@ -611,7 +611,7 @@ seamless(1 remesh box.off no_quads.obj --quads 1 --feature-angle 40 --maximum-nu
 expect_message("${err}" "more than --maximum-number")
 
 # quads that would be inverted are smoothed, but not those of a soup
-seamless(0 quads genus2.obj smoothed.off --number 30 --report smoothed.json)
+seamless(0 quads genus2.obj smoothed.off --number 40 --report smoothed.json)
 expect_message("${out}" "quads were inverted")
 file(READ "${WORK_DIR}/smoothed.json" json)
 expect_message("${json}" "\"number_of_inverted_quads\": 0")
