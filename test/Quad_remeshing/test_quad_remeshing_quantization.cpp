@@ -2151,7 +2151,7 @@ int main()
     test_folds();
     test_empty_mesh();
     test_doubled_strips();
-  test_search();
+    test_search();
     test_choices_of_search();
     test_numbers();
     test_remeshing();

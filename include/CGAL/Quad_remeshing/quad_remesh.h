@@ -459,18 +459,14 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   const auto& parameters = strip(np1);
   const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
     const Remeshing_options options = remeshing_options(tmesh, parameters, is_single);
-    bool is_refined = true;
-    const auto remesh_surface = [&] {
-      Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
-      is_refined = is_refined && surface.refine();
-      return remesh(surface, options, result, is_feature);
-    };
-    const Remeshing_report report = remesh_surface();
+    Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
+    const bool is_refined = surface.refine();
+    const Remeshing_report report = remesh(surface, options, result, is_feature);
     if(report || !is_refined)
       return report;
-    is_refined = false;
+    Surface_to_remesh input = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
     result.clear_without_removing_property_maps();
-    return remesh_surface();
+    return remesh(input, options, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
 }

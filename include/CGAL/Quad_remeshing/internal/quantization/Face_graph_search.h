@@ -81,9 +81,8 @@ public:
     : m_quantize(quantize), m_maximum(maximum_number), m_stride(stride)
   { }
 
-  // The result; or a quantization that is none, or has more
-  // quads than the largest number. It is not less than that for a smaller number, up to the
-  // tolerance.
+  // The result; or a quantization that is none, or has more quads than the largest number. It is
+  // not less than that for a smaller number, up to the tolerance.
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;

@@ -19,6 +19,7 @@
 // border, all edges that it crosses change by one unit, in one direction. So triangles stay closed,
 // sides of edges match, and walls stay on their isocurves.
 
+#include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_finder.h>
 
 #include <algorithm>
@@ -38,14 +39,6 @@ inline std::size_t few_moves(const Intrinsic_complex& complex)
 {
   return std::size_t(complex.number_of_faces() / 100);
 }
-
-// A face of a strip: the halfedges over which the strip leaves and enters it, and the change of the
-// first one's vector, in the face's chart.
-struct Strip_face
-{
-  Corner_index exit, entry;
-  Grid_vector change;
-};
 
 // Invariant: no move makes a positive triangle otherwise; nor does it change the angle around a
 // vertex where all triangles are positive, since they stay positive all along the move.
@@ -84,23 +77,22 @@ public:
     return false;
   }
 
-  // Makes the move along a strip if it keeps triangles positive that are. Returns whether it does.
-  bool move_along(const std::vector<Strip_face>& faces)
+  // Makes the move along a line, by which edges that it crosses get one unit longer, if triangles
+  // stay positive that are. Returns whether they do.
+  bool move_along(const std::vector<Face_on_line>& faces)
   {
     m_changes.clear();
-    for(const Strip_face& f : faces)
-      add_changes(f.exit, f.entry, f.change);
+    for(const Face_on_line& f : faces)
+      add_changes(f.exit, f.entry, unit_vector(f.left));
     return apply_changes(std::numeric_limits<double>::infinity());
   }
 
-  // Makes the cheapest move that changes the units of a halfedge by a unit vector. Returns whether
+  // Makes the cheapest move that changes a halfedge by one unit in this direction. Returns whether
   // there is one.
-  bool change(const Corner_index h, const Grid_vector& vector)
+  bool change(const Corner_index h, const Direction direction)
   {
     constexpr double no_bound = std::numeric_limits<double>::infinity();
-    Strip_state s = strip_state(h, 0);
-    while(change_of(s) != vector)
-      ++s;
+    const Strip_state s = strip_state(h, direction);
     return m_rules.is_allowed(s) && move(s, no_bound, no_bound);
   }
 
