@@ -70,6 +70,29 @@ SS::IO::File_status read_as(const bool weld, Model& model)
     SS::parameters::edge_is_constrained_map(model.is_feature).weld_borders(weld));
 }
 
+void exchange_coordinates(const Model& model)
+{
+  for(const Halfedge h : model.mesh.halfedges())
+    model.uv_map[h] = Kernel::Point_2(model.uv_map[h].y(), model.uv_map[h].x());
+}
+
+// While it lives, the coordinates of the model are those of its file, as far as mirroring goes.
+class Coordinates_of_file
+{
+public:
+  explicit Coordinates_of_file(const Model& model) : m_model(model) { exchange(); }
+  ~Coordinates_of_file() { exchange(); }
+
+private:
+  void exchange() const
+  {
+    if(m_model.is_mirrored)
+      exchange_coordinates(m_model);
+  }
+
+  const Model& m_model;
+};
+
 void parse(const Reading_options& options, Model& model)
 {
   model.first_number = model.file.format() == obj ? 1 : 0;
@@ -87,6 +110,9 @@ void parse(const Reading_options& options, Model& model)
                                                    : "; 'seamless parametrize' cuts such edges, and "
                                                      "computes other coordinates"));
   }
+  model.is_mirrored = area_in_domain(model) < 0;
+  if(model.is_mirrored)
+    exchange_coordinates(model);
   model.file_vertices = model.file.vertex_numbers();
   model.number_of_split_vertices = status.number_of_split_vertices;
   model.number_of_welded_edges = status.number_of_welded_edges;
@@ -130,6 +156,17 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   parse(options, model);
 }
 
+double area_in_domain(const Model& model)
+{
+  double result = 0;
+  for(const auto f : model.mesh.faces()) {
+    const Halfedge h = model.mesh.halfedge(f);
+    result += CGAL::area(model.uv_map[h], model.uv_map[model.mesh.next(h)],
+                         model.uv_map[model.mesh.prev(h)]);
+  }
+  return result;
+}
+
 void read_again(const Model& other, const Reading_options& options, Model& model)
 {
   model.filename = other.filename;
@@ -140,6 +177,9 @@ void read_again(const Model& other, const Reading_options& options, Model& model
 std::string notes_on_reading(const Model& model)
 {
   std::string result;
+  if(model.is_mirrored)
+    result += "note: the map is mirrored, as most of its faces turn clockwise; u and v are exchanged "
+              "to work on it, and what counts as flipped is what turns the other way\n";
   if(model.number_of_welded_edges > 0)
     result += "note: " + counted(model.number_of_welded_edges, "edge") +
               (model.number_of_welded_edges == 1 ? " was" : " were") + " welded\n";
@@ -170,6 +210,7 @@ std::string text_of_model(const Model& model, const std::string& filename)
 {
   const std::string format = format_of(filename, model.file.format());
   const Progress progress("writing " + filename);
+  const Coordinates_of_file coordinates(model);
   const bool is_of_file = format == model.file.format() && !model.file.text().empty();
   std::string text;
   const SS::IO::File_status status =

@@ -34,6 +34,7 @@ struct Model
   std::string filename;
   CGAL::Seamless_snapping::IO::Mesh_text file;
   bool is_float = false; // whether the coordinates are floats
+  bool is_mirrored = false; // u and v are exchanged here, as most of the area is flipped in the file
   std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0
   std::vector<std::size_t> file_faces;    // the same for faces, where they differ
   std::size_t first_number = 1;           // by which the file counts
@@ -54,8 +55,11 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
 // The file of another model, read with other options. Throws `Failure`.
 void read_again(const Model& other, const Reading_options& options, Model& model);
 
-// What to tell of border edges that coincide, of what was welded, and of vertices that were added;
-// empty if there is nothing.
+// The sum of the areas of all faces, with signs. It is not negative in a model that was read.
+double area_in_domain(const Model& model);
+
+// What to tell of mirrored maps, of border edges that coincide, of what was welded, and of vertices
+// that were added; empty if there is nothing.
 std::string notes_on_reading(const Model& model);
 
 // That there are no features, if they are asked for; else nothing.

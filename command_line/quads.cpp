@@ -94,23 +94,8 @@ struct Quad_options
   }
 };
 
-// Known before the seams are, so that it is their refusal that users see. Where most of it is
-// flipped, which can be repaired, the area without signs.
-double area_in_domain(const Model& model)
-{
-  const Mesh& mesh = model.mesh;
-  double result = 0, without_signs = 0;
-  for(const auto f : mesh.faces()) {
-    const Halfedge h = mesh.halfedge(f);
-    const double area =
-      CGAL::area(model.uv_map[h], model.uv_map[mesh.next(h)], model.uv_map[mesh.prev(h)]);
-    result += area;
-    without_signs += std::abs(area);
-  }
-  return result > 0 ? result : without_signs;
-}
-
-// The area in the domain becomes the number of quads.
+// The area in the domain becomes the number of quads. It is known before the seams are, whose refusal
+// users are to see.
 double scale_for_number(const Model& model, const Quad_options& options)
 {
   if(options.number == 0)

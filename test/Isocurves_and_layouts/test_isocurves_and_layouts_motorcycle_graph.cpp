@@ -622,6 +622,12 @@ void test_refusals()
                 Outcome::TOO_LARGE, "maximum_number");
   CHECK(bool(IL::motorcycle_graph(box.mesh, box.uv)));
 
+  Grid_map mirrored(surfaces::box(1, 1, 1), 4, 4);
+  for(const auto g : mirrored.mesh.halfedges())
+    mirrored.uv[g] = Point_2(mirrored.uv[g].y(), mirrored.uv[g].x());
+  check_refusal(IL::motorcycle_graph(mirrored.mesh, mirrored.uv), Outcome::NOT_POSITIVE,
+                "exchange the two coordinates");
+
   Grid_map disc(surfaces::disc(2, 2), 4, 4);
   const auto seams = IL::seam_transitions(disc.mesh, disc.uv);
   const auto inner = disc.mesh.halfedge(vertex_at(disc, 3, 3));

@@ -243,6 +243,26 @@ inline void test_bound_of_search()
   CHECK(ended > 10);
 }
 
+// What mirrors a map is not repaired, which would turn it inside out.
+inline void test_mirrored_maps()
+{
+  for(const Named& original : test_meshes::all_meshes<Kernel>()) {
+    Named named = original;
+    const auto uv = test_meshes::uv_map(named.mesh);
+    for(const auto h : named.mesh.halfedges())
+      uv[h] = Kernel::Point_2(uv[h].y(), uv[h].x());
+    for(const bool repair : { false, true }) {
+      const auto before = all_bits(named.mesh, uv);
+      const auto report =
+        SS::snap_to_seamless(named.mesh, uv, SS::parameters::repair_flips(repair));
+      CHECK_IN(named.name, bool(report) == !repair);
+      CHECK_IN(named.name, !repair || report.status == SS::Outcome::NOT_POSITIVE);
+      CHECK_IN(named.name, !repair || all_bits(named.mesh, uv) == before);
+      CHECK_IN(named.name, !repair || report.message.find("mirrored") != std::string::npos);
+    }
+  }
+}
+
 // A face with two edges on one isocurve can't have an area: it is told, and nothing is searched.
 inline void test_face_without_area()
 {
@@ -442,6 +462,7 @@ inline void test_flips()
   test_degenerate_face();
   test_far_vertex();
   test_bound_of_search();
+  test_mirrored_maps();
   test_face_without_area();
   test_flips_at_nodes();
   test_flips_off_grid();

@@ -28,6 +28,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -154,13 +155,22 @@ inline std::string name_of_faces(const std::vector<std::size_t>& faces, const st
 }
 
 // Tells the report why no isocurve can be followed, if there is such a face.
-inline bool are_positive(const std::vector<std::size_t>& nonpositive, Report& report,
-                         const std::string& remedy =
-                           "repair them by snap_to_seamless() with repair_flips(true)")
+template <typename Group>
+bool are_positive(const Basic_chart_mesh<Group>& mesh, const std::vector<std::size_t>& nonpositive,
+                  Report& report,
+                  const std::string& remedy =
+                    "repair them by snap_to_seamless() with repair_flips(true)")
 {
-  return nonpositive.empty() ||
-         refuse(report, Outcome::NOT_POSITIVE,
-                name_of_faces(nonpositive, "flipped or degenerate in the domain") + "; " + remedy);
+  if(nonpositive.empty())
+    return true;
+  const std::size_t flipped =
+    std::count_if(nonpositive.begin(), nonpositive.end(), [&](const std::size_t f) {
+      return orientation(triangle(mesh, f)) == CGAL::NEGATIVE;
+    });
+  return refuse(report, Outcome::NOT_POSITIVE,
+                name_of_faces(nonpositive, "flipped or degenerate in the domain") + "; " +
+                  (mean_mirroring(flipped, mesh.corners.size() / 3) ? remedy_for_mirrored_maps
+                                                                    : remedy));
 }
 
 } // namespace internal

@@ -64,7 +64,7 @@ private:
   bool check_faces()
   {
     m_data.nonpositive_faces = nonpositive_faces(m_domain.mesh);
-    return are_positive(m_data.nonpositive_faces, m_data);
+    return are_positive(m_domain.mesh, m_data.nonpositive_faces, m_data);
   }
 
   bool check_walls()

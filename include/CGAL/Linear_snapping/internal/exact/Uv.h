@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Linear_snapping {
@@ -63,6 +64,14 @@ inline CGAL::Orientation orientation(const Uv_triangle& t)
   return CGAL::sign_of_determinant<Number>(Number(t[1][0]) - x, Number(t[1][1]) - y,
                                            Number(t[2][0]) - x, Number(t[2][1]) - y);
 }
+
+// Whether faces are flipped since the whole map is: more than nine of ten, as a map can be repaired
+// in which half of them are. Repairs would turn it inside out.
+inline bool mean_mirroring(const std::size_t number_of_flipped_faces, const std::size_t faces)
+{ return 10 * number_of_flipped_faces > 9 * faces; }
+
+constexpr const char* remedy_for_mirrored_maps =
+  "the map is mirrored, as the faces turn clockwise: exchange the two coordinates of each corner";
 
 } // namespace internal
 } // namespace Linear_snapping

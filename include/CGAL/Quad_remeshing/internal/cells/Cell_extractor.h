@@ -230,8 +230,9 @@ private:
       return true;
     }
     if(!m_options.allow_holes)
-      return are_positive(faces, m_report, "repair them by repair_integer_grid(), or leave out the "
-                                           "cells around them: allow_holes(true)");
+      return are_positive(m_mesh, faces, m_report,
+                          "repair them by repair_integer_grid(), or leave out the cells around them: "
+                          "allow_holes(true)");
     const Face_remover<Group> remover(m_mesh, faces);
     Mesh rest = remover.run();
     if(!m_is_feature.empty())

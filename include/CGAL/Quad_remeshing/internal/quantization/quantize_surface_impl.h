@@ -79,7 +79,7 @@ private:
   bool check_faces()
   {
     m_result.nonpositive_faces = nonpositive_faces(m_mesh);
-    return are_positive(m_result.nonpositive_faces, m_result);
+    return are_positive(m_mesh, m_result.nonpositive_faces, m_result);
   }
 
   bool read_integers(Integer_mesh& input)

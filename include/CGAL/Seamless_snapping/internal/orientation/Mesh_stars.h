@@ -47,6 +47,17 @@ bool has_flips(const Surface& surface)
   return false;
 }
 
+template <typename Surface>
+bool is_mirrored(const Surface& surface)
+{
+  std::size_t faces = 0, flipped = 0;
+  for(const auto h : surface.one_per_face()) {
+    ++faces;
+    flipped += orientation(uv_triangle(surface, h)) == CGAL::NEGATIVE ? 1 : 0;
+  }
+  return mean_mirroring(flipped, faces);
+}
+
 // Invariant: the faces that were met are found by their own halfedge, the points that are not
 // sectors by their corners.
 template <typename Group, typename Surface>

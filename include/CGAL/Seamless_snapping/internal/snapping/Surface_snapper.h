@@ -169,6 +169,8 @@ protected:
   std::optional<Refusal> solve(const bool has_exact_transitions, const Cuts& cuts,
                                const std::vector<Rounding<Group> >& roundings)
   {
+    if(m_options.flip_repair != Flip_repair::NONE && is_mirrored(m_surface))
+      return Refusal(Outcome::NOT_POSITIVE, remedy_for_mirrored_maps);
     const bool was_exact =
       has_exact_transitions && is_exact(cuts.complex, cuts.complex.coordinates);
     if(was_exact && !(m_flip_repair != Flip_repair::NONE && has_flips(m_surface)))
