@@ -231,8 +231,8 @@ private:
     }
     if(!m_options.allow_holes)
       return are_positive(m_mesh, faces, m_report,
-                          "repair them by repair_integer_grid(), or leave out the cells around them: "
-                          "allow_holes(true)");
+                          "repair them by repair_integer_grid(), or leave out the cells around "
+                          "them: allow_holes(true)");
     const Face_remover<Group> remover(m_mesh, faces);
     Mesh rest = remover.run();
     if(!m_is_feature.empty())
