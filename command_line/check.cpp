@@ -38,7 +38,8 @@ void check(const Arguments& arguments)
                   "Tells whether the texture coordinates of a triangle mesh are exactly seamless:\n"
                   "whether, across each edge, the coordinates on both sides differ by a rotation by\n"
                   "a multiple of 90 degrees and a translation. IN is a .obj file, a .ply file with a\n"
-                  "list 'texcoord' for each face, or - for the standard input.\n");
+                  "list 'texcoord' for each face, or - for the standard input. Tetrahedral meshes are\n"
+                  ".hexex files: 'seamless check IN.hexex --help' tells their options.\n");
   std::string input, report;
   bool keeps_open = false;
   Seam_options seam_options;

@@ -42,7 +42,8 @@ struct Snap_options
                     "and a translation. Files are .obj files, .ply files with a list 'texcoord' for\n"
                     "each face, or - for the standard streams. All else in the file stays as it is\n"
                     "where OUT is of the same format as IN; else materials, normals, colors and\n"
-                    "the like are lost.\n");
+                    "the like are lost. Tetrahedral meshes are .hexex files: 'seamless snap IN.hexex\n"
+                    "--help' tells their options.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);

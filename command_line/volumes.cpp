@@ -4,6 +4,7 @@
 #include "Options.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
@@ -12,6 +13,8 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -139,6 +142,46 @@ std::ostream& operator<<(std::ostream& os, const Snapping::Volume_seamlessness& 
   return os;
 }
 
+nlohmann::json json_of(const Snapping::Volume_seamlessness& s)
+{
+  return {{"cells", s.number_of_cells},
+          {"interior_facets", s.number_of_interior_facets},
+          {"inexact_facets", s.number_of_inexact_facets},
+          {"violation", s.violation},
+          {"extent", s.extent},
+          {"aligned_facets", s.number_of_aligned_facets},
+          {"aligned_edges", s.number_of_aligned_edges},
+          {"misalignments", s.number_of_misalignments},
+          {"misalignment", s.misalignment},
+          {"flipped_cells", s.number_of_flipped_cells},
+          {"degenerate_cells", s.number_of_degenerate_cells}};
+}
+
+nlohmann::json json_of(const Snapping::Volume_integer_grid_measure& m)
+{
+  return {{"noninteger_cuts", m.number_of_noninteger_cuts},
+          {"noninteger_facets", m.number_of_noninteger_facets},
+          {"noninteger_edges", m.number_of_noninteger_edges},
+          {"noninteger_singular_edges", m.number_of_noninteger_singular_edges},
+          {"noninteger_nodes", m.number_of_noninteger_nodes},
+          {"singular_edges", m.number_of_singular_edges},
+          {"nodes", m.number_of_nodes},
+          {"volume", m.volume}};
+}
+
+nlohmann::json json_of(const Snapping::Snapping_report& r)
+{
+  return {{"status", to_string(r.status)},
+          {"cut_facets", r.run.number_of_cut_edges},
+          {"unknowns", r.linear_solver.number_of_unknowns},
+          {"largest_change", r.largest_change},
+          {"largest_rounding", r.largest_rounding},
+          {"lost_cells", r.lost_faces.size()},
+          {"repaired_flips", r.run.number_of_repaired_flips},
+          {"remaining_flips", r.remaining_flips.size()},
+          {"steps", json_of_steps(r.step_times)}};
+}
+
 } // namespace
 
 void check_volume(const Arguments& arguments)
@@ -147,30 +190,45 @@ void check_volume(const Arguments& arguments)
                   "Tells whether the coordinates of a tetrahedral mesh are exactly seamless: whether,\n"
                   "across each facet, the coordinates on both sides differ by a rotation of the cube\n"
                   "and a translation, and boundary and features lie in planes of constant coordinates.\n");
-  std::string input;
+  std::string input, report;
   Volume_options volume_options;
   options.add_file("input", input);
   volume_options.add_to(options);
+  options.add("report", "R.json", report, "write all figures to a file");
   if(!options.parse(arguments))
     return;
+  check_outputs({input}, {report});
   Volume volume(input);
-  Snapping::Volume_seamlessness result;
-  try {
-    result = measure(volume, volume_options);
-  } catch(const std::invalid_argument& error) { // what is wrong with cells or features
-    throw Failure(NOT_SOLVED, input + ": " + with_options(error.what()));
-  }
-  std::cout << result;
-  Snapping::Volume_integer_grid_measure grid;
-  if(volume_options.integer_grid) {
-    grid = measure_grid(volume, volume_options);
-    write(std::cout, grid, volume_options);
-  }
-  if(!result.is_exact())
-    throw Failure(NOT_SOLVED, input + ": not exactly seamless");
-  if(volume_options.integer_grid && !grid)
-    throw Failure(NOT_SOLVED, input + ": no integer-grid map");
-  std::cout << "exactly seamless" << std::endl;
+  std::ostream& os = summary_stream({report});
+  nlohmann::json json;
+  const auto work = [&] {
+    Snapping::Volume_seamlessness result;
+    try {
+      result = measure(volume, volume_options);
+    } catch(const std::invalid_argument& error) { // what is wrong with cells or features
+      throw Failure(NOT_SOLVED, input + ": " + with_options(error.what()));
+    }
+    os << result;
+    json["measured"] = json_of(result);
+    bool is_grid = true;
+    if(volume_options.integer_grid) {
+      const Snapping::Volume_integer_grid_measure grid = measure_grid(volume, volume_options);
+      write(os, grid, volume_options);
+      json["integer_grid"] = json_of(grid);
+      is_grid = bool(grid);
+    }
+    if(!result.is_exact())
+      throw Failure(NOT_SOLVED, input + ": not exactly seamless");
+    if(!is_grid)
+      throw Failure(NOT_SOLVED, input + ": no integer-grid map");
+    os << "exactly seamless" << std::endl;
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    json["exact"] = status == SUCCESS;
+    json["message"] = message;
+    if(!report.empty())
+      write_json(report, json);
+  });
 }
 
 void snap_volume(const Arguments& arguments)
@@ -180,7 +238,7 @@ void snap_volume(const Arguments& arguments)
                   "inaccurate, so that they are exactly seamless: across each facet, the coordinates\n"
                   "on both sides differ by a rotation of the cube and a translation, and boundary and\n"
                   "features lie in planes of constant coordinates. All else in the file stays as it is.\n");
-  std::string input, output;
+  std::string input, output, report_file;
   bool overwrite = false, repair_flips = false;
   int untangling_iterations = 400;
   double scale = 1, rounding = 0.01;
@@ -201,6 +259,7 @@ void snap_volume(const Arguments& arguments)
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
               "the largest number of passes over the cells around flipped ones (default: 400)");
   options.add("overwrite", overwrite, "let OUT replace IN");
+  options.add("report", "R.json", report_file, "write all figures to a file");
   if(!options.parse(arguments))
     return;
   if(suffix_of(output) != "hexex" && !is_special_file(output))
@@ -210,43 +269,59 @@ void snap_volume(const Arguments& arguments)
   if(options.is_given("untangling-iterations") && !repair_flips && !volume_options.integer_grid)
     throw Failure(USAGE, "--untangling-iterations is for --repair-flips or --integer-grid; give one "
                          "of these, too");
-  check_outputs({input}, {output},
+  check_outputs({input}, {output, report_file},
                 overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
   Volume volume(input);
-  const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
-    volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
-    volume_options.parameters(volume.mesh)
-      .integer_grid(volume_options.integer_grid)
-      .grid_scale(scale)
-      .rounding_tolerance(rounding)
-      .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE : Snapping::Flip_repair::NONE)
-      .number_of_untangling_iterations(untangling_iterations));
-  if(!report)
-    throw Failure(NOT_SOLVED, input + ": " + with_options(report.message));
-  if(!measure(volume, volume_options).is_exact() ||
-     (volume_options.integer_grid && !measure_grid(volume, volume_options)))
-    throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
-  for(std::size_t i = 0; i < volume.uvw.size(); ++i)
-    volume.mesh.uvw[i] = {{volume.uvw[i].x(), volume.uvw[i].y(), volume.uvw[i].z()}};
-  std::istringstream original(volume.text);
-  std::ostringstream os;
-  if(const auto status = Snapping::IO::rewrite_HEXEX(original, os, volume.mesh.uvw); !status)
-    throw Failure(UNWRITABLE, output + ": " + status.message);
-  write_file(output, os.str());
-  std::ostream& summary = summary_stream({output});
-  summary << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet");
-  if(report.status != Snapping::Outcome::ALREADY_EXACT) // else there was no need to find these
-    summary << " in " << counted(report.run.number_of_cut_branches, "sheet") << ", "
-      << counted(report.linear_solver.number_of_unknowns, "unknown");
-  summary << "\nlargest violation before "
-    << report.violation_before << ", largest change " << report.largest_change << ", orientation of "
-    << counted(report.lost_faces.size(), "cell") << " lost\n";
-  if(volume_options.integer_grid) {
-    summary << "largest rounding " << report.largest_rounding << "\n";
-    write(summary, measure_grid(volume, volume_options), volume_options);
-  }
-  if(report.run.number_of_repaired_flips > 0)
-    summary << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
-  if(report.status == Snapping::Outcome::FLIPS_REMAIN)
-    throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
+  nlohmann::json json;
+  const auto work = [&] {
+    const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
+      volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
+      volume_options.parameters(volume.mesh)
+        .integer_grid(volume_options.integer_grid)
+        .grid_scale(scale)
+        .rounding_tolerance(rounding)
+        .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE : Snapping::Flip_repair::NONE)
+        .number_of_untangling_iterations(untangling_iterations));
+    json["snapping"] = json_of(report);
+    if(!report)
+      throw Failure(NOT_SOLVED, input + ": " + with_options(report.message));
+    const Snapping::Volume_seamlessness after = measure(volume, volume_options);
+    json["after"] = json_of(after);
+    Snapping::Volume_integer_grid_measure grid;
+    if(volume_options.integer_grid) {
+      grid = measure_grid(volume, volume_options);
+      json["integer_grid"] = json_of(grid);
+    }
+    if(!after.is_exact() || (volume_options.integer_grid && !grid))
+      throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
+    for(std::size_t i = 0; i < volume.uvw.size(); ++i)
+      volume.mesh.uvw[i] = {{volume.uvw[i].x(), volume.uvw[i].y(), volume.uvw[i].z()}};
+    std::istringstream original(volume.text);
+    std::ostringstream text;
+    if(const auto status = Snapping::IO::rewrite_HEXEX(original, text, volume.mesh.uvw); !status)
+      throw Failure(UNWRITABLE, output + ": " + status.message);
+    write_file(output, text.str());
+    std::ostream& os = summary_stream({output, report_file});
+    os << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet");
+    if(report.status != Snapping::Outcome::ALREADY_EXACT) // else there was no need to find these
+      os << " in " << counted(report.run.number_of_cut_branches, "sheet") << ", "
+         << counted(report.linear_solver.number_of_unknowns, "unknown");
+    os << "\nlargest violation before " << report.violation_before << ", largest change "
+       << report.largest_change << ", orientation of " << counted(report.lost_faces.size(), "cell")
+       << " lost\n";
+    if(volume_options.integer_grid) {
+      os << "largest rounding " << report.largest_rounding << "\n";
+      write(os, grid, volume_options);
+    }
+    if(report.run.number_of_repaired_flips > 0)
+      os << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
+    if(report.status == Snapping::Outcome::FLIPS_REMAIN)
+      throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    json["exact"] = status == SUCCESS || status == STILL_FLIPPED;
+    json["message"] = message;
+    if(!report_file.empty())
+      write_json(report_file, json);
+  });
 }

@@ -235,7 +235,6 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `NOT_CONNECTED`: a connection or cycle constraint misses by more than its tolerance;
-        - `NOT_POSITIVE`: flips were to be repaired, and more than nine of ten faces are flipped;
         - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or, with
           `grid_scale`, so much collapses that the result covers no cell of the grid;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each

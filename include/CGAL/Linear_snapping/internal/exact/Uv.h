@@ -66,7 +66,7 @@ inline CGAL::Orientation orientation(const Uv_triangle& t)
 }
 
 // Whether faces are flipped since the whole map is: more than nine of ten, as a map can be repaired
-// in which half of them are. Repairs would turn it inside out.
+// in which half of them are. Untangling would turn it inside out.
 inline bool mean_mirroring(const std::size_t number_of_flipped_faces, const std::size_t faces)
 { return 10 * number_of_flipped_faces > 9 * faces; }
 

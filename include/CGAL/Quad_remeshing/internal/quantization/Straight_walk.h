@@ -65,27 +65,42 @@ public:
   }
 
 private:
-  // Signs of a x (target - b) and of component c of target - b.
+  // Signs of a x (target - b) and of component c of target - b, times the total.
   int cross_with_target(const Grid_vector& a, const Grid_vector& b) const
   {
-    const double along = dot_estimate(a), known = total() * approximate_cross(a, b);
-    const double bound = 1e-14 * (size_estimate(a) +
-                                  total() * (std::abs(double(a[0]) * double(b[1])) +
-                                             std::abs(double(a[1]) * double(b[0]))));
-    if(std::abs(along - known) > bound)
-      return along > known ? 1 : -1;
-    const Exact_integer value = difference(
-      exact_sum(exact_cross(a, m_target.side[0]), exact_cross(a, m_target.side[1])),
-      product(from_64_bits<Exact_integer>(m_target.total), exact_cross(a, b)));
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
+    const double size = size_estimate(a) + total() * (std::abs(double(a[0]) * double(b[1])) +
+                                                      std::abs(double(a[1]) * double(b[0])));
+    return sign(dot_estimate(a), total() * approximate_cross(a, b), size, [&] {
+      return difference(
+        exact_sum(exact_cross(a, m_target.side[0]), exact_cross(a, m_target.side[1])),
+        product(from_64_bits<Exact_integer>(m_target.total), exact_cross(a, b)));
+    });
   }
 
   int component_beyond(const std::size_t c, const Grid_vector& b) const
   {
-    const Exact_integer value = difference(
-      exact_sum(from_64_bits<Exact_integer>(m_target.side[0][c]),
-                from_64_bits<Exact_integer>(m_target.side[1][c])),
-      product(from_64_bits<Exact_integer>(m_target.total), from_64_bits<Exact_integer>(b[c])));
+    const double x = weight(0) * static_cast<double>(m_target.side[0][c]);
+    const double y = weight(1) * static_cast<double>(m_target.side[1][c]);
+    const double z = total() * static_cast<double>(b[c]);
+    return sign(x + y, z, std::abs(x) + std::abs(y) + std::abs(z), [&] {
+      return difference(
+        exact_sum(from_64_bits<Exact_integer>(m_target.side[0][c]),
+                  from_64_bits<Exact_integer>(m_target.side[1][c])),
+        product(from_64_bits<Exact_integer>(m_target.total), from_64_bits<Exact_integer>(b[c])));
+    });
+  }
+
+  // Of left - right, where `size` is the sum of the magnitudes of the products of two or three
+  // numbers that these are sums of: none of them is rounded to 0.
+  template <typename Difference>
+  static int sign(const double left, const double right, const double size,
+                  const Difference& exact_difference)
+  {
+    if(size == 0)
+      return 0;
+    if(std::abs(left - right) > 1e-14 * size)
+      return left > right ? 1 : -1;
+    const Exact_integer value = exact_difference();
     return value > 0 ? 1 : value < 0 ? -1 : 0;
   }
 

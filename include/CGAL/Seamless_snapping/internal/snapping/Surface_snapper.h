@@ -169,8 +169,9 @@ protected:
   std::optional<Refusal> solve(const bool has_exact_transitions, const Cuts& cuts,
                                const std::vector<Rounding<Group> >& roundings)
   {
-    if(m_options.flip_repair != Flip_repair::NONE && is_mirrored(m_surface))
-      return Refusal(Outcome::NOT_POSITIVE, remedy_for_mirrored_maps);
+    const bool is_inside_out = m_options.flip_repair != Flip_repair::NONE && is_mirrored(m_surface);
+    if(is_inside_out)
+      m_report.message = remedy_for_mirrored_maps;
     const bool was_exact =
       has_exact_transitions && is_exact(cuts.complex, cuts.complex.coordinates);
     if(was_exact && !(m_flip_repair != Flip_repair::NONE && has_flips(m_surface)))
@@ -190,7 +191,7 @@ protected:
     Mesh_stars<Group, Surface> stars(m_surface, cuts);
     typename Orientation_repair<Group>::Untangle untangle = nullptr;
     if constexpr(may_untangle)
-      if(m_flip_repair == Flip_repair::UNTANGLE)
+      if(m_flip_repair == Flip_repair::UNTANGLE && !is_inside_out)
         untangle = &untangle_flips<Group, how>;
     Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
                               m_iterations, untangle)

@@ -109,7 +109,7 @@ inline void tell_of_faces(const Flip_repair repair, const std::size_t iterations
             " of them no area, whatever the coordinates are: correct the seams, or align less";
   else if(is_asked && report.run.number_of_untangling_iterations == iterations)
     note += "; the search for repairs ended at number_of_untangling_iterations: raise it";
-  else if(repair == Flip_repair::NEAR_BY)
+  else if(repair == Flip_repair::NEAR_BY && report.message.empty())
     note += "; Flip_repair::UNTANGLE changes more of the map";
   report.message += (report.message.empty() ? "" : "; ") + note;
 }
