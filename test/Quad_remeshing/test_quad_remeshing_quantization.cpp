@@ -404,7 +404,7 @@ void test_optimum()
         continue;
       const std::vector<double> scales{scale * input.steps[0]};
       Intrinsic_complex found =
-        internal::Unit_ladder(input, coarse, input.steps, 0).find(scale).complex;
+        internal::Unit_ladders(input, coarse, input.steps, 1).find(0, scale).complex;
       internal::Complex_quantizer quantizer(input, found, scales);
       quantizer.improve();
       CHECK(quantizer.is_feasible());
@@ -452,7 +452,7 @@ void test_strips_in_both_directions()
       const std::vector<double> scales{scale * input.steps[0]};
       const Intrinsic_complex all = internal::make_complex(input);
       const Intrinsic_complex intrinsic =
-        internal::Unit_ladder(input, all, input.steps, 0).find(scale).complex;
+        internal::Unit_ladders(input, all, input.steps, 1).find(0, scale).complex;
       const internal::Strip_rules rules(intrinsic, scales);
       internal::Strip_finder finder(rules);
       for(Corner_index h = 0; h < intrinsic.number_of_halfedges(); h += 4)

@@ -120,8 +120,12 @@ private:
       return;
     m_first = step_of((std::max)(1., 0.9 * coarsest));
     const int begin = m_best = (std::max)(m_first, wanted);
-    if(begin > wanted)
+    if(begin > wanted) {
+      try_divisions(0, 0);
+      if(m_least <= (1 + tolerance) * coarsest && has_many_faces(at(0).complex))
+        return;
       try_smaller_numbers();
+    }
     if(at(begin).number_of_quads <= m_maximum)
       climb(begin);
   }

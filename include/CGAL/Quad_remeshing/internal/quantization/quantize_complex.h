@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +42,10 @@ inline std::vector<int> angles_around_vertices(const Intrinsic_complex& complex)
     result.push_back(axes_around_vertex(complex, v, &Intrinsic_corner::vector));
   return result;
 }
+
+// So many that a search over all of them takes long.
+inline bool has_many_faces(const Intrinsic_complex& complex)
+{ return complex.number_of_faces() >= 500; }
 
 // Half the sum of all determinants.
 inline double number_of_quads(const Intrinsic_complex& complex)
@@ -105,7 +108,8 @@ public:
     for(int i = 0; i < 3; ++i) {
       const std::size_t moves = Strip_moves(m_complex, m_scales).improve(most_rounds);
       sum += moves;
-      if((moves <= few_moves(m_complex) && i > 0) || flip_edges() == 0)
+      if((moves <= few_moves(m_complex) && (i > 0 || has_many_faces(m_complex))) ||
+         flip_edges() == 0)
         break;
     }
     return sum;
@@ -201,11 +205,13 @@ private:
   std::vector<int> m_angles;    // around vertices, in quarter turns
 };
 
-// Feasible units at scales that are powers of the fourth root of 2, each found once: rounded ones
-// on every second rung, where that succeeds; elsewhere those of the next rung are brought nearer,
-// so that no part of the surface stays behind. At the scale of the input's grid, the vectors
-// themselves are such units.
-class Unit_ladder
+// Feasible units at scales that are powers of the square root of 2, or of the fourth root where
+// there are few faces, each found once: rounded ones where that succeeds; elsewhere those of the
+// next rung are brought nearer, so that no part of the surface stays behind. At the scale of the
+// input's grid, the vectors themselves are such units. Where most quads are forced, lower rungs
+// have hardly fewer, and are left out. Ladders differ in an offset of all rungs, and so in their
+// units; what is found does not depend on what was looked for before.
+class Unit_ladders
 {
 public:
   struct Rung
@@ -213,15 +219,18 @@ public:
     Intrinsic_complex complex;
     double first_scale = 1; // where there were units first
     std::size_t number_of_moves = 0;
+    bool is_lowest = false;
   };
 
   // \param scales units per step of the input's grid, per part, at the scale 1
-  // \param offset of all rungs: another one leads to other units
   // \pre the complex is compact
-  Unit_ladder(const Integer_mesh& input, const Intrinsic_complex& complex,
-              const std::vector<double>& scales, const double offset)
-    : m_input(input), m_complex(complex), m_scales(scales), m_offset(offset)
+  Unit_ladders(const Integer_mesh& input, const Intrinsic_complex& complex,
+               const std::vector<double>& scales, const int number)
+    : m_input(input), m_complex(complex), m_scales(scales), m_number(number),
+      m_rungs_per_doubling(has_many_faces(complex) ? 2 : 4)
   { }
+
+  int size() const { return m_number; }
 
   std::vector<double> scales(const double scale) const
   {
@@ -231,45 +240,75 @@ public:
     return result;
   }
 
-  // Rounded at this very scale; between two rungs, that is tried until it fails. Else those of the
-  // next rung.
-  Rung find(const double scale)
+  // Rounded at this very scale; else those of the next rung of a ladder.
+  Rung find(const int ladder, const double scale)
   {
-    const double height = 4 * std::log2(scale) - m_offset;
-    const int rounded_rung = 2 * int(std::ceil(height / 2));
-    if(m_is_hopeless.count(rounded_rung) == 0) {
-      Rung result{m_complex, scale, 0};
-      if(Complex_quantizer(m_input, result.complex, scales(scale)).round())
-        return result;
-      m_is_hopeless.insert(rounded_rung);
-    }
-    return at(int(std::ceil(height)));
+    const double height = m_rungs_per_doubling * std::log2(scale);
+    Rung result{m_complex, scale, 0};
+    return round(height, result) ? result : at(ladder, int(std::ceil(height - offset(ladder))));
   }
 
 private:
-  const Rung& at(const int i)
+  // Of this many times the quads wanted, most are forced.
+  static constexpr double most_times_as_many = 3;
+
+  double offset(const int ladder) const { return double(ladder) / m_number; }
+
+  double scale_at(const double height) const { return std::exp2(height / m_rungs_per_doubling); }
+
+  double number_wanted(const double scale) const
   {
-    const auto found = m_rungs.find(i);
+    double twice_area = 0;
+    const std::vector<double> all = scales(scale);
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); h += 3) {
+      const double s = all[std::size_t(m_complex.part[std::size_t(h / 3)])];
+      twice_area += s * s * approximate_cross(m_complex.corner(h).vector,
+                                              m_complex.corner(h + 1).vector);
+    }
+    return twice_area / 2;
+  }
+
+  // Where rounding fails on the next rung without an offset, it is not tried: else each ladder
+  // would take as long to find that.
+  bool round(const double height, Rung& rung)
+  {
+    const int first = int(std::ceil(height));
+    const auto [found, is_new] = m_can_round.try_emplace(first, false);
+    if(is_new) {
+      Intrinsic_complex complex = m_complex;
+      found->second = Complex_quantizer(m_input, complex, scales(scale_at(first))).round();
+    }
+    return found->second &&
+           Complex_quantizer(m_input, rung.complex, scales(scale_at(height))).round();
+  }
+
+  const Rung& at(const int ladder, const int i)
+  {
+    const auto found = m_rungs.find({ladder, i});
     if(found != m_rungs.end())
       return found->second;
-    const double scale = std::exp2((i + m_offset) / 4);
+    const double height = i + offset(ladder), scale = scale_at(height);
     Rung rung{m_complex, scale, 0};
     Complex_quantizer quantizer(m_input, rung.complex, scales(scale));
     if(quantizer.is_as_fine_as_input()) {
       quantizer.take_multiples_of_vectors();
-    } else if(i % 2 != 0 || !quantizer.round()) {
-      rung = at(i + 1);
+    } else if(!round(height, rung)) {
+      const Rung& next = at(ladder, i + 1);
+      if(next.is_lowest)
+        return next;
+      rung = next;
       rung.number_of_moves += quantizer.approach();
+      rung.is_lowest = number_of_quads(rung.complex) > most_times_as_many * number_wanted(scale);
     }
-    return m_rungs.emplace(i, std::move(rung)).first->second;
+    return m_rungs.emplace(std::make_pair(ladder, i), std::move(rung)).first->second;
   }
 
   const Integer_mesh& m_input;
   const Intrinsic_complex& m_complex;
   std::vector<double> m_scales;
-  double m_offset;
-  std::set<int> m_is_hopeless; // rungs below which rounding has failed
-  std::map<int, Rung> m_rungs;
+  int m_number, m_rungs_per_doubling;
+  std::map<int, bool> m_can_round;             // by rung, without an offset
+  std::map<std::pair<int, int>, Rung> m_rungs; // by ladder and rung
 };
 
 } // namespace internal

@@ -137,12 +137,11 @@ class Unit_finder
 public:
   Unit_finder(std::shared_ptr<const Coarse_surface> coarse, const Quantization_options& options,
               Quantization& result)
-    : m_coarse(std::move(coarse)), m_options(options), m_result(result)
+    : m_coarse(std::move(coarse)),
+      m_ladders(m_coarse->input, m_coarse->complex, relative_steps(m_coarse->input),
+                (std::max)(1, (std::min)(8, 8000 / number_of_faces()))),
+      m_options(options), m_result(result)
   {
-    const int number = (std::max)(1, (std::min)(8, 8000 / number_of_faces()));
-    for(int i = 0; i < number; ++i)
-      m_ladders.emplace_back(m_coarse->input, m_coarse->complex, relative_steps(m_coarse->input),
-                             double(i) / number);
     if(m_options.is_coarsest)
       m_options.number_of_quads = 1;
   }
@@ -180,7 +179,7 @@ public:
   { return quantize(m_options.number_of_quads, m_options.is_coarsest).number_of_quads; }
 
   std::vector<double> wanted_scales() const
-  { return m_ladders.front().scales(scale(m_options.number_of_quads)); }
+  { return m_ladders.scales(scale(m_options.number_of_quads)); }
 
 private:
   // Of the largest step, so that no square is too large; steps are powers of two.
@@ -221,19 +220,20 @@ private:
   {
     const double wanted = scale(number_of_quads);
     const double step = 28 * std::log2(number_of_quads) / stride(); // as the search counts
-    Unit_ladder& ladder = m_ladders[std::size_t(std::lround(step)) % m_ladders.size()];
-    Unit_ladder::Rung start = ladder.find(wanted);
+    Unit_ladders::Rung start = m_ladders.find(int(std::lround(step)) % m_ladders.size(), wanted);
     Quantized_complex result;
     result.complex = std::move(start.complex);
     result.first_scale = start.first_scale / wanted;
     result.number_of_moves = start.number_of_moves;
-    result.scales = ladder.scales(wanted);
+    result.scales = m_ladders.scales(wanted);
     Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales);
     result.number_of_moves += quantizer.improve();
     if(!is_coarsest)
       result.number_of_moves += quantizer.adjust(number_of_quads);
     result.number_of_long_edges = quantizer.number_of_long_edges();
     result.number_of_quads = internal::number_of_quads(result.complex);
+    if(m_first_number == 0)
+      m_first_number = result.number_of_quads;
     return result;
   }
 
@@ -261,7 +261,7 @@ private:
       return 0;
     const auto without =
       std::make_shared<const Coarse_surface>(without_features(*m_coarse, features));
-    const double more = first_number_of_quads() -
+    const double more = m_first_number -
                         Unit_finder(without, m_options, m_result).first_number_of_quads();
     return std::size_t(std::llround((std::max)(0., more)));
   }
@@ -277,9 +277,10 @@ private:
   std::shared_ptr<const Coarse_surface> m_coarse;
   // Numbers that are tried one after the other begin on different ones: else what is wrong with one
   // result, for a face graph, would be wrong with the next ones, too.
-  std::vector<Unit_ladder> m_ladders;
+  Unit_ladders m_ladders;
   Quantization_options m_options;
   Quantization& m_result;
+  double m_first_number = 0; // of quads, of the first quantization that was tried
 };
 
 // Where features force quads, releases those that force most for their length. Each round may lose
