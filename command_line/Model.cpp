@@ -42,6 +42,7 @@ std::string with_options(const std::string& message)
     {"by grid_scale", "by --grid-scale or --number"},
     {"more than maximum_number", "more than --maximum-number"},
     {"by maximum_feature_loss", "by --feature-loss"},
+    {"than maximum_feature_loss", "than --feature-loss"},
     {"symmetry_plane", "--symmetry"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};

@@ -878,6 +878,8 @@ void test_release_of_features()
     CHECK_IN(context, quantization.released_features.size() == (is_released ? 1u : 0u));
     CHECK_IN(context, (quantization.message.find("20 % of the length") != std::string::npos) ==
                         is_released);
+    CHECK_IN(context, (quantization.message.find("no feature is released: each that forces") !=
+                       std::string::npos) == (loss > 0 && !is_released));
     for(std::vector<std::size_t>& f : quantization.released_features) {
       std::sort(f.begin(), f.end());
       CHECK(f == short_feature);

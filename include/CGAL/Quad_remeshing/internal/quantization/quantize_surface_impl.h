@@ -316,15 +316,24 @@ public:
          (!m_options.is_coarsest && number <= 1.1 * m_options.number_of_quads))
         break;
       const double lost = length_in_map(surface->input, released);
-      const auto found = Costly_features(*surface, finder.wanted_scales())
-                           .find(std::ldexp(most, round + 1 - most_rounds) - lost, most - lost);
-      if(found.empty())
+      Costly_features costly(*surface, finder.wanted_scales());
+      const auto found =
+        costly.find(std::ldexp(most, round + 1 - most_rounds) - lost, most - lost);
+      if(found.empty()) {
+        if(round == 0)
+          add_note(m_result, std::string("no feature is released: ") +
+                               (costly.exist() ? "each that forces quads has a larger part of the "
+                                                 "length than maximum_feature_loss allows"
+                                               : "none seems to force quads"));
         break;
+      }
       surface = std::make_shared<const Coarse_surface>(without_features(*surface, found));
       released.insert(released.end(), found.begin(), found.end());
     }
     if(!kept_released.empty())
       report(best->input, kept_released, total, first - least);
+    else if(!released.empty())
+      add_note(m_result, "no feature is released: there would not be fewer quads");
     return best;
   }
 

@@ -116,6 +116,14 @@ public:
     collect_faces();
   }
 
+  bool exist() const
+  {
+    for(std::size_t i = 0; i < m_chains.size(); ++i)
+      if(forced_quads(i) > 0)
+        return true;
+    return false;
+  }
+
   // Those that force most for their length: at least one, and of not more than `enough` in all with
   // the last one; never of more than `most`.
   std::vector<Feature_chain> find(const double enough, const double most)
