@@ -219,16 +219,17 @@ The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `q
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
 field that are less than about two edges of the wanted quads apart cancel, unless sizes vary.
 Borders are aligned, and so are feature edges: they become
-chains of edges of quads, whose vertices lie on them and are not smoothed.
+chains of edges of quads, whose vertices lie on them.
 
-After some rounds of smoothing, the other vertices move to where their quads are near to rectangles
-and, of up to 6,600 quads, near to the surface: at most four times as many rounds, and of about
-100,000 quads in all, or one round. What this leaves inverted or thin is improved: vertices near by
-move along the surface or along their feature, unless it turns or ends there, and two quads around a
-vertex of two edges become one. What is inverted even then is taken out, as two opposite vertices
-become one, if no other quad is inverted by that; what is left, or flat, as between two features
-that are a straight line in space, becomes five quads, one of them inside, if those have a better
-shape.
+After some rounds of smoothing, which leave these vertices where they are, all vertices move to
+where their quads are near to rectangles and, of up to 6,600 quads, near to the surface; those on
+features and borders move along these, and stay where they turn, meet, or end. There are at most
+four times as many rounds, and of about 50,000 quads in all, or one round. What this leaves inverted
+or thin is improved: vertices near by move along the surface or along their feature, unless it turns
+or ends there, and two quads around a vertex of two edges become one. What is inverted even then is
+taken out, as two opposite vertices become one, if no other quad is inverted by that; what is left,
+or flat, as between two features that are a straight line in space, becomes five quads, one of them
+inside, if those have a better shape.
 
 The vertices of quads that are inverted even then leave their features, and the surface where that
 does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the

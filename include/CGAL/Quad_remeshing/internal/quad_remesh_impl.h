@@ -354,24 +354,20 @@ private:
       m_report.message += ", for each half";
   }
 
-  // Vertices on features and borders are held. Returns whether the quads are a mesh, also with
-  // their mirror image where they are to have one.
+  // Vertices stay on features and borders. Returns whether the quads are a mesh, also with their
+  // mirror image where they are to have one.
   bool smooth()
   {
-    const auto is_held = [&](const Mesh::Vertex_index v) {
-      for(const auto h : CGAL::halfedges_around_target(v, m_quads))
-        if(m_is_feature[m_quads.edge(h)])
-          return true;
-      return false;
-    };
+    const auto is_held = [&](const Mesh::Vertex_index v)
+    { return !lines_at_vertex(m_quads, m_is_feature, v).empty(); };
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
-      Quad_shaper(m_quads, surface_mesh(), smoother)
-        .run(shaping_rounds * m_options.number_of_smoothing_rounds, is_held);
       const Feature_lines lines(m_surface);
+      Quad_shaper(m_quads, m_is_feature, surface_mesh(), lines, smoother)
+        .run(shaping_rounds * m_options.number_of_smoothing_rounds);
       Quad_improver improver(m_quads, m_is_feature, lines, smoother);
       improver.move_vertices();
       if(improver.remove_vertices_of_two_edges() > 0)

@@ -31,6 +31,32 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// Of quads: the halfedges to a vertex along features and borders.
+inline std::vector<Surface_to_remesh::Halfedge>
+lines_at_vertex(const Surface_to_remesh::Mesh& quads,
+                const Surface_to_remesh::Feature_map& is_feature,
+                const Surface_to_remesh::Mesh::Vertex_index v)
+{
+  std::vector<Surface_to_remesh::Halfedge> result;
+  for(const auto h : CGAL::halfedges_around_target(v, quads))
+    if(is_feature[quads.edge(h)])
+      result.push_back(h);
+  return result;
+}
+
+// Whether these are of one line, which does not turn in the grid.
+inline bool goes_straight(const Surface_to_remesh::Mesh& quads,
+                          const std::vector<Surface_to_remesh::Halfedge>& lines)
+{
+  if(lines.size() != 2)
+    return false;
+  const auto v = quads.target(lines[0]);
+  if(quads.is_border(v))
+    return quads.degree(v) == 3;
+  const auto second_next = quads.next(quads.opposite(quads.next(lines[0])));
+  return quads.degree(v) == 4 && quads.opposite(second_next) == lines[1];
+}
+
 class Feature_lines
 {
   using Mesh = Surface_to_remesh::Mesh;
@@ -74,6 +100,9 @@ public:
       h = *next;
     }
   }
+
+  // \pre there are lines
+  double squared_distance(const Point& p) const { return m_tree.squared_distance(p); }
 
 private:
   const Mesh& mesh() const { return m_surface.mesh(); }

@@ -204,7 +204,7 @@ private:
   {
     using Kernel = Surface_to_remesh::Kernel;
     std::vector<Space_vector> result;
-    if(!is_straight())
+    if(!goes_straight(m_quads, m_lines_at_vertex) && !(m_thin == flat && is_straight_in_space()))
       return result;
     for(const Halfedge h : m_lines_at_vertex) {
       const Space_vector d = vector_to(from, m_smoother.point(source(h, m_quads)));
@@ -216,23 +216,12 @@ private:
     return result;
   }
 
-  bool is_straight() const
+  // Up to 20 degrees.
+  bool is_straight_in_space() const
   {
     if(m_lines_at_vertex.size() != 2)
       return false;
     const Halfedge g = m_lines_at_vertex[0], h = m_lines_at_vertex[1];
-    const Vertex v = target(h, m_quads);
-    if(m_thin == flat && is_straight_in_space(g, h))
-      return true;
-    if(CGAL::is_border(v, m_quads))
-      return degree(v, m_quads) == 3;
-    const Halfedge second_next = next(opposite(next(g, m_quads), m_quads), m_quads);
-    return degree(v, m_quads) == 4 && opposite(second_next, m_quads) == h;
-  }
-
-  // Up to 20 degrees.
-  bool is_straight_in_space(const Halfedge g, const Halfedge h) const
-  {
     const Space_vector p = m_smoother.point(target(h, m_quads));
     const Space_vector a = scaled_to_one(vector_to(p, m_smoother.point(source(g, m_quads))));
     const Space_vector b = scaled_to_one(vector_to(p, m_smoother.point(source(h, m_quads))));
@@ -243,15 +232,13 @@ private:
   {
     m_star.clear();
     m_normals.clear();
-    m_lines_at_vertex.clear();
+    m_lines_at_vertex = lines_at_vertex(m_quads, m_is_feature, v);
     Space_vector normal{}, side{};
     m_longest_edge = 0;
     const Space_vector p = m_smoother.point(v);
     for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
       side = vector_to(p, m_smoother.point(source(h, m_quads)));
       m_longest_edge = (std::max)(m_longest_edge, norm(side));
-      if(get(m_is_feature, edge(h, m_quads)))
-        m_lines_at_vertex.push_back(h);
       if(CGAL::is_border(h, m_quads))
         continue;
       m_star.push_back(face(h, m_quads));

@@ -15,10 +15,11 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Moves the vertices of a quad mesh along the surface that it was made from, toward where their
-// quads are rectangles and near the surface. Smoothing looks at neighbors only, which does for
-// small quads.
+// Moves the vertices of a quad mesh along the surface that it was made from, or along the feature
+// or border that they lie on, toward where their quads are rectangles and near the surface.
+// Smoothing looks at neighbors only, which does for small quads.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -66,41 +67,45 @@ inline std::array<Space_vector, 4> fitted_rectangle(const std::array<Space_vecto
   return result;
 }
 
-// Invariant: vertices that are held stay where they are, all others on the surface. No quad turns
-// over.
+// Invariant: vertices stay on the surface, and on the features and borders where they are; they do
+// not move at all where these turn or meet. No quad turns over.
 class Quad_shaper
 {
   using Mesh = Surface_to_remesh::Mesh;
   using Vertex = Mesh::Vertex_index;
+  using Halfedge = Mesh::Halfedge_index;
   using Face = Mesh::Face_index;
+  using Feature_map = Surface_to_remesh::Feature_map;
+  using Kernel = Surface_to_remesh::Kernel;
   using Quad = Quad_smoother::Quad;
 
 public:
-  Quad_shaper(const Mesh& quads, const Mesh& surface, Quad_smoother& smoother)
-    : m_quads(quads), m_smoother(smoother),
+  // \param is_feature whether an edge is a feature or border
+  Quad_shaper(const Mesh& quads, const Feature_map& is_feature, const Mesh& surface,
+              const Feature_lines& lines, Quad_smoother& smoother)
+    : m_quads(quads), m_is_feature(is_feature), m_lines(lines), m_smoother(smoother),
       m_samples(surface, number_of_samples(quads.number_of_faces()))
   { }
 
-  // Until little is gained, and at most about 100,000 quads in all, or one round.
-  // is_held(vertex) tells which vertices stay.
-  template <typename Is_held>
-  void run(const std::size_t most_rounds, const Is_held& is_held)
+  // Until little is gained, and at most about 50,000 quads in all, or one round. One vertex after
+  // the other, the worst corners alone would soon not get better: so all corners count at first.
+  void run(const std::size_t most_rounds)
   {
     const std::size_t affordable = 1 + most_quads / (1 + m_quads.number_of_faces());
-    for(std::size_t round = 0; round < (std::min)(most_rounds, affordable); ++round) {
-      m_forms = m_samples.distance_forms(m_quads);
-      double gain = 0;
-      for(const Vertex v : vertices(m_quads))
-        if(!is_held(v))
-          gain += move(v);
-      if(gain < 1e-3 * double(m_quads.number_of_faces()))
-        return;
-    }
+    std::size_t rounds = (std::min)(most_rounds, affordable);
+    const std::size_t last_rounds = rounds - rounds / 2;
+    m_all_corners_count = true;
+    while(rounds > last_rounds && move_all())
+      --rounds;
+    m_all_corners_count = false;
+    while(rounds > 0 && move_all())
+      --rounds;
   }
 
 private:
-  static constexpr std::size_t most_samples = 20000, most_quads = 100000;
-  static constexpr double weight_of_distance = 2, turned_over = 1e100;
+  static constexpr std::size_t most_samples = 20000, most_quads = 50000;
+  static constexpr double weight_of_distance = 2, weight_of_lines = 4;
+  static constexpr double turned_over = 1e100;
 
   // None where they would be few for each quad.
   static std::size_t number_of_samples(const std::size_t number_of_quads)
@@ -108,22 +113,36 @@ private:
     return number_of_quads <= most_samples / 3 ? (std::min)(20 * number_of_quads, most_samples) : 0;
   }
 
+  // Returns whether more than a little was gained.
+  bool move_all()
+  {
+    m_forms = m_samples.distance_forms(m_quads);
+    double gain = 0;
+    for(const Vertex v : vertices(m_quads))
+      gain += move(v);
+    return gain >= 1e-3 * double(m_quads.number_of_faces());
+  }
+
   // Returns by how much the quads around have become better.
   double move(const Vertex v)
   {
+    m_lines_at_vertex = lines_at_vertex(m_quads, m_is_feature, v);
+    if(!m_lines_at_vertex.empty() && !goes_straight(m_quads, m_lines_at_vertex))
+      return 0;
     const Space_vector old = m_smoother.point(v);
     const Space_vector to_rectangles = vector_to(old, collect_star(v));
     const Space_vector to_surface = m_forms[v].descent();
-    const double before = badness();
+    const double before = badness() + badness_of_lines(old);
     double least = before;
     Space_vector best = old;
     const auto attempt = [&](const double x, const double y) {
-      Space_vector p = old;
+      Space_vector d;
       for(std::size_t c = 0; c < 3; ++c)
-        p[c] += x * to_rectangles[c] + y * to_surface[c];
-      p = m_smoother.nearest(p, old);
+        d[c] = x * to_rectangles[c] + y * to_surface[c];
+      const Space_vector p = place(old, d);
       m_smoother.set_point(v, p);
-      const double now = badness() + weight_of_distance * m_forms[v].value(vector_to(old, p));
+      const double now = badness() + badness_of_lines(p) +
+                         weight_of_distance * m_forms[v].value(vector_to(old, p));
       if(now < least) {
         least = now;
         best = p;
@@ -140,13 +159,47 @@ private:
     return before - least;
   }
 
+  // Of the vertex on the surface, or on its line, where it stays before both neighbors.
+  Space_vector place(const Space_vector& from, const Space_vector& displacement) const
+  {
+    if(m_lines_at_vertex.empty())
+      return m_smoother.nearest({from[0] + displacement[0], from[1] + displacement[1],
+                                 from[2] + displacement[2]}, from);
+    for(const Halfedge h : m_lines_at_vertex) {
+      const Space_vector d = vector_to(from, m_smoother.point(m_quads.source(h)));
+      const double length = norm(d), along = inner_product(d, displacement) / length;
+      if(!(along > 0))
+        continue;
+      if(const auto p = m_lines.slide(Kernel::Point_3(from[0], from[1], from[2]),
+                                      Kernel::Vector_3(d[0], d[1], d[2]),
+                                      (std::min)(along, length / 2)))
+        return {p->x(), p->y(), p->z()};
+    }
+    return from;
+  }
+
+  // How far the edges along the line at `p` are from it, in units of their lengths, squared.
+  double badness_of_lines(const Space_vector& p) const
+  {
+    double sum = 0;
+    for(const Halfedge h : m_lines_at_vertex) {
+      const Kernel::Point_3 a(p[0], p[1], p[2]), &b = m_quads.point(m_quads.source(h));
+      const double length = CGAL::squared_distance(a, b);
+      if(length > 0)
+        sum += m_lines.squared_distance(CGAL::midpoint(a, b)) / length;
+    }
+    return weight_of_lines * sum;
+  }
+
   // Collects the quads around a vertex. Returns where their rectangles have it, on the average.
   Space_vector collect_star(const Vertex v)
   {
     Space_vector result{};
     m_faces.clear();
     m_normals.clear();
-    for(const auto h : CGAL::halfedges_around_target(v, m_quads)) {
+    for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
+      if(m_quads.is_border(h))
+        continue;
       m_faces.push_back(face(h, m_quads));
       const Quad q = m_smoother.quad(m_faces.back());
       m_normals.push_back(quad_normal(q));
@@ -160,7 +213,7 @@ private:
     return result;
   }
 
-  // Thin quads count more than twice as much as their scaled Jacobians tell.
+  // By their worst corners, or all; thin quads count more than twice as much.
   double badness() const
   {
     double sum = 0;
@@ -169,17 +222,24 @@ private:
       const Space_vector normal = quad_normal(q);
       if(inner_product(normal, m_normals[i]) <= 0)
         return turned_over;
-      const double x = 1 - scaled_jacobian(q, normal);
+      const std::array<double, 4> sines = sines_of_angles(q, normal);
+      const double x = 1 - (m_all_corners_count
+                              ? (sines[0] + sines[1] + sines[2] + sines[3]) / 4
+                              : *std::min_element(sines.begin(), sines.end()));
       sum += x + x * x;
     }
     return sum;
   }
 
   const Mesh& m_quads;
+  Feature_map m_is_feature;
+  const Feature_lines& m_lines;
   Quad_smoother& m_smoother;
+  bool m_all_corners_count = false;
   Surface_samples m_samples;
   std::vector<Distance_form> m_forms; // per vertex
   // scratch: of the vertex that moves
+  std::vector<Halfedge> m_lines_at_vertex;
   std::vector<Face> m_faces;
   std::vector<Space_vector> m_normals;
 };
