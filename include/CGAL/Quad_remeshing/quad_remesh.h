@@ -99,7 +99,8 @@ struct Remeshing_report
   /// @{
   /// faces that were flipped in the approximate parametrization
   std::size_t number_of_flipped_faces = 0;
-  /// feature edges, or parts of them, that are not kept, as faces would be flipped at them
+  /// feature edges, or parts of them, that are not kept, as faces would be flipped at them, or
+  /// quads inverted
   std::size_t number_of_released_edges = 0;
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;
@@ -235,7 +236,11 @@ The vertices of quads that are inverted even then leave their features, and the 
 does not help, by as little as mends the quads, and by at most half of the quad's longest edge; the
 report counts them, and tells by how much. Where that is not enough, the vertices of the quads
 around move, too, in at most five rounds. There are at most 20,000 such moves of a vertex in all.
-With `symmetry_plane`, they stay. Quads that stay inverted are counted in the report.
+With `symmetry_plane`, they stay.
+
+Where quads are inverted even then, the features are released that are nearer to them than an edge
+of a quad, and all is made again; if that does not help, those within two edges. What has the fewest
+inverted quads is the result; these are counted in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 long triangles, as of flat faces without vertices inside, if they cover a quarter of the area: those

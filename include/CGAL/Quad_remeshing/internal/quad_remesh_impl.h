@@ -35,7 +35,10 @@
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +73,27 @@ public:
     if(check_mirror() && quantize_a_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
     return m_report;
+  }
+
+  // Those within a number of edges of quads around the corners of bad ones. Returns how many these
+  // and those that were released before are; 0 if there is none of these.
+  std::size_t release_features_at_bad_quads(const double edges)
+  {
+    const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
+    const double radius = edges * std::sqrt(area / double(m_report.number_of_quads));
+    std::size_t number = 0;
+    for(const auto e : surface_mesh().edges()) {
+      const auto h = surface_mesh().halfedge(e);
+      const Surface_to_remesh::Kernel::Segment_3 s(surface_mesh().point(surface_mesh().source(h)),
+                                                   surface_mesh().point(surface_mesh().target(h)));
+      if(m_surface.is_feature()[e] &&
+         std::any_of(m_bad_places.begin(), m_bad_places.end(), [&](const Point& p)
+                     { return CGAL::squared_distance(p, s) < radius * radius; })) {
+        m_surface.is_feature()[e] = false;
+        ++number;
+      }
+    }
+    return number == 0 ? 0 : m_report.number_of_released_edges + number;
   }
 
   // Of quads that have been extracted already, in the size of the input.
@@ -296,6 +320,7 @@ private:
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
+    move_map_from_origin();
     release(made.released_edges);
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     // where untangling has left flips already, all cones are tried next
@@ -315,6 +340,20 @@ private:
     for(std::size_t& face : m_report.remaining_flips)
       face = m_surface.original(face);
     return true;
+  }
+
+  // To where all coordinates have bits of the same size, but for one. Near the origin, translations
+  // may have finer bits than integers of 64 bits can hold beside the largest coordinate.
+  void move_map_from_origin()
+  {
+    double largest = 0;
+    for(const auto h : surface_mesh().halfedges())
+      for(const double x : {m_surface.uv_map()[h].x(), m_surface.uv_map()[h].y()})
+        largest = (std::max)(largest, std::abs(x));
+    const double distance = std::ldexp(1., std::ilogb(largest) + 2);
+    for(const auto h : surface_mesh().halfedges())
+      m_surface.uv_map()[h] = Surface_to_remesh::Kernel::Point_2(
+        m_surface.uv_map()[h].x() + distance, m_surface.uv_map()[h].y() + distance);
   }
 
   bool quantize()
@@ -400,8 +439,11 @@ private:
     count();
     std::size_t i = 0;
     for(const auto f : m_quads.faces()) {
-      if(is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f)))
+      if(is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f))) {
         count_inverted_quad(i, m_report);
+        for(const auto v : CGAL::vertices_around_face(m_quads.halfedge(f), m_quads))
+          m_bad_places.push_back(m_quads.point(v));
+      }
       ++i;
     }
     const std::array<double, 2> shape = smoother.measure_shape();
@@ -457,6 +499,7 @@ private:
   Feature_map m_is_feature;
   Remeshing_report m_report;
   Quantization m_quantization;
+  std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };
 
@@ -464,7 +507,40 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
-{ return Quad_remesher(surface, options, quads, is_feature).run(); }
+{
+  constexpr int most_attempts = 3;
+  using Mesh = Surface_to_remesh::Mesh;
+  Remeshing_report best;
+  std::size_t number_of_released_edges = 0;
+  for(int i = 0; i < most_attempts; ++i) {
+    Mesh mesh;
+    const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+    Quad_remesher remesher(surface, options, mesh, is_kept);
+    Remeshing_report report = remesher.run();
+    report.number_of_released_edges += number_of_released_edges;
+    report.step_times.insert(report.step_times.begin(), best.step_times.begin(),
+                             best.step_times.end());
+    const bool is_better =
+      report && report.number_of_inverted_quads < best.number_of_inverted_quads;
+    if(i == 0 || is_better) {
+      quads.clear_without_removing_property_maps();
+      const auto write = [&](const auto& halfedges) {
+        is_feature[quads.edge(halfedges.second)] = is_kept[mesh.edge(halfedges.first)];
+      };
+      CGAL::copy_face_graph(mesh, quads,
+                            CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                              boost::make_function_output_iterator(write)));
+      best = report;
+    }
+    best.step_times = report.step_times;
+    if(!report || best.number_of_inverted_quads == 0)
+      break;
+    number_of_released_edges = remesher.release_features_at_bad_quads(std::ldexp(1., i));
+    if(number_of_released_edges == 0)
+      break;
+  }
+  return best;
+}
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
