@@ -89,7 +89,8 @@ private:
       return refuse(m_result, Outcome::TOO_LARGE,
                   "the coordinates around vertex " + m_vertex_name(reader.unrepresentable_vertex) +
                     " have more bits than integers of 64 bits can hold beside the largest "
-                    "coordinate; add twice the largest one to all, and snap the map by snap_to_seamless()");
+                    "coordinate; add twice the largest one to all, and snap the map by "
+                    "snap_to_seamless()");
     m_result.number_of_unaligned_features = reader.number_of_unaligned_features;
     return true;
   }
