@@ -75,8 +75,7 @@ public:
     return m_report;
   }
 
-  // Those within a number of edges of quads around the corners of bad ones. Returns how many these
-  // and those that were released before are; 0 if there is none of these.
+  // Those within a number of edges of quads around the corners of bad ones. Returns how many.
   std::size_t release_features_at_bad_quads(const double edges)
   {
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
@@ -93,7 +92,7 @@ public:
         ++number;
       }
     }
-    return number == 0 ? 0 : m_report.number_of_released_edges + number;
+    return number;
   }
 
   // Of quads that have been extracted already, in the size of the input.
@@ -508,36 +507,38 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
-  constexpr int most_attempts = 3;
   using Mesh = Surface_to_remesh::Mesh;
-  Remeshing_report best;
-  std::size_t number_of_released_edges = 0;
-  for(int i = 0; i < most_attempts; ++i) {
-    Mesh mesh;
-    const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  std::size_t number_of_released_edges = 0; // before an attempt
+  bool may_try_again = true;
+  const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept,
+                           const double edges_to_release) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
     Remeshing_report report = remesher.run();
     report.number_of_released_edges += number_of_released_edges;
+    const std::size_t released = report && report.number_of_inverted_quads > 0
+                                   ? remesher.release_features_at_bad_quads(edges_to_release) : 0;
+    number_of_released_edges = report.number_of_released_edges + released;
+    may_try_again = released > 0;
+    return report;
+  };
+  Remeshing_report best = attempt(quads, is_feature, 1);
+  for(int i = 0; i < 2 && may_try_again && best.number_of_inverted_quads > 0; ++i) {
+    Mesh mesh;
+    const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+    Remeshing_report report = attempt(mesh, is_kept, 2);
     report.step_times.insert(report.step_times.begin(), best.step_times.begin(),
                              best.step_times.end());
-    const bool is_better =
-      report && report.number_of_inverted_quads < best.number_of_inverted_quads;
-    if(i == 0 || is_better) {
-      quads.clear_without_removing_property_maps();
-      const auto write = [&](const auto& halfedges) {
-        is_feature[quads.edge(halfedges.second)] = is_kept[mesh.edge(halfedges.first)];
-      };
-      CGAL::copy_face_graph(mesh, quads,
-                            CGAL::parameters::halfedge_to_halfedge_output_iterator(
-                              boost::make_function_output_iterator(write)));
-      best = report;
-    }
     best.step_times = report.step_times;
-    if(!report || best.number_of_inverted_quads == 0)
-      break;
-    number_of_released_edges = remesher.release_features_at_bad_quads(std::ldexp(1., i));
-    if(number_of_released_edges == 0)
-      break;
+    if(!report || report.number_of_inverted_quads >= best.number_of_inverted_quads)
+      continue;
+    quads.clear_without_removing_property_maps();
+    const auto write = [&](const auto& halfedges) {
+      is_feature[quads.edge(halfedges.second)] = is_kept[mesh.edge(halfedges.first)];
+    };
+    CGAL::copy_face_graph(mesh, quads,
+                          CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                            boost::make_function_output_iterator(write)));
+    best = report;
   }
   return best;
 }

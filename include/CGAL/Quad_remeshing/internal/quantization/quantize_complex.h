@@ -56,6 +56,19 @@ inline double number_of_quads(const Intrinsic_complex& complex)
   return twice_area / 2;
 }
 
+// The same of what is wanted: units per step of the input's grid, per part.
+inline double number_of_quads_wanted(const Intrinsic_complex& complex,
+                                     const std::vector<double>& scales)
+{
+  double twice_area = 0;
+  for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
+    const double scale = scales[std::size_t(complex.part[std::size_t(h / 3)])];
+    twice_area += scale * scale *
+                  approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector);
+  }
+  return twice_area / 2;
+}
+
 // Invariant: once the units are feasible, they stay so.
 class Complex_quantizer
 {
@@ -152,13 +165,8 @@ private:
   // Each triangle has at least half a quad.
   bool has_room() const
   {
-    double wanted = 0;
-    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); h += 3) {
-      const double scale = m_scales[std::size_t(m_complex.part[std::size_t(h / 3)])];
-      wanted += scale * scale *
-                approximate_cross(m_complex.corner(h).vector, m_complex.corner(h + 1).vector);
-    }
-    return wanted >= static_cast<double>(m_complex.number_of_faces());
+    return 2 * number_of_quads_wanted(m_complex, m_scales) >=
+           static_cast<double>(m_complex.number_of_faces());
   }
 
   // Of many triangles, an eighth is the most that is worth trying.
@@ -256,18 +264,6 @@ private:
 
   double scale_at(const double height) const { return std::exp2(height / m_rungs_per_doubling); }
 
-  double number_wanted(const double scale) const
-  {
-    double twice_area = 0;
-    const std::vector<double> all = scales(scale);
-    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); h += 3) {
-      const double s = all[std::size_t(m_complex.part[std::size_t(h / 3)])];
-      twice_area += s * s * approximate_cross(m_complex.corner(h).vector,
-                                              m_complex.corner(h + 1).vector);
-    }
-    return twice_area / 2;
-  }
-
   // Where rounding fails on the next rung without an offset, it is not tried: else each ladder
   // would take as long to find that.
   bool round(const double height, Rung& rung)
@@ -298,7 +294,9 @@ private:
         return next;
       rung = next;
       rung.number_of_moves += quantizer.approach();
-      rung.is_lowest = number_of_quads(rung.complex) > most_times_as_many * number_wanted(scale);
+      rung.is_lowest =
+        number_of_quads(rung.complex) >
+        most_times_as_many * number_of_quads_wanted(m_complex, scales(scale));
     }
     return m_rungs.emplace(std::make_pair(ladder, i), std::move(rung)).first->second;
   }
