@@ -308,6 +308,7 @@ expect_message("${out}" "snapped: largest change")
 seamless(0 check out.obj --report check.json)
 file(READ "${WORK_DIR}/check.json" json)
 expect_message("${json}" "\"exact\": true")
+expect("a result that there is not: ${json}" NOT json MATCHES "\"after\"|\"change\"")
 file(READ "${WORK_DIR}/out.json" json)
 expect_message("${json}" "\"status\": \"snapped\"")
 
@@ -473,7 +474,8 @@ string(APPEND ply "property float z\nproperty float quality\nproperty int mark\n
 file(WRITE "${WORK_DIR}/sheet.ply" "${ply}")
 foreach(arguments IN ITEMS "64;sheet.off;--sizes;sizes.txt"
     "16;sheet.off;--sizes;sizes.txt;--edge-length;2" "25;sheet.off;--sizes;sizes.txt;--number;25"
-    "16;sheet.ply;--sizes;quality" "64;sheet.ply;--sizes;sizes.txt" "16;sheet.off;--number;16"
+    "16;sheet.ply;--sizes;quality" "9;sheet.ply;--sizes;mark;--number;9"
+    "64;sheet.ply;--sizes;sizes.txt" "16;sheet.off;--number;16"
     "16;sheet.off;--number;16;--adaptivity;3")
   list(POP_FRONT arguments number input)
   seamless(0 remesh ${input} sized.off ${arguments})
@@ -590,6 +592,14 @@ foreach(line IN ITEMS "property uchar red" "property float quality" "property in
     "\n4 [0-9 ]* 5 ?\n")
   expect("${text}" text MATCHES "${line}")
 endforeach()
+# an opacity is one of the colors
+string(REPLACE "uchar blue\n" "uchar blue\nproperty uchar alpha\n" opaque "${ply}")
+string(REPLACE " 9\n" " 9 128\n" opaque "${opaque}")
+file(WRITE "${WORK_DIR}/opaque.ply" "${opaque}")
+seamless(0 remesh opaque.ply square_quads.ply --number 16)
+file(READ "${WORK_DIR}/square_quads.ply" text)
+string(REGEX MATCHALL "alpha" alphas "${text}")
+expect("${text}" alphas STREQUAL "alpha" AND text MATCHES "\n1 1 0 7 0.25 200 100 9 128 ")
 string(REPLACE "int part\n" "int part\nproperty list uchar float texcoord\n" ply "${ply}")
 string(REPLACE "2 4\n" "2 4 6 0 0 1 0 1 1\n" ply "${ply}")
 string(REPLACE "0 5\n" "0 5 6 1 1 0 1 0 0\n" ply "${ply}")

@@ -54,42 +54,49 @@ nlohmann::json json_of(const CGAL::Seamless_snapping::Seamlessness& s)
           {"degenerate_faces", s.number_of_degenerate_faces}};
 }
 
+// What was measured: nothing of a result where there is none.
 nlohmann::json json_of(const Summary& s, bool success, const std::string& message)
 {
+  nlohmann::json result = {
+    {"exact", success},
+    {"message", message},
+    {"status", s.has_report ? CGAL::Linear_snapping::to_string(s.report.status) : "not snapped"},
+    {"mesh", {{"vertices", s.vertices}, {"faces", s.faces}, {"border_edges", s.border_edges},
+              {"feature_edges", s.features}, {"split_vertices", s.split_vertices},
+              {"welded_edges", s.welded_edges},
+              {"coinciding_border_edges", s.coinciding_border_edges}}},
+    {"alignment", {{"aligned_edges", s.aligned_edges}, {"left_out_edges", s.left_out_edges}}},
+    {"extent", s.before.extent},
+    {"before", json_of(s.before)}};
+  if(!s.has_report)
+    return result;
   const auto& r = s.report;
-  return {{"exact", success},
-          {"message", message},
-          {"status", s.has_report ? CGAL::Linear_snapping::to_string(r.status) : "not snapped"},
-          {"mesh", {{"vertices", s.vertices}, {"faces", s.faces}, {"border_edges", s.border_edges},
-                    {"feature_edges", s.features}, {"split_vertices", s.split_vertices},
-                    {"welded_edges", s.welded_edges},
-                    {"coinciding_border_edges", s.coinciding_border_edges}}},
-          {"alignment", {{"aligned_edges", s.aligned_edges},
-                         {"left_out_edges", s.left_out_edges}}},
-          {"extent", s.before.extent},
-          {"before", json_of(s.before)},
-          {"after", json_of(s.after)},
-          {"seams", {{"cut_edges", r.run.number_of_cut_edges},
+  result["seconds"] = {{"reading", s.reading_time}, {"snapping", s.snapping_time},
+                       {"steps", json_of_steps(r.step_times)}};
+  if(!r)
+    return result;
+  result["after"] = json_of(s.after);
+  result["seams"] = {{"cut_edges", r.run.number_of_cut_edges},
                      {"merged_edges", r.run.number_of_merged_edges},
                      {"cut_branches", r.run.number_of_cut_branches},
                      {"align_branches", r.run.number_of_align_branches},
                      {"nodes", r.run.number_of_nodes},
-                     {"singular_vertices", r.run.number_of_singular_vertices}}},
-          {"system", {{"unknowns", r.linear_solver.number_of_unknowns},
+                     {"singular_vertices", r.run.number_of_singular_vertices}};
+  result["system"] = {{"unknowns", r.linear_solver.number_of_unknowns},
                       {"constraints", r.linear_solver.number_of_constraints},
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
                       {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
-                      {"multiprecision", r.linear_solver.multiprecision}}},
-          {"change", {{"grid_step", r.grid_step}, {"largest", r.largest_change},
-                      {"mean", r.mean_change}, {"rms", r.rms_change}}},
-          {"seconds", {{"reading", s.reading_time}, {"snapping", s.snapping_time},
-                       {"writing", s.writing_time}, {"steps", json_of_steps(r.step_times)}}}};
+                      {"multiprecision", r.linear_solver.multiprecision}};
+  result["change"] = {{"grid_step", r.grid_step}, {"largest", r.largest_change},
+                      {"mean", r.mean_change}, {"rms", r.rms_change}};
+  result["seconds"]["writing"] = s.writing_time;
+  return result;
 }
 
 } // namespace
 
 Summary::Summary(const Model& model, const Alignment& alignment)
-  : vertices(model.file.number_of_points()), faces(model.mesh.number_of_faces()),
+  : vertices(model.mesh.number_of_vertices()), faces(model.mesh.number_of_faces()),
     split_vertices(model.number_of_split_vertices), welded_edges(model.number_of_welded_edges),
     coinciding_border_edges(model.number_of_coinciding_border_edges),
     aligned_edges(alignment.number_of_aligned_edges),

@@ -16,7 +16,7 @@ struct Summary
 {
   Summary(const Model& model, const Alignment& alignment);
 
-  std::size_t vertices, faces, border_edges = 0, features = 0; // vertices as the file counts them
+  std::size_t vertices, faces, border_edges = 0, features = 0;
   std::size_t split_vertices, welded_edges, coinciding_border_edges;
   std::size_t aligned_edges, left_out_edges;
   std::string notes_on_reading;

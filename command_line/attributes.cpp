@@ -77,14 +77,30 @@ bool read_PLY_mesh(const std::string& filename, Mesh& mesh)
   return CGAL::IO::read_PLY(stream, mesh, comments, false);
 }
 
+// The same, where vertices may have been joined with others in the same place: those of the face.
+template <typename Visit>
+void for_each_corner_in_file(const Model& model, const Mesh& file, const Location& location,
+                             const Visit& visit)
+{
+  const Face face(Mesh::size_type(file_face(model, location.first)));
+  for_each_corner(model, location, [&](const std::size_t first, const double weight) {
+    Vertex vertex{Mesh::size_type(first)};
+    const Kernel::Point_3 p = file.point(vertex);
+    for(const Vertex v : file.vertices_around_face(file.halfedge(face)))
+      if(file.point(v) == p)
+        vertex = v;
+    visit(vertex, weight);
+  });
+}
+
 template <typename T>
-T interpolated(const Model& model, const Mesh::Property_map<Vertex, T>& values,
+T interpolated(const Model& model, const Mesh& file, const Mesh::Property_map<Vertex, T>& values,
                const Location& location)
 {
   double sum = 0, largest = -1;
   T nearest{};
-  for_each_corner(model, location, [&](const std::size_t v, const double weight) {
-    const T value = values[Vertex(Mesh::size_type(v))];
+  for_each_corner_in_file(model, file, location, [&](const Vertex v, const double weight) {
+    const T value = values[v];
     if(weight > largest) {
       largest = weight;
       nearest = value;
@@ -101,7 +117,7 @@ void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
     if(const auto [values, exists] = file.property_map<Vertex, T>(name); exists) {
       const auto map = quads.mesh.add_property_map<Vertex, T>(name).first;
       for(const Vertex v : quads.mesh.vertices())
-        map[v] = interpolated(model, values, quads.of_vertex[v]);
+        map[v] = interpolated(model, file, values, quads.of_vertex[v]);
     }
   for(const std::string& name : file.properties<Face>())
     if(const auto [values, exists] = file.property_map<Face, T>(name); exists) {
@@ -111,6 +127,21 @@ void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
     }
 }
 
+// CGAL reads the opacity of colors as a property of its own, and writes it with these.
+template <typename Key, typename Range>
+void take_alpha(const std::string& name, const Range& keys,
+                const Mesh::Property_map<Key, CGAL::IO::Color>& colors, Mesh& quads)
+{
+  auto [alpha, exists] = quads.property_map<Key, std::uint8_t>(name);
+  if(!exists)
+    return;
+  for(const Key k : keys) {
+    const CGAL::IO::Color c = colors[k];
+    colors[k] = CGAL::IO::Color(c.red(), c.green(), c.blue(), alpha[k]);
+  }
+  quads.remove_property_map(alpha);
+}
+
 void carry_over_colors(const Model& model, const Mesh& file, Located_quads& quads)
 {
   using CGAL::IO::Color;
@@ -118,18 +149,20 @@ void carry_over_colors(const Model& model, const Mesh& file, Located_quads& quad
     const auto map = quads.mesh.add_property_map<Vertex, Color>("v:color").first;
     for(const Vertex v : quads.mesh.vertices()) {
       std::array<double, 3> sum{};
-      for_each_corner(model, quads.of_vertex[v], [&](const std::size_t w, const double weight) {
+      for_each_corner_in_file(model, file, quads.of_vertex[v], [&](const Vertex w, const double weight) {
         for(std::size_t c = 0; c < 3; ++c)
-          sum[c] += weight * colors[Vertex(Mesh::size_type(w))][c];
+          sum[c] += weight * colors[w][c];
       });
       const auto rounded = [](const double x) { return static_cast<unsigned char>(std::lround(x)); };
       map[v] = Color(rounded(sum[0]), rounded(sum[1]), rounded(sum[2]));
     }
+    take_alpha("v:alpha", quads.mesh.vertices(), map, quads.mesh);
   }
   if(const auto [colors, exists] = file.property_map<Face, Color>("f:color"); exists) {
     const auto map = quads.mesh.add_property_map<Face, Color>("f:color").first;
     for(const Face f : quads.mesh.faces())
       map[f] = colors[Face(Mesh::size_type(file_face(model, quads.of_face[f].first)))];
+    take_alpha("f:alpha", quads.mesh.faces(), map, quads.mesh);
   }
 }
 
@@ -434,15 +467,18 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
 namespace {
 
 template <typename T>
-bool read_property(const Model& model, const Mesh& file, const std::string& name,
-                   Mesh::Property_map<Vertex, double> sizes)
+bool read_property(const Mesh& file, const std::string& name, std::vector<double>& values)
 {
-  const auto [values, exists] = file.property_map<Vertex, T>("v:" + name);
+  const auto [map, exists] = file.property_map<Vertex, T>("v:" + name);
   if(exists)
-    for(const Vertex v : model.mesh.vertices())
-      sizes[v] = double(values[Vertex(Mesh::size_type(model.file_vertices[v]))]);
+    for(const Vertex v : file.vertices())
+      values.push_back(double(map[v]));
   return exists;
 }
+
+template <typename... Types>
+bool read_property_of_any(const Mesh& file, const std::string& name, std::vector<double>& values)
+{ return (read_property<Types>(file, name, values) || ...); }
 
 } // namespace
 
@@ -454,26 +490,29 @@ read_sizes(const std::string& property_or_file, const std::string& input,
   if(property_or_file.empty())
     return sizes;
   Mesh file;
-  if(read_PLY_mesh(input, file) &&
-     (read_property<float>(model, file, property_or_file, sizes) ||
-      read_property<double>(model, file, property_or_file, sizes)))
-    return sizes;
-  if(suffix_of(input) == "ply" && !std::filesystem::exists(property_or_file))
-    throw Failure(UNREADABLE, "'" + property_or_file + "' is neither a number at each vertex of " +
-                                input + " nor a file");
-  std::istringstream stream(read_file(property_or_file));
-  stream.imbue(std::locale::classic());
   std::vector<double> values;
-  for(double x; stream >> x; )
-    values.push_back(x);
-  if(!stream.eof() || values.size() != file_points)
-    throw Failure(UNREADABLE, property_or_file + ": the file is not a number for each of " +
-                                counted(file_points, "vertex") + " of the mesh");
+  const bool is_property =
+    read_PLY_mesh(input, file) &&
+    read_property_of_any<float, double, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
+                         std::int32_t, std::uint32_t>(file, property_or_file, values);
+  if(!is_property) {
+    if(suffix_of(input) == "ply" && !std::filesystem::exists(property_or_file))
+      throw Failure(UNREADABLE, "'" + property_or_file + "' is neither a number at each vertex of " +
+                                  input + " nor a file");
+    std::istringstream stream(read_file(property_or_file));
+    stream.imbue(std::locale::classic());
+    for(double x; stream >> x; )
+      values.push_back(x);
+    if(!stream.eof() || values.size() != file_points)
+      throw Failure(UNREADABLE, property_or_file + ": the file is not a number for each of " +
+                                  counted(file_points, "vertex") + " of the mesh");
+  }
   for(const double& x : values)
     if(!(x > 0) || std::isinf(x))
       throw Failure(UNREADABLE, property_or_file + ": number " +
-                                  std::to_string(&x - values.data() + 1) +
-                                  " of the file is not positive and finite");
+                                  std::to_string(&x - values.data() + 1) + " of the " +
+                                  (is_property ? "property" : "file") +
+                                  " is not positive and finite");
   for(const Vertex v : model.mesh.vertices())
     sizes[v] = values[model.file_vertices[v]];
   return sizes;

@@ -98,15 +98,17 @@ void layout(const Arguments& arguments)
   write_file(options.output, text.str());
   if(!options.picture.empty())
     write_file(options.picture, layout_picture(graph));
-  std::size_t junctions = 0;
+  std::size_t junctions = 0, seeds = 0;
   const std::size_t cut = graph.number_of_cut_patches();
-  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n)
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n) {
     junctions += graph.node_kind(n) == IL::Layout_node::JUNCTION ? 1 : 0;
+    seeds += graph.node_kind(n) == IL::Layout_node::SEED ? 1 : 0;
+  }
+  const std::size_t starts = graph.number_of_nodes() - junctions - seeds;
   os << counted(graph.number_of_patches() - cut, "rectangle") << ", "
      << (cut > 0 ? counted(cut, "patch") + " cut by the border, " : "")
      << counted(graph.number_of_arcs(), "arc") << " between "
-     << (graph.number_of_nodes() == junctions + 1
-           ? "1 cone or corner"
-           : std::to_string(graph.number_of_nodes() - junctions) + " cones and corners") << " and "
+     << (starts == 1 ? "1 cone or corner" : std::to_string(starts) + " cones and corners")
+     << (seeds > 0 ? ", " + counted(seeds, "vertex") + " chosen in parts without any," : "") << " and "
      << counted(junctions, "point") << " at which curves meet\n";
 }

@@ -53,7 +53,7 @@ struct Parametrize_options
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
-                "align edges that are sharper");
+                "align edges that are sharper (default: 0, which aligns none)");
     options.add("align-border", align_border, "align border edges");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature");

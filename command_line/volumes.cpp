@@ -114,17 +114,24 @@ Snapping::Volume_integer_grid_measure measure_grid(Volume& volume, const Volume_
                                                options.parameters(volume.mesh));
 }
 
-// The hexahedra are whole where the boundary is aligned only.
+// There are hexahedra where all cells are positive only, and whole ones where the boundary is aligned.
 void write(std::ostream& os, const Snapping::Volume_integer_grid_measure& m,
-           const Volume_options& options)
+           const Snapping::Volume_seamlessness& cells, const Volume_options& options)
 {
+  constexpr double largest_integer = 0x1p53;
   os << m.number_of_noninteger_cuts << " translations, "
      << m.number_of_noninteger_facets + m.number_of_noninteger_edges << " aligned facets and edges, "
      << m.number_of_noninteger_singular_edges << " of " << m.number_of_singular_edges
      << " singular edges and " << m.number_of_noninteger_nodes << " of " << m.number_of_nodes
      << " nodes off the integers\n";
-  if(m && !options.free_boundary)
+  if(!m || options.free_boundary)
+    return;
+  if(cells.number_of_flipped_cells + cells.number_of_degenerate_cells > 0)
+    os << "no hexahedra fill it, as cells are flipped or degenerate\n";
+  else if(m.volume < largest_integer)
     os << std::llround(m.volume) << " hexahedra\n";
+  else
+    os << m.volume << " hexahedra\n";
 }
 
 std::ostream& operator<<(std::ostream& os, const Snapping::Volume_seamlessness& s)
@@ -178,7 +185,6 @@ nlohmann::json json_of(const Snapping::Snapping_report& r)
           {"largest_rounding", r.largest_rounding},
           {"lost_cells", r.lost_faces.size()},
           {"repaired_flips", r.run.number_of_repaired_flips},
-          {"remaining_flips", r.remaining_flips.size()},
           {"steps", json_of_steps(r.step_times)}};
 }
 
@@ -213,7 +219,7 @@ void check_volume(const Arguments& arguments)
     bool is_grid = true;
     if(volume_options.integer_grid) {
       const Snapping::Volume_integer_grid_measure grid = measure_grid(volume, volume_options);
-      write(os, grid, volume_options);
+      write(os, grid, result, volume_options);
       json["integer_grid"] = json_of(grid);
       is_grid = bool(grid);
     }
@@ -311,7 +317,7 @@ void snap_volume(const Arguments& arguments)
        << " lost\n";
     if(volume_options.integer_grid) {
       os << "largest rounding " << report.largest_rounding << "\n";
-      write(os, grid, volume_options);
+      write(os, grid, after, volume_options);
     }
     if(report.run.number_of_repaired_flips > 0)
       os << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";

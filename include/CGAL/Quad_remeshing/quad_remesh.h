@@ -337,9 +337,10 @@ wanted. The quad around a vertex of one edge is left out.
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{a property map that associates to each face a direction of its cross, in
                           space: what is perpendicular to the face does not count. A face with the
-                          direction 0 is free: the field is smooth there. So a few directions are
-                          guides, and one for each face is a field of one's own, from which the
-                          cones follow. Features go first.}
+                          direction 0, or one that is perpendicular up to a millionth, is free: the
+                          field is smooth there. So a few directions are guides, and one for each
+                          face is a field of one's own, from which the cones follow. Features go
+                          first.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
                    as value type}

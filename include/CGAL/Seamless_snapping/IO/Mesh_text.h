@@ -148,9 +148,6 @@ public:
     });
   }
 
-  /// returns the number of points in the text, after `read()`.
-  std::size_t number_of_points() const { return m_number_of_points; }
-
   /// returns for each vertex that `read()` has added the number of its point in the text, from 0.
   const std::vector<std::size_t>& vertex_numbers() const { return m_vertex_numbers; }
 
@@ -245,7 +242,7 @@ private:
     m_soup.reset();
     m_vertex_numbers.clear();
     auto soup = Parser(m_text).parse();
-    const std::size_t n = m_number_of_points = soup.points.size();
+    const std::size_t n = soup.points.size();
     const internal::Vertex_changes changes = internal::build_mesh(soup, tmesh, uv_map, np);
     if constexpr(std::is_same_v<decltype(soup), Soup>) {
       const auto first_copy = changes.file_vertices.end() - std::ptrdiff_t(soup.points.size() - n);
@@ -293,7 +290,6 @@ private:
   bool m_is_ply = false;
   bool m_is_welded = false;
   std::optional<Soup> m_soup; // of the last `read()`, unless it read floats
-  std::size_t m_number_of_points = 0;
   std::vector<std::size_t> m_vertex_numbers;
 };
 

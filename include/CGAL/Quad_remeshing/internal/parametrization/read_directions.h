@@ -43,7 +43,8 @@ inline Point near_one(Point vector)
   return vector;
 }
 
-// 0 where the direction has no part in the plane of its face, or the face has no area.
+// 0 where the direction has no part in the plane of its face that is more than rounding, or the
+// face has no area.
 inline Complex cross_of_direction(const Point& direction, const Point& first_edge,
                                   const Point& second_edge)
 {
@@ -51,7 +52,10 @@ inline Complex cross_of_direction(const Point& direction, const Point& first_edg
   const Point n = near_one(cross(e, near_one(second_edge)));
   const double length = std::sqrt(dot(n, n));
   const double along = dot(e, d) * length, across = dot(cross(e, d), n);
-  return along == 0 && across == 0 ? Complex(0) : cross_of_angle(std::atan2(across, along));
+  constexpr double least_part = 1e-6; // of the direction
+  const bool is_normal = std::hypot(along, across) <=
+                         least_part * length * std::sqrt(dot(e, e)) * std::sqrt(dot(d, d));
+  return is_normal ? Complex(0) : cross_of_angle(std::atan2(across, along));
 }
 
 // Empty where no face has a direction.

@@ -156,7 +156,8 @@ private:
   std::optional<Refusal> refusal_of_collapse()
   {
     m_volume.aligned_edges.resize(m_number_of_feature_edges);
-    if(2 * m_report.lost_faces.size() < m_volume.number_of_cells() && is_integer_grid(m_volume))
+    const bool are_most = 2 * m_report.lost_faces.size() >= m_volume.number_of_cells();
+    if(!are_most && is_integer_grid(m_volume))
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER,
                    "at the nearest integers, " + counted(m_report.lost_faces.size(), "cell") +
@@ -165,8 +166,9 @@ private:
                      (m_report.lost_faces.empty()
                         ? std::string()
                         : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
-                     ": these are most of them, or the grid can't be told from the coordinates; "
-                     "scale the map up by grid_scale");
+                     (are_most ? ": these are most of them"
+                               : ", and the grid can't be told from the coordinates any more") +
+                     "; scale the map up by grid_scale, as no repair brings these back");
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each.
