@@ -434,6 +434,17 @@ seamless(2 quads genus2.obj quads.obj --number 20000 --picture quads.png)
 expect_message("${err}" "pictures are written to .svg files")
 # which also shows a corner of a sharp body, in bold
 seamless(0 body box.off --genus 0 --sharp --edge-length 0.5)
+seamless(2 remesh box.off box_quads.obj --patches box.png)
+expect_message("${err}" "patches are written to .obj files, and drawn as .svg")
+seamless(0 remesh box.off box_quads.obj --number 200 --feature-angle 40 --patches box_patches.obj
+  --report box.json)
+expect_message("${out}" "6 patches, 0 T-junctions") # the sides of the box
+file(STRINGS "${WORK_DIR}/box_patches.obj" lines REGEX "^g patch_[1-6]$")
+list(LENGTH lines number)
+expect("${number} groups" number EQUAL 6)
+file(READ "${WORK_DIR}/box.json" json)
+expect_message("${json}" "\"number_of_patches\": 6,")
+seamless(0 quads genus2.obj quads.off --number 500 --patches genus2.svg)
 seamless(0 remesh box.off box_quads.obj --quads 200 --feature-angle 40 --picture box.svg)
 file(READ "${WORK_DIR}/box.svg" picture)
 string(REGEX MATCHALL "Z\" style=" faces_seen "${picture}")

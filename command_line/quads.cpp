@@ -9,6 +9,7 @@
 #include "files.h"
 #include "json_report.h"
 #include "measures.h"
+#include "patches.h"
 #include "plain_meshes.h"
 #include "pictures/quad_picture.h"
 #include "snap_model.h"
@@ -41,7 +42,7 @@ namespace {
 struct Quad_options
 {
   Seam_options seams;
-  std::string input, output, picture, report;
+  std::string input, output, picture, patches, report;
   double scale = 1, number = 0, rounding = 0.01;
   bool allow_holes = false, soup = false, has_rounding = false;
 
@@ -75,11 +76,13 @@ struct Quad_options
                 "write quads that no mesh of quads can be, as they meet themselves or each other "
                 "twice");
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+    add_patches_to(options, patches);
     options.add("report", "R.json", report, "write all figures to a file");
     options.add_alias("quads", "number");
     options.add_alias("svg", "picture");
     options.exclude({"number", "grid-scale"});
     options.exclude({"soup", "picture"});
+    options.exclude({"soup", "patches"});
     if(!options.parse(arguments))
       return false;
     seams.check(options);
@@ -89,7 +92,8 @@ struct Quad_options
       rounding = 0.5;
     check_quad_file(output);
     check_picture(picture);
-    check_outputs({input}, {output, picture, report});
+    check_patch_file(patches);
+    check_outputs({input}, {output, picture, patches, report});
     return true;
   }
 };
@@ -132,6 +136,7 @@ struct Result
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::size_t number_of_displaced_vertices = 0; // off the surface or its border
   double largest_displacement = 0;
+  Patch_counts patches;
 };
 
 // Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
@@ -405,12 +410,18 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
   write_displacement(os, result.number_of_displaced_vertices, result.largest_displacement);
+  write_summary(os, result.patches);
 }
 
 nlohmann::json json_of(const Result& result, const bool is_written, const std::string& message)
 {
   const QR::Extraction_report& report = result.report;
-  return {{"written", is_written},
+  if(!is_written)
+    return {{"written", false},
+            {"message", message},
+            {"nonpositive_faces", report.nonpositive_faces},
+            {"steps", json_of_steps(result.snapped.step_times)}};
+  return {{"written", true},
           {"message", message},
           {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
@@ -419,6 +430,8 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"first_inverted_quads", report.first_inverted_quads},
           {"number_of_displaced_vertices", result.number_of_displaced_vertices},
           {"largest_displacement", result.largest_displacement},
+          {"number_of_patches", result.patches.number_of_patches},
+          {"number_of_t_junctions", result.patches.number_of_t_junctions},
           {"number_of_other_polygons", report.number_of_other_polygons},
           {"number_of_cut_cells", report.number_of_cut_cells},
           {"nonpositive_faces", report.nonpositive_faces},
@@ -439,7 +452,7 @@ void quads(const Arguments& arguments)
     return;
   Model model;
   read_model(options.input, options.seams.reading, model);
-  std::ostream& os = summary_stream({options.output, options.picture, options.report});
+  std::ostream& os = summary_stream({options.output, options.picture, options.patches, options.report});
   os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
   Result result;
   const auto work = [&] {
@@ -452,6 +465,7 @@ void quads(const Arguments& arguments)
                                             : text_of_quads(result.mesh, options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
+    result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result, model.mesh);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {

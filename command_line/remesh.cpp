@@ -9,6 +9,7 @@
 #include "directions.h"
 #include "files.h"
 #include "json_report.h"
+#include "patches.h"
 #include "plain_meshes.h"
 #include "pictures/quad_picture.h"
 #include "words.h"
@@ -61,7 +62,7 @@ std::optional<Kernel::Plane_3> named_plane(const std::string& name)
 
 struct Remesh_options
 {
-  std::string input, output, field, sizes, symmetry, picture, report;
+  std::string input, output, field, sizes, symmetry, picture, patches, report;
   Plain_reading_options reading;
   double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, feature_loss = 0,
          adaptivity = 1;
@@ -79,7 +80,7 @@ struct Remesh_options
                     "input; OUT is a .obj, .off, or .ply file, or - for the standard output, in the\n"
                     "OBJ format. What has to be repaired in IN is told. From .obj to .obj, texture\n"
                     "coordinates, colors, groups, and materials are carried over, from .ply to .ply\n"
-                    "all properties that are numbers.\n");
+                    "all properties that are numbers, but normals.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, {1, largest_number},
@@ -91,7 +92,7 @@ struct Remesh_options
                 "refuse to make more quads, where features force them\n"
                 "(default: 100 times the number wanted, and at least 100000)");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
-                "keep edges that are sharper");
+                "keep edges that are sharper (default: 0, which keeps none)");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of these that may be released where they force quads:\n"
                 "those that force most for their length go first (default: 0)");
@@ -115,6 +116,7 @@ struct Remesh_options
                 "which all vertices of IN are symmetric");
     reading.add_to(options);
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+    add_patches_to(options, patches);
     options.add("report", "R.json", report, "write all figures to a file");
     options.add("verbose", verbose, "tell of each step");
     options.add_alias("quads", "number");
@@ -132,7 +134,8 @@ struct Remesh_options
       named_plane(symmetry);
     check_direction_file(field);
     check_picture(picture);
-    check_outputs({input, field, sizes}, {output, picture, report});
+    check_patch_file(patches);
+    check_outputs({input, field, sizes}, {output, picture, patches, report});
     return true;
   }
 };
@@ -222,6 +225,18 @@ struct Distances
   double of_quads, of_input, diagonal;
 };
 
+std::vector<Kernel::Point_3> points_and_middles(const Mesh& mesh)
+{
+  std::vector<Kernel::Point_3> result(mesh.points().begin(), mesh.points().end());
+  for(const auto f : mesh.faces()) {
+    Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      sum += mesh.point(v) - CGAL::ORIGIN;
+    result.push_back(CGAL::ORIGIN + sum / mesh.degree(f));
+  }
+  return result;
+}
+
 // \param is_mirrored whether the report is of one half of the input
 Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_mirrored,
                             const QR::Remeshing_report& report)
@@ -235,16 +250,19 @@ Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_
       result.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
                                         std::ldexp(p.z(), exponent));
     }
-    PMP::triangulate_faces(result);
     return result;
   };
-  const auto distance = [&](const Mesh& a, const Mesh& b) {
-    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(
-                        CGAL::make_range(a.points().begin(), a.points().end()), b), -exponent);
+  const auto distance = [&](const auto& points, const Mesh& mesh) {
+    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(points, mesh),
+                      -exponent);
   };
-  const Mesh from = scaled(input), to = scaled(quads);
-  return {(std::max)(report.largest_distance, is_mirrored ? distance(to, from) : 0.),
-          distance(from, to), size};
+  const Mesh from = scaled(input);
+  Mesh to = scaled(quads);
+  const double of_quads =
+    is_mirrored ? distance(points_and_middles(to), from) : report.largest_distance;
+  PMP::triangulate_faces(to);
+  return {of_quads, distance(CGAL::make_range(from.points().begin(), from.points().end()), to),
+          size};
 }
 
 void write_summary(std::ostream& os, const Remesh_options& options,
@@ -278,7 +296,7 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 
 nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written,
                        const std::string& message, const Repairs& repairs,
-                       const Distances& distances)
+                       const Distances& distances, const Patch_counts& patches)
 {
   return {{"written", is_written},
           {"status", to_string(report.status)},
@@ -298,6 +316,8 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
           {"relative_largest_distance", distances.of_quads / distances.diagonal},
           {"largest_distance_of_input", distances.of_input},
           {"diagonal", distances.diagonal},
+          {"number_of_patches", patches.number_of_patches},
+          {"number_of_t_junctions", patches.number_of_t_junctions},
           {"number_of_released_edges", report.number_of_released_edges},
           {"released_features", json_of(report.released_features)},
           {"steps", json_of_steps(report.step_times)}};
@@ -310,7 +330,7 @@ void remesh(const Arguments& arguments)
   Remesh_options options;
   if(!options.parse(arguments))
     return;
-  std::ostream& os = summary_stream({options.output, options.picture, options.report});
+  std::ostream& os = summary_stream({options.output, options.picture, options.patches, options.report});
   Model model;
   const Repairs repairs = read_plain_model(options.input, options.reading, model);
   write_repairs(os, options.input, repairs);
@@ -323,6 +343,7 @@ void remesh(const Arguments& arguments)
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   QR::Remeshing_report report;
   Distances distances{0, 0, diagonal(model.mesh)};
+  Patch_counts patches;
   const auto work = [&] {
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(plane, model.mesh);
@@ -339,12 +360,14 @@ void remesh(const Arguments& arguments)
                                   Mesh::Face_index(Mesh::size_type(f))) - quads.written.begin());
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(quads.mesh, is_kept));
+    patches = write_patches(quads.mesh, is_kept, options.patches);
     write_summary(os, options, report, distances);
+    write_summary(os, patches);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
       write_json(options.report, json_of(report, status == SUCCESS,
                                          message.empty() ? report.message : message, repairs,
-                                         distances));
+                                         distances, patches));
   });
 }

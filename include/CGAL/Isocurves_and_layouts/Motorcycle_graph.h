@@ -349,31 +349,6 @@ struct Curve_meeting
   Exact_rational other_length;    ///< of the second curve up to the point
 };
 
-/*!
-\ingroup PkgIsocurvesAndLayoutsLayouts
-
-The stop policy of motorcycle graphs: each curve ends where it meets another one, or itself.
-*/
-struct Stop_at_curves
-{
-  /// returns `true`.
-  template <typename Meeting>
-  bool operator()(const Meeting&) const { return true; }
-};
-
-/*!
-\ingroup PkgIsocurvesAndLayoutsLayouts
-
-The stop policy of base complexes: each curve runs on to a node, or to a border or feature. Such
-curves can be very long; see `maximum_number` of `motorcycle_graph()`.
-*/
-struct Run_to_nodes
-{
-  /// returns `false`.
-  template <typename Meeting>
-  bool operator()(const Meeting&) const { return false; }
-};
-
 namespace internal {
 
 // What the caller says of vertices; empty if nothing.

@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// The words for isocurves: their directions, what their points lie on, how they end.
+// The words for isocurves: their directions, what their points lie on, how they end, and where
+// those of layouts do.
 
 #include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
 #include <CGAL/Linear_snapping/types/Report.h>
@@ -143,6 +144,31 @@ inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)
 {
   return os << to_string(status);
 }
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsLayouts
+
+The stop policy of motorcycle graphs: each curve ends where it meets another one, or itself.
+*/
+struct Stop_at_curves
+{
+  /// returns `true`.
+  template <typename Meeting>
+  bool operator()(const Meeting&) const { return true; }
+};
+
+/*!
+\ingroup PkgIsocurvesAndLayoutsLayouts
+
+The stop policy of base complexes: each curve runs on to a node, or to a border or feature. Such
+curves can be very long; see `maximum_number` of `motorcycle_graph()`.
+*/
+struct Run_to_nodes
+{
+  /// returns `false`.
+  template <typename Meeting>
+  bool operator()(const Meeting&) const { return false; }
+};
 
 } // namespace Isocurves_and_layouts
 } // namespace CGAL

@@ -1,0 +1,214 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_QUAD_PATCHES_H
+#define CGAL_QUAD_REMESHING_QUAD_PATCHES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Divides a quad mesh into rectangular patches.
+
+#include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/cells/Patch_finder.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+#include <CGAL/Quad_remeshing/types/Quad_patches.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// What keeps a mesh from being divided, if so.
+template <typename QuadMesh, typename NamedParameters>
+std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParameters& np)
+{
+  if(num_faces(mesh) == 0)
+    return Refusal(Outcome::INVALID_ARGUMENT, "the mesh has no face");
+  std::size_t i = 0;
+  for(const auto f : faces(mesh)) {
+    if(const std::size_t n = degree(f, mesh); n != 4)
+      return Refusal(Outcome::INVALID_ARGUMENT,
+                     "face " + std::to_string(i) + " has " + std::to_string(n) + " sides; "
+                     "quad_remesh() makes meshes of quads only");
+    ++i;
+  }
+  std::vector<typename boost::graph_traits<QuadMesh>::halfedge_descriptor> fans;
+  CGAL::Polygon_mesh_processing::non_manifold_vertices(mesh, std::back_inserter(fans));
+  if(fans.empty())
+    return std::nullopt;
+  const auto indices = CGAL::get_initialized_vertex_index_map(mesh, np);
+  return Refusal(Outcome::NOT_MANIFOLD,
+                 "the faces around vertex " +
+                   std::to_string(get(indices, target(fans.front(), mesh))) +
+                   " form several fans; see "
+                   "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()");
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+divides a quad mesh into rectangles of quads, as fitting splines asks for.
+
+The patches are those of `motorcycle_graph()` for the map in which each quad is a unit square:
+curves start at irregular vertices, and at the vertices at which borders and features end, meet, or
+turn; they run along edges, all at the same speed, and end at these vertices, at borders and
+features, and where they meet a curve that has been there before. So a vertex of one patch can lie
+inside of a side of another: a T-junction. With `curve_stop_policy(Run_to_nodes())`, curves run on
+across each other; then there are no T-junctions, except at features, but more patches. A part
+between borders and features that has none of these vertices gets one.
+
+Nothing is computed but combinatorics. That each patch is a rectangle of quads is checked
+afterwards, and that each quad is in one.
+
+\tparam QuadMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
+        `VertexListGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param mesh the mesh, such as one that `quad_remesh()` has made
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges, which are to lie between patches}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
+                   type}
+    \cgalParamDefault{no edge is}
+  \cgalParamNEnd
+  \cgalParamNBegin{curve_stop_policy}
+    \cgalParamDescription{whether curves end where they meet others}
+    \cgalParamType{`Stop_at_curves` or `Run_to_nodes`}
+    \cgalParamDefault{`Stop_at_curves()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{receives for each quad the number of its patch, from 0; also some, if the
+                          outcome is `INTERNAL_ERROR`}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%face_descriptor` as key type and
+                   `std::size_t` as value type}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{names vertices in messages}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and an integer
+                   type as value type}
+    \cgalParamDefault{that of `CGAL::get_initialized_vertex_index_map()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the patches, or why there are none: `INVALID_ARGUMENT`, where there is no face, or one that
+        is no quad, whose number in the order of iteration is named; or `NOT_MANIFOLD`, where the
+        faces around a vertex form several fans.
+
+\par Complexity
+Linear in the size of the mesh.
+
+\sa `vertices_of_patch()`
+*/
+template <typename QuadMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
+  const auto& plain_np = internal::strip(np);
+  const auto features = choose_parameter(
+    get_parameter(plain_np, CGAL::internal_np::edge_is_constrained),
+    CGAL::Constant_property_map<Edge, bool>(false));
+  const auto patches = get_parameter(plain_np, CGAL::internal_np::face_patch);
+  const auto policy = choose_parameter(
+    get_parameter(plain_np, CGAL::internal_np::curve_stop_policy), Stop_at_curves());
+  using Policy = std::decay_t<decltype(policy)>;
+  constexpr bool may_cross = std::is_same_v<Policy, Run_to_nodes>;
+  static_assert(may_cross || std::is_same_v<Policy, Stop_at_curves>,
+                "curve_stop_policy must be Stop_at_curves or Run_to_nodes");
+  Quad_patches<QuadMesh> result;
+  std::optional<internal::Refusal> refusal = internal::defect_of_quads(mesh, plain_np);
+  if(!refusal)
+    refusal = internal::Patch_finder(mesh, features, may_cross).run(
+      result, [&](const auto f, const std::size_t patch) {
+        if constexpr(internal::is_given<decltype(patches)>)
+          put(patches, f, patch);
+      });
+  if(refusal) {
+    result.patches.clear();
+    internal::refuse(result, *refusal);
+  }
+  return result;
+}
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+writes the vertices of a patch, row by row: `height + 1` rows of `width + 1` vertices, the first of
+which begins at the corner. At the points of these vertices, a surface of splines can be fitted to
+the patch.
+
+\tparam QuadMesh the type of the mesh
+\tparam OutputIterator a model of `OutputIterator` that takes
+        `boost::graph_traits<QuadMesh>::%vertex_descriptor`
+
+\param patch one of the patches that `quad_patches()` has returned for the mesh
+\param mesh the mesh
+\param out where the vertices are written to
+
+\return the iterator behind the last one
+
+\par Complexity
+Linear in the number of vertices.
+*/
+template <typename QuadMesh, typename OutputIterator>
+OutputIterator vertices_of_patch(const Quad_patch<QuadMesh>& patch, const QuadMesh& mesh,
+                                 OutputIterator out)
+{
+  // Of each row of quads the lower vertices, and of the last one then the upper ones.
+  auto row = patch.corner;
+  for(std::size_t j = 0; j <= patch.height; ++j) {
+    const bool is_last = j == patch.height;
+    auto h = row;
+    for(std::size_t i = 0; i < patch.width; ++i) {
+      if(i > 0)
+        h = next(opposite(next(h, mesh), mesh), mesh);
+      *out++ = is_last ? target(next(next(h, mesh), mesh), mesh) : source(h, mesh);
+    }
+    *out++ = is_last ? target(next(h, mesh), mesh) : target(h, mesh);
+    if(j + 1 < patch.height)
+      row = opposite(next(next(row, mesh), mesh), mesh);
+  }
+  return out;
+}
+
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_QUAD_PATCHES_H

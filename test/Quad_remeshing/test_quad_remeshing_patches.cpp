@@ -1,0 +1,286 @@
+// Tests of patches: each is a rectangle of quads, each quad is in one, and they are those of the
+// motorcycle graph, which is made by exact numbers, where each quad is a unit square.
+
+#include <CGAL/Quad_remeshing/quad_patches.h>
+
+#include "Polyhedron_copy.h"
+#include "checking.h"
+#include "quad_reference.h"
+#include "random_numbers.h"
+#include "test_surfaces.h"
+
+#include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
+
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace random_numbers;
+namespace QR = CGAL::Quad_remeshing;
+namespace surfaces = test_meshes;
+namespace parameters = QR::parameters;
+using quad_reference::Mesh;
+using Halfedge = Mesh::Halfedge_index;
+using Patches = QR::Quad_patches<Mesh>;
+using Sizes = std::multiset<std::pair<std::size_t, std::size_t> >;
+
+constexpr unsigned int seed = 1;
+
+struct Quads
+{
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_feature;
+
+  explicit Quads(Mesh quads)
+    : mesh(std::move(quads)),
+      is_feature(mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first)
+  { }
+};
+
+template <typename Number>
+std::pair<std::size_t, std::size_t> sorted_size(const Number& width, const Number& height)
+{
+  return std::minmax({std::size_t(CGAL::to_double(width)), std::size_t(CGAL::to_double(height))});
+}
+
+Sizes sizes_of(const Patches& patches)
+{
+  Sizes result;
+  for(const auto& p : patches.patches)
+    result.insert(sorted_size(p.width, p.height));
+  return result;
+}
+
+// Whether the grids of vertices make up the mesh, each quad once, with regular vertices inside; and
+// whether the map of faces tells the same.
+template <typename Quad_mesh, typename Face_patch_map>
+bool is_partition(const Quad_mesh& mesh, const QR::Quad_patches<Quad_mesh>& patches,
+                  const Face_patch_map& patch_of)
+{
+  using Vertex = typename boost::graph_traits<Quad_mesh>::vertex_descriptor;
+  using Face = typename boost::graph_traits<Quad_mesh>::face_descriptor;
+  std::set<Face> seen;
+  for(std::size_t k = 0; k < patches.patches.size(); ++k) {
+    const auto& patch = patches.patches[k];
+    std::vector<Vertex> grid;
+    QR::vertices_of_patch(patch, mesh, std::back_inserter(grid));
+    if(grid.size() != (patch.width + 1) * (patch.height + 1))
+      return false;
+    const auto vertex = [&](const std::size_t i, const std::size_t j)
+      { return grid[j * (patch.width + 1) + i]; };
+    for(std::size_t j = 0; j < patch.height; ++j)
+      for(std::size_t i = 0; i < patch.width; ++i) {
+        const auto [h, exists] = CGAL::halfedge(vertex(i, j), vertex(i + 1, j), mesh);
+        if(!exists || is_border(h, mesh) || get(patch_of, face(h, mesh)) != k ||
+           target(next(h, mesh), mesh) != vertex(i + 1, j + 1) ||
+           target(next(next(h, mesh), mesh), mesh) != vertex(i, j + 1) ||
+           !seen.insert(face(h, mesh)).second)
+          return false;
+        if(i > 0 && j > 0 && degree(vertex(i, j), mesh) != 4)
+          return false;
+      }
+  }
+  return seen.size() == num_faces(mesh);
+}
+
+// By another algorithm, where no vertex had to be chosen.
+template <typename Policy>
+void compare_with_motorcycle_graph(const Quads& quads, const Patches& patches, const Policy& policy,
+                                   std::size_t& number_of_comparisons, std::size_t& number_wrong)
+{
+  Mesh triangles(quads.mesh); // keeps indices
+  const auto uv =
+    triangles.add_property_map<Halfedge, quad_reference::Kernel::Point_2>("h:uv").first;
+  const auto is_feature = triangles.property_map<Mesh::Edge_index, bool>("e:feature").first;
+  for(const auto f : quads.mesh.faces()) {
+    const Halfedge h = quads.mesh.halfedge(f), other = quads.mesh.next(quads.mesh.next(h));
+    uv[h] = {1, 0};
+    uv[quads.mesh.next(h)] = {1, 1};
+    uv[other] = {0, 1};
+    uv[quads.mesh.prev(h)] = {0, 0};
+    const Halfedge diagonal = CGAL::Euler::split_face(h, other, triangles);
+    uv[diagonal] = uv[other];
+    uv[triangles.opposite(diagonal)] = uv[h];
+    is_feature[triangles.edge(diagonal)] = false;
+  }
+  const auto graph = QR::motorcycle_graph(
+    triangles, uv, parameters::edge_is_constrained_map(is_feature).curve_stop_policy(policy));
+  CHECK(bool(graph));
+  Sizes sizes;
+  for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
+    sizes.insert(sorted_size(graph.patch_width(p), graph.patch_height(p)));
+  std::size_t number_of_t_junctions = 0;
+  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n) {
+    if(graph.node_kind(n) == QR::Layout_node::SEED)
+      return;
+    const auto around = graph.half_arcs_around_node(n);
+    number_of_t_junctions +=
+      graph.node_kind(n) == QR::Layout_node::JUNCTION && around.size() == 3 &&
+      std::none_of(around.begin(), around.end(), [&](const std::size_t h) {
+        return graph.patch(h) == graph.null_patch ||
+               graph.patch(graph.opposite(h)) == graph.null_patch;
+      });
+  }
+  ++number_of_comparisons;
+  number_wrong += sizes == sizes_of(patches) &&
+                  number_of_t_junctions == patches.number_of_t_junctions ? 0 : 1;
+}
+
+struct Figures
+{
+  std::size_t meshes = 0, comparisons = 0, wrong = 0, patches = 0, t_junctions = 0;
+};
+
+// Returns the patches of the motorcycle graph.
+Patches test_both_policies(const Quads& quads, Figures& figures)
+{
+  const auto patch_of = get(CGAL::dynamic_face_property_t<std::size_t>(), quads.mesh);
+  const auto np = parameters::edge_is_constrained_map(quads.is_feature).face_patch_map(patch_of);
+  const Patches base = QR::quad_patches(quads.mesh, np.curve_stop_policy(QR::Run_to_nodes()));
+  figures.wrong += base && is_partition(quads.mesh, base, patch_of) ? 0 : 1;
+  const Patches result = QR::quad_patches(quads.mesh, np);
+  figures.wrong += result && is_partition(quads.mesh, result, patch_of) &&
+                   base.patches.size() >= result.patches.size() ? 0 : 1;
+  compare_with_motorcycle_graph(quads, base, QR::Run_to_nodes(), figures.comparisons,
+                                figures.wrong);
+  compare_with_motorcycle_graph(quads, result, QR::Stop_at_curves(), figures.comparisons,
+                                figures.wrong);
+  ++figures.meshes;
+  figures.patches += result.patches.size();
+  figures.t_junctions += result.number_of_t_junctions;
+  return result;
+}
+
+// --- random meshes -------------------------------------------------------------------------------
+
+// Triangles or quads of a solid, of which some are divided, some edges are flipped, and some faces
+// left out; then two rounds of Catmull and Clark's make quads, with long regular strips.
+Mesh random_quads(Random& random)
+{
+  Mesh mesh;
+  const quad_reference::Kernel::Point_3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  if(below(random, 2) == 0)
+    CGAL::make_tetrahedron(o, x, y, z, mesh);
+  else
+    CGAL::make_icosahedron(mesh, o);
+  const auto any_face = [&]
+    { return Mesh::Face_index(unsigned(below(random, int(mesh.num_faces())))); };
+  for(int i = below(random, 4); i > 0; --i)
+    CGAL::Euler::add_center_vertex(mesh.halfedge(any_face()), mesh);
+  for(int i = below(random, 12); i > 0; --i) {
+    const Halfedge h = mesh.halfedge(any_face());
+    const auto a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
+    if(a != b && !CGAL::halfedge(a, b, mesh).second && mesh.degree(mesh.target(h)) > 3 &&
+       mesh.degree(mesh.source(h)) > 3)
+      CGAL::Euler::flip_edge(h, mesh);
+  }
+  for(int i = below(random, 3); i > 0 && mesh.number_of_faces() > 3; --i) {
+    const auto f = any_face();
+    if(!mesh.is_removed(f))
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(mesh);
+  CGAL::Subdivision_method_3::CatmullClark_subdivision(
+    mesh, CGAL::parameters::number_of_iterations(unsigned(1 + below(random, 2))));
+  mesh.collect_garbage();
+  return mesh;
+}
+
+void test_random_meshes()
+{
+  Random random(seed);
+  Figures figures;
+  for(int run = 0; run < 400; ++run) {
+    Quads quads(random_quads(random));
+    if(run % 2 == 1)
+      for(const auto e : quads.mesh.edges())
+        quads.is_feature[e] = below(random, 40) == 0;
+    test_both_policies(quads, figures);
+  }
+  std::cout << figures.patches << " patches of " << figures.meshes << " meshes, "
+            << figures.t_junctions << " T-junctions" << std::endl;
+  CHECK_EQUAL(figures.wrong, std::size_t(0));
+  CHECK(figures.comparisons > 2 * figures.meshes - 20);
+  CHECK(figures.t_junctions > 500);
+}
+
+// --- surfaces whose patches are known ------------------------------------------------------------
+
+Patches patches_of(const test_meshes::Square_complex& complex, const int side)
+{
+  Figures figures;
+  const Quads quads(quad_reference::expected_quads(complex, side));
+  const Patches result = test_both_policies(quads, figures);
+  CHECK_EQUAL(figures.wrong, std::size_t(0));
+  return result;
+}
+
+void test_known_surfaces()
+{
+  CHECK(sizes_of(patches_of(surfaces::disc(5, 3), 1)) == Sizes({{3, 5}}));
+  CHECK(sizes_of(patches_of(surfaces::cylinder(7, 4), 1)) == Sizes({{4, 7}}));
+  CHECK(sizes_of(patches_of(surfaces::torus(6, 5), 1)) == Sizes({{5, 6}}));
+  CHECK(sizes_of(patches_of(surfaces::box(2, 3, 4), 2)) ==
+        Sizes({{4, 6}, {4, 6}, {4, 8}, {4, 8}, {6, 8}, {6, 8}}));
+}
+
+// --- refusals, and other types of meshes ---------------------------------------------------------
+
+void test_refusals()
+{
+  Mesh mesh;
+  CHECK(QR::quad_patches(mesh).status == QR::Outcome::INVALID_ARGUMENT);
+  const quad_reference::Kernel::Point_3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  CGAL::make_quad(o, x, y, z, mesh);
+  CHECK(bool(QR::quad_patches(mesh)));
+  CGAL::make_triangle(o, x, y, mesh);
+  const Patches refused = QR::quad_patches(mesh);
+  CHECK(refused.status == QR::Outcome::INVALID_ARGUMENT && refused.patches.empty());
+  CHECK(refused.message.find("face 1 has 3 sides") != std::string::npos);
+
+  Mesh pinched;
+  const auto v = pinched.add_vertex(o);
+  const auto add = [&] { return pinched.add_vertex(o); };
+  for(int i = 0; i < 2; ++i) {
+    const auto a = add(), b = add(), c = add();
+    pinched.add_face(v, a, b, c);
+  }
+  const Patches several = QR::quad_patches(pinched);
+  CHECK(several.status == QR::Outcome::NOT_MANIFOLD);
+  CHECK(several.message.find("vertex 0 ") != std::string::npos);
+}
+
+void test_polyhedron()
+{
+  using Polyhedron = CGAL::Polyhedron_3<quad_reference::Kernel>;
+  Polyhedron cube;
+  const quad_reference::Kernel::Point_3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1),
+    xy(1, 1, 0), xz(1, 0, 1), yz(0, 1, 1), xyz(1, 1, 1);
+  CGAL::make_hexahedron(o, x, xy, y, yz, z, xz, xyz, cube);
+  const auto patch_of = get(CGAL::dynamic_face_property_t<std::size_t>(), cube);
+  const auto patches = QR::quad_patches(cube, parameters::face_patch_map(patch_of));
+  CHECK(patches && patches.patches.size() == 6 && is_partition(cube, patches, patch_of));
+}
+
+int main()
+{
+  std::cout << "random seed " << seed << std::endl;
+  test_random_meshes();
+  test_known_surfaces();
+  test_refusals();
+  test_polyhedron();
+  return report_checks();
+}
