@@ -1750,6 +1750,31 @@ struct Flat_quads
   std::vector<Vertex> vertices;
 };
 
+// Nine squares, whose four vertices inside are turned by 180 degrees: all but those at the corners
+// are inverted, and smoothing without inversions could not turn them back.
+void test_unfolding()
+{
+  Flat_quads flat(1);
+  for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+    flat.add_quad(first);
+  const std::vector<Point_3> squares(flat.quads.points().begin(), flat.quads.points().end());
+  for(const auto& [i, j] : {std::pair(5, 10), std::pair(6, 9)})
+    std::swap(flat.quads.point(flat.vertices[std::size_t(i)]),
+              flat.quads.point(flat.vertices[std::size_t(j)]));
+  run_on_copy(flat.square, flat.quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
+    const auto is_held = [&](const Vertex v) { return flat.quads.is_border(v); };
+    CHECK(smoother.measure_shape()[0] < 0);
+    smoother.smooth(10, is_held);
+    CHECK(smoother.measure_shape()[0] < 0);
+    smoother.unfold(is_held);
+    const Point_3 p = flat.quads.point(flat.vertices[5]);
+    smoother.unfold(is_held);
+    CHECK_EQUAL(flat.quads.point(flat.vertices[5]), p);
+  });
+  for(std::size_t i = 0; i < 16; ++i)
+    CHECK(CGAL::squared_distance(flat.quads.point(flat.vertices[i]), squares[i]) < 1e-6);
+}
+
 // On a plane, vertices go where their quads are rectangles, those on the border along it.
 void test_shape_of_flat_quads()
 {
@@ -2193,6 +2218,7 @@ int main()
   }
   test_refinement();
   test_sizes_in_space();
+  test_unfolding();
   test_shape_of_flat_quads();
   test_distance_of_quads();
   test_improvement();

@@ -222,6 +222,9 @@ field that are less than about two edges of the wanted quads apart cancel, unles
 Borders are aligned, and so are feature edges: they become
 chains of edges of quads, whose vertices lie on them.
 
+Where more than a tenth of the quads are inverted at first, as those of a map that is much
+distorted, all other vertices move to the middle of their neighbors, whatever becomes of quads on
+the way, as long as the mean scaled Jacobian gets better and quads are inverted, at most 100 rounds.
 After some rounds of smoothing, which leave these vertices where they are, all vertices move to
 where their quads are near to rectangles and, of up to 6,600 quads, near to the surface; those on
 features and borders move along these, and stay where they turn, meet, or end. There are at most

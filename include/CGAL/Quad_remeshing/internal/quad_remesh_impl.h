@@ -401,6 +401,8 @@ private:
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
+    if(m_options.number_of_smoothing_rounds > 0)
+      smoother.unfold(is_held);
     smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
     if(m_options.number_of_smoothing_rounds > 0) {
       const Feature_lines lines(m_surface);

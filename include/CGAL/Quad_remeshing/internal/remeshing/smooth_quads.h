@@ -114,6 +114,33 @@ public:
     m_tree.accelerate_distance_queries();
   }
 
+  // Where more than a tenth of the quads are inverted, as those of a map that is much distorted:
+  // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
+  // as some are inverted, and the mean shape gets better; at most 100 rounds.
+  template <typename Is_held>
+  void unfold(const Is_held& is_held)
+  {
+    constexpr int most_blocks = 10, rounds = 10;
+    std::size_t number = number_of_inverted_quads();
+    if(10 * number <= m_quads.number_of_faces())
+      return;
+    double shape = measure_shape()[1];
+    for(int block = 0; block < most_blocks && number > 0; ++block) {
+      const std::vector<Point> points(m_quads.points().begin(), m_quads.points().end());
+      for(int round = 0; round < rounds; ++round)
+        for(const Vertex v : vertices(m_quads))
+          if(!is_held(v))
+            set_point(v, nearest(middle_of_neighbors(v), point(v)));
+      const double new_shape = measure_shape()[1];
+      if(new_shape <= shape) {
+        std::copy(points.begin(), points.end(), m_quads.points().begin());
+        return;
+      }
+      shape = new_shape;
+      number = number_of_inverted_quads();
+    }
+  }
+
   // Makes no quad worse than it is, unless it stays well shaped. is_held(vertex) tells which
   // vertices stay.
   template <typename Is_held>
@@ -228,26 +255,41 @@ public:
 private:
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
 
+  std::size_t number_of_inverted_quads() const
+  {
+    const auto all = faces(m_quads);
+    return std::size_t(std::count_if(all.begin(), all.end(),
+                                     [&](const Face f) { return is_inverted(quad(f)); }));
+  }
+
+  Space_vector middle_of_neighbors(const Vertex v) const
+  {
+    Space_vector result{};
+    for(const Vertex w : CGAL::vertices_around_target(v, m_quads)) {
+      const Space_vector p = point(w);
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] += p[c];
+    }
+    for(double& x : result)
+      x /= double(m_quads.degree(v));
+    return result;
+  }
+
   void move(const Vertex v)
   {
-    Space_vector middle{};
-    std::size_t n = 0;
     m_faces.clear();
     m_normals.clear();
     double before = well_shaped;
     for(const auto h : CGAL::halfedges_around_target(v, m_quads)) {
-      const Space_vector p = point(source(h, m_quads));
-      for(std::size_t c = 0; c < 3; ++c)
-        middle[c] += p[c];
-      ++n;
       m_faces.push_back(face(h, m_quads));
       const Quad q = quad(m_faces.back());
       m_normals.push_back(quad_normal(q));
       before = (std::min)(before, scaled_jacobian(q, m_normals.back()));
     }
     const Space_vector old = point(v);
+    Space_vector middle = middle_of_neighbors(v);
     for(std::size_t c = 0; c < 3; ++c)
-      middle[c] = (old[c] + middle[c] / static_cast<double>(n)) / 2;
+      middle[c] = (old[c] + middle[c]) / 2;
     set_point(v, nearest(middle, old));
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = quad(m_faces[i]);
