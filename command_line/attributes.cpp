@@ -8,8 +8,6 @@
 #include <CGAL/Seamless_snapping/IO/Mesh_text.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -17,9 +15,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <locale>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <type_traits>
 
@@ -262,56 +262,29 @@ private:
   std::size_t m_part = 0; // 0: to be looked up
 };
 
-// Texture coordinates of the model's corners, and its charts: faces that they agree on across edges.
-// Invariant: a corner that has none is in no chart.
+// Texture coordinates of the model's corners. A seam is an edge whose faces don't agree on them; one
+// chart can be on both of its sides.
 class Texture
 {
 public:
   using Coordinates = std::array<double, 2>;
 
   Texture(const Model& model, const OBJ_attributes& file)
-    : m_model(model), m_charts(model.mesh.number_of_faces()),
-      m_coordinates(model.mesh.num_halfedges())
+    : m_model(model), m_coordinates(model.mesh.num_halfedges())
   {
-    for(const Face f : mesh().faces()) {
-      m_charts.make_set(std::size_t(f));
+    for(const Face f : mesh().faces())
       for(const Halfedge h : corners(mesh(), f))
         m_coordinates[h] = find(file, f, h);
-    }
-    for(const Edge e : mesh().edges()) {
-      const Halfedge h = mesh().halfedge(e), o = mesh().opposite(h);
-      if(!mesh().is_border(e) && has_coordinates(mesh().face(h)) &&
-         m_coordinates[h] == m_coordinates[mesh().prev(o)] &&
-         m_coordinates[o] == m_coordinates[mesh().prev(h)])
-        m_charts.union_set(std::size_t(mesh().face(h)), std::size_t(mesh().face(o)));
-    }
   }
 
-  // At a vertex of a quad, in the chart below the middle of the quad: in the face where the vertex is,
-  // or one beside it, or that of the middle.
+  // At a vertex of a quad, as seen from the middle of the quad without crossing a seam: in the face
+  // where the vertex is, or in that which is nearest to it.
   std::optional<Coordinates> at(const Kernel::Point_3& point, const Location& vertex,
-                                const Location& middle)
+                                const Location& middle) const
   {
     if(!has_coordinates(middle.first))
       return std::nullopt;
-    Face face = middle.first;
-    double least = -1;
-    const auto consider = [&](const Face f) {
-      if(!has_coordinates(f) || chart(f) != chart(middle.first))
-        return;
-      const auto weights = this->weights(point, f);
-      const double outside = -(std::min)({weights[0], weights[1], weights[2], 0.});
-      if(least < 0 || outside < least) {
-        least = outside;
-        face = f;
-      }
-    };
-    consider(vertex.first);
-    if(least != 0)
-      for(const Halfedge h : corners(mesh(), vertex.first))
-        for(const Face f : mesh().faces_around_target(h))
-          if(f != mesh().null_face())
-            consider(f);
+    const Face face = face_before_seam(point, vertex.first, middle);
     const auto around = corners(mesh(), face);
     const auto weights = this->weights(point, face);
     Coordinates result{};
@@ -323,13 +296,61 @@ public:
 
 private:
   const Mesh& mesh() const { return m_model.mesh; }
-  std::size_t chart(const Face f) { return m_charts.find_set(std::size_t(f)); }
 
   bool has_coordinates(const Face f) const
   {
     const auto around = corners(mesh(), f);
     return std::all_of(around.begin(), around.end(),
                        [&](const Halfedge h) { return m_coordinates[h].has_value(); });
+  }
+
+  bool is_seam(const Halfedge h) const
+  {
+    const Halfedge o = mesh().opposite(h);
+    return mesh().is_border(o) || m_coordinates[h] != m_coordinates[mesh().prev(o)] ||
+           m_coordinates[o] != m_coordinates[mesh().prev(h)];
+  }
+
+  Kernel::Triangle_3 triangle(const Face f) const
+  {
+    const auto around = corners(mesh(), f);
+    const auto point = [&](const std::size_t i) { return mesh().point(mesh().target(around[i])); };
+    return Kernel::Triangle_3(point(0), point(1), point(2));
+  }
+
+  Kernel::Point_3 point(const Location& location) const
+  {
+    Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+    const Kernel::Triangle_3 t = triangle(location.first);
+    for(int i = 0; i < 3; ++i)
+      sum += location.second[std::size_t(i)] * (t[i] - CGAL::ORIGIN);
+    return CGAL::ORIGIN + sum;
+  }
+
+  // Looks no further from the middle than a bit beyond the point.
+  Face face_before_seam(const Kernel::Point_3& p, const Face wanted, const Location& middle) const
+  {
+    constexpr double reach = 1.5;
+    const Kernel::Point_3 m = point(middle);
+    const double most = reach * reach * CGAL::squared_distance(p, m);
+    std::vector<Face> faces(1, middle.first);
+    std::set<Face> known{middle.first};
+    Face result = middle.first;
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < faces.size(); ++i) {
+      const Face f = faces[i];
+      if(f == wanted)
+        return f;
+      if(const double d = CGAL::squared_distance(p, triangle(f)); d < least) {
+        least = d;
+        result = f;
+      }
+      for(const Halfedge h : corners(mesh(), f))
+        if(const Face g = mesh().face(mesh().opposite(h)); !is_seam(h) && known.insert(g).second &&
+           has_coordinates(g) && CGAL::squared_distance(m, triangle(g)) <= most)
+          faces.push_back(g);
+    }
+    return result;
   }
 
   // Vertices may have been joined with others in the same place.
@@ -361,7 +382,6 @@ private:
   }
 
   const Model& m_model;
-  boost::disjoint_sets_with_storage<> m_charts; // of faces
   std::vector<std::optional<Coordinates> > m_coordinates; // per halfedge
 };
 
