@@ -502,6 +502,12 @@ expect_message("${err}" "zero.txt: number 2 of the file is not positive and fini
 seamless(3 remesh sheet.ply sized.off --sizes qualty)
 expect_message("${err}" "'qualty' is neither a number at each vertex of sheet.ply nor a file")
 
+# a vertex that is far away
+file(WRITE "${WORK_DIR}/far.off" "OFF\n4 4 0\n1e200 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n\
+3 0 3 1\n3 1 3 2\n")
+seamless(1 remesh far.off far_quads.off --number 50)
+expect_message("${err}" "has an edge more than 1e50 times as long as the shortest")
+
 # halves, mirrored
 foreach(arguments IN ITEMS "16;auto" "18;y" "40;1,0,0,-0.25")
   list(POP_FRONT arguments number plane)
@@ -592,9 +598,9 @@ string(REGEX REPLACE ".*usemtl" "" red "${text}")
 string(REGEX MATCHALL "\nf " faces "${red}")
 list(LENGTH faces number_of_faces)
 expect("${number_of_faces} of 50 quads are red" number_of_faces EQUAL 25)
-# a tube whose one chart meets itself: quads on both sides of the seam have coordinates of their side
-file(WRITE "${WORK_DIR}/tube.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\n\
-v 0 1 2\nvt 0 0\nvt 0.25 0\nvt 0.5 0\nvt 0.75 0\nvt 1 0\n\
+# a tube whose one chart meets itself: quads on each side of the seam have coordinates of that side
+file(WRITE "${WORK_DIR}/tube.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\n\
+v 1 1 2\nv 0 1 2\nvt 0 0\nvt 0.25 0\nvt 0.5 0\nvt 0.75 0\nvt 1 0\n\
 vt 0 1\nvt 0.25 1\nvt 0.5 1\nvt 0.75 1\nvt 1 1\n\
 f 1/1 2/2 6/7\nf 1/1 6/7 5/6\nf 2/2 3/3 7/8\nf 2/2 7/8 6/7\n\
 f 3/3 4/4 8/9\nf 3/3 8/9 7/8\nf 4/4 1/5 5/10\nf 4/4 5/10 8/9\n")

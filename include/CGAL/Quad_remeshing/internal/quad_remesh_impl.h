@@ -45,6 +45,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,7 +71,7 @@ public:
 
   Remeshing_report run()
   {
-    if(check_mirror() && quantize_a_map() && make_quads())
+    if(check_lengths() && check_mirror() && quantize_a_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
     return m_report;
   }
@@ -98,6 +99,8 @@ public:
   // Of quads that have been extracted already, in the size of the input.
   Remeshing_report run_on_quads(const Quantization& quantization)
   {
+    if(!check_lengths())
+      return m_report;
     change_points([&](const double x) { return m_surface.scaled(x); });
     take_over(quantization);
     smooth();
@@ -114,6 +117,29 @@ private:
     return parameters::edge_is_constrained_map(m_surface.is_feature())
                       .edge_is_cut_map(m_surface.is_cut())
                       .halfedge_rotation_map(m_surface.rotations());
+  }
+
+  // Products of lengths that differ by more are 0 or infinite.
+  bool check_lengths()
+  {
+    constexpr double largest_ratio = 1e50;
+    double least = std::numeric_limits<double>::infinity(), longest = 0;
+    std::size_t face = 0;
+    for(const auto f : surface_mesh().faces())
+      for(const auto h : surface_mesh().halfedges_around_face(surface_mesh().halfedge(f))) {
+        const auto edge = surface_mesh().point(surface_mesh().target(h)) -
+                          surface_mesh().point(surface_mesh().source(h));
+        const double length = std::hypot(edge.x(), edge.y(), edge.z());
+        if(length > longest) {
+          longest = length;
+          face = m_surface.original(f);
+        }
+        least = length > 0 ? (std::min)(least, length) : least;
+      }
+    return !(longest > largest_ratio * least) ||
+           refuse(m_report, Outcome::INVALID_ARGUMENT,
+                  "face " + std::to_string(face) + " has an edge more than 1e50 times as long as "
+                  "the shortest one of the mesh; remove the vertex that is far away");
   }
 
   // The mesh is one half then, and has half of the quads.
