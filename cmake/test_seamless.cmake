@@ -508,6 +508,12 @@ file(WRITE "${WORK_DIR}/far.off" "OFF\n4 4 0\n1e200 0 0\n1 0 0\n0 1 0\n0 0 1\n3 
 seamless(1 remesh far.off far_quads.off --number 50)
 expect_message("${err}" "has an edge more than 1e50 times as long as the shortest")
 
+# no figures of an earlier run stay where the input can't be read
+file(WRITE "${WORK_DIR}/stale.json" "stale")
+seamless(3 remesh few.txt far_quads.off --report stale.json)
+file(READ "${WORK_DIR}/stale.json" json)
+expect_message("${json}" "\"written\": false")
+
 # halves, mirrored
 foreach(arguments IN ITEMS "16;auto" "18;y" "40;1,0,0,-0.25")
   list(POP_FRONT arguments number plane)

@@ -5,6 +5,7 @@
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "measures.h"
 
 #include <iostream>
@@ -56,7 +57,7 @@ void check(const Arguments& arguments)
   check_outputs({input}, {report});
 
   Model model;
-  read_model(input, seam_options.reading, model);
+  read_or_tell(report, "exact", [&] { read_model(input, seam_options.reading, model); });
   const Alignment alignment(model, seam_options);
   Summary summary(model, alignment);
   summary.notes_on_reading += note_on_features(seam_options.features, model);

@@ -177,7 +177,8 @@ void parametrize(const Arguments& arguments)
     summary_stream({options.output, options.approximate, options.picture, options.report});
   Model model;
   Outcome outcome;
-  outcome.repairs = read_plain_model(options.input, options.reading, model);
+  outcome.repairs = read_or_tell(options.report, "exact", [&]
+    { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)

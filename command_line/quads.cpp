@@ -451,7 +451,8 @@ void quads(const Arguments& arguments)
   if(!options.parse(arguments))
     return;
   Model model;
-  read_model(options.input, options.seams.reading, model);
+  read_or_tell(options.report, "written",
+               [&] { read_model(options.input, options.seams.reading, model); });
   std::ostream& os = summary_stream({options.output, options.picture, options.patches, options.report});
   os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
   Result result;

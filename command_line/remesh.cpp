@@ -332,19 +332,20 @@ void remesh(const Arguments& arguments)
     return;
   std::ostream& os = summary_stream({options.output, options.picture, options.patches, options.report});
   Model model;
-  const Repairs repairs = read_plain_model(options.input, options.reading, model);
+  const Repairs repairs = read_or_tell(options.report, "written", [&]
+    { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, repairs);
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
-  const Direction_map directions = read_directions(options.field, repairs, model.mesh);
-  const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   QR::Remeshing_report report;
   Distances distances{0, 0, diagonal(model.mesh)};
   Patch_counts patches;
   const auto work = [&] {
+    const Direction_map directions = read_directions(options.field, repairs, model.mesh);
+    const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(plane, model.mesh);
     report = make_quads(options, model, directions, sizes, plane, quads, is_kept);

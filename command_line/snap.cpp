@@ -6,6 +6,7 @@
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "measures.h"
 #include "pictures/picture.h"
 #include "snap_model.h"
@@ -128,7 +129,8 @@ void snap(const Arguments& arguments)
   CGAL::Real_timer timer;
   timer.start();
   Model model;
-  read_model(options.input, options.seams.reading, model);
+  read_or_tell(options.report, "exact",
+               [&] { read_model(options.input, options.seams.reading, model); });
   const Alignment alignment(model, options.seams);
   Summary summary(model, alignment);
   summary.notes_on_reading += note_on_features(options.seams.features, model);

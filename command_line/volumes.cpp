@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "Options.h"
+#include "Progress.h"
 #include "commands.h"
 #include "files.h"
 #include "json_report.h"
@@ -204,7 +205,7 @@ void check_volume(const Arguments& arguments)
   if(!options.parse(arguments))
     return;
   check_outputs({input}, {report});
-  Volume volume(input);
+  Volume volume = read_or_tell(report, "exact", [&] { return Volume(input); });
   std::ostream& os = summary_stream({report});
   nlohmann::json json;
   const auto work = [&] {
@@ -277,9 +278,10 @@ void snap_volume(const Arguments& arguments)
                          "of these, too");
   check_outputs({input}, {output, report_file},
                 overwrite ? Overwriting::ASKED_FOR : Overwriting::NOT_ASKED_FOR);
-  Volume volume(input);
+  Volume volume = read_or_tell(report_file, "exact", [&] { return Volume(input); });
   nlohmann::json json;
   const auto work = [&] {
+    const Progress progress("snapping " + counted(volume.mesh.tetrahedra.size(), "cell"));
     const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
       volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
       volume_options.parameters(volume.mesh)
