@@ -327,7 +327,7 @@ private:
     return m_report.remaining_flips.empty() ||
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
-                    "; mark fewer features if there are any, or remesh the input there, also at its "
+                    "; mark fewer features if there are any, or remesh the input there, or its "
                     "border, or leave out that part");
   }
 
