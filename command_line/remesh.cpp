@@ -283,7 +283,8 @@ void write_summary(std::ostream& os, const Remesh_options& options,
   write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
   if(report.number_of_released_edges > 0)
     os << "not kept, as faces would be flipped: "
-       << counted(report.number_of_released_edges, "feature edge") << "\n";
+       << counted(report.number_of_released_edges, "feature edge") << ", of length "
+       << report.length_of_released_edges << " in sum\n";
 }
 
 nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
@@ -319,6 +320,7 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
           {"number_of_patches", patches.number_of_patches},
           {"number_of_t_junctions", patches.number_of_t_junctions},
           {"number_of_released_edges", report.number_of_released_edges},
+          {"length_of_released_edges", report.length_of_released_edges},
           {"released_features", json_of(report.released_features)},
           {"steps", json_of_steps(report.step_times)}};
 }

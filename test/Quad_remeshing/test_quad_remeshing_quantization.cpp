@@ -2102,7 +2102,7 @@ void check_aligned_triangles(const std::vector<Point_3>& points,
   for(const Point_3& p : points)
     CHECK(corners.count(p) == 1 || report.number_of_released_edges > 0);
   // As long in both meshes: where two quads meet at an angle, or at the border.
-  double length = 0, expected = 0;
+  double length = 0, length_of_features = 0, expected = 0;
   for(const auto e : edges(mesh))
     expected += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
                                                  mesh.point(mesh.vertex(e, 1))));
@@ -2119,9 +2119,14 @@ void check_aligned_triangles(const std::vector<Point_3>& points,
     });
     CHECK(is_on_feature.count(f) == 1);
     CHECK(is_on_feature[f] == is_along || report.number_of_released_edges > 0);
-    if(is_along)
-      length += std::sqrt(CGAL::squared_distance(p, q));
+    const double length_of_edge = std::sqrt(CGAL::squared_distance(p, q));
+    length += is_along ? length_of_edge : 0;
+    length_of_features += is_on_feature[f] ? length_of_edge : 0;
   }
+  // What is not kept was released; quads may go on along a bit of that.
+  CHECK(length_of_features < (1 + 1e-9) * expected);
+  CHECK(length_of_features + report.length_of_released_edges > (1 - 1e-9) * expected);
+  CHECK((report.length_of_released_edges > 0) == (report.number_of_released_edges > 0));
   CHECK(report.number_of_released_edges > 0 || std::abs(length - expected) < 1e-9 * expected);
   CHECK(report.number_of_released_edges == 0 || triangles.size() > 1);
 }

@@ -102,6 +102,7 @@ struct Remeshing_report
   /// feature edges, or parts of them, that are not kept, as faces would be flipped at them, or
   /// quads inverted
   std::size_t number_of_released_edges = 0;
+  double length_of_released_edges = 0; ///< the sum of their lengths
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;
   /// the steps in the order in which they were made, with their wall-clock times in seconds

@@ -69,32 +69,39 @@ public:
       m_timer(m_report, options.verbose)
   { }
 
-  Remeshing_report run()
+  void run()
   {
     if(check_lengths() && check_mirror() && quantize_a_map() && make_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
-    return m_report;
   }
 
-  // Those within a number of edges of quads around the corners of bad ones. Returns how many.
-  std::size_t release_features_at_bad_quads(const double edges)
+  // Those within a number of edges of quads around the corners of bad ones. Returns whether there
+  // are any; the report counts them from here on.
+  bool release_features_at_bad_quads(const double edges)
   {
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
     const double radius = edges * std::sqrt(area / double(m_report.number_of_quads));
-    std::size_t number = 0;
+    const std::size_t before = m_report.number_of_released_edges;
     for(const auto e : surface_mesh().edges()) {
       const auto h = surface_mesh().halfedge(e);
       const Surface_to_remesh::Kernel::Segment_3 s(surface_mesh().point(surface_mesh().source(h)),
                                                    surface_mesh().point(surface_mesh().target(h)));
       if(m_surface.is_feature()[e] &&
          std::any_of(m_bad_places.begin(), m_bad_places.end(), [&](const Point& p)
-                     { return CGAL::squared_distance(p, s) < radius * radius; })) {
-        m_surface.is_feature()[e] = false;
-        ++number;
-      }
+                     { return CGAL::squared_distance(p, s) < radius * radius; }))
+        release(h);
     }
-    return number;
+    return m_report.number_of_released_edges > before;
   }
+
+  // Also edges that earlier attempts have released.
+  void count_released_edges(const Remeshing_report& earlier)
+  {
+    m_report.number_of_released_edges += earlier.number_of_released_edges;
+    m_report.length_of_released_edges += earlier.length_of_released_edges;
+  }
+
+  const Remeshing_report& report() const { return m_report; }
 
   // Of quads that have been extracted already, in the size of the input.
   Remeshing_report run_on_quads(const Quantization& quantization)
@@ -184,12 +191,13 @@ private:
   }
 
   // From here on, edges that no field can follow without flips are not features.
-  template <typename Edges>
-  void release(const Edges& released)
+  void release(const Mesh::Halfedge_index h)
   {
-    for(const auto& [v, w] : released)
-      m_surface.is_feature()[surface_mesh().edge(surface_mesh().halfedge(v, w))] = false;
-    m_report.number_of_released_edges += released.size();
+    m_surface.is_feature()[surface_mesh().edge(h)] = false;
+    ++m_report.number_of_released_edges;
+    m_report.length_of_released_edges += m_surface.unscaled(
+      std::sqrt(CGAL::squared_distance(surface_mesh().point(surface_mesh().source(h)),
+                                       surface_mesh().point(surface_mesh().target(h)))));
   }
 
   // Those that force quads. The map stays: only quads need not follow them.
@@ -347,7 +355,8 @@ private:
     if(!made)
       return refuse(m_report, made);
     move_map_from_origin();
-    release(made.released_edges);
+    for(const auto& [v, w] : made.released_edges)
+      release(surface_mesh().halfedge(v, w));
     m_report.number_of_flipped_faces = made.number_of_flipped_faces;
     // where untangling has left flips already, all cones are tried next
     const bool is_hopeless = made.number_of_flipped_faces > 0 && least_cone_distance > 0;
@@ -537,17 +546,17 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
-  std::size_t number_of_released_edges = 0; // before an attempt
+  Remeshing_report before; // an attempt: what has been released
   bool may_try_again = true;
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept,
                            const double edges_to_release) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
-    Remeshing_report report = remesher.run();
-    report.number_of_released_edges += number_of_released_edges;
-    const std::size_t released = report && report.number_of_inverted_quads > 0
-                                   ? remesher.release_features_at_bad_quads(edges_to_release) : 0;
-    number_of_released_edges = report.number_of_released_edges + released;
-    may_try_again = released > 0;
+    remesher.run();
+    remesher.count_released_edges(before);
+    const Remeshing_report report = remesher.report();
+    may_try_again = report && report.number_of_inverted_quads > 0 &&
+                    remesher.release_features_at_bad_quads(edges_to_release);
+    before = remesher.report();
     return report;
   };
   Remeshing_report best = attempt(quads, is_feature, 1);
