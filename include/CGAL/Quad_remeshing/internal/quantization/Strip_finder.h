@@ -19,6 +19,7 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_search.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -36,28 +37,26 @@ public:
 
   // The cheapest strip through the state whose other costs add up to less than `bound`, gains not
   // counted. The search goes on where fewer ways are open: where triangles can't get smaller, one
-  // side ends soon, and there is none. Through the border, there is one side only.
+  // side ends soon, and there is none. A search from one side finds strips that close inside only.
   bool find(const Strip_state start, const double bound, const bool from_both_sides = true)
   {
-    m_is_double = from_both_sides && m_rules.across(start) != no_strip_state;
     auto& [there, back] = m_searches;
     there.clear(start, bound);
-    back.clear(m_is_double ? m_rules.reversed(start) : start, bound);
-    there.start(m_is_double ? &back : nullptr);
-    if(m_is_double)
-      back.start(&there);
+    back.clear(m_rules.reversed(start), bound);
+    there.start(m_rules.across(start), from_both_sides ? &back : nullptr);
+    if(from_both_sides)
+      back.start(with_opposite_change(start), &there);
     for(;;) {
-      Strip_search& narrower = m_is_double && back.width() < there.width() ? back : there;
       m_found = back.length() < there.length() ? 1 : 0;
-      if(narrower.width() == 0 ||
-         there.distance() + (m_is_double ? back.distance() : 0.) >= length())
+      const double least = from_both_sides ? least_length() : there.distance();
+      if(least >= length())
         return is_found();
-      narrower.advance();
+      const bool is_back_narrower = there.width() == 0 || back.width() < there.width();
+      (is_back_narrower && back.width() > 0 ? back : there).advance();
     }
   }
 
   bool is_found() const { return m_searches[m_found].has_closed(); }
-  bool is_from_both_sides() const { return m_is_double; }
 
   // Of the strip that was found: the sum of the other costs.
   double length() const { return m_searches[m_found].length(); }
@@ -66,17 +65,24 @@ public:
   template <typename Visit>
   void for_each_face(const Visit& visit) const
   {
-    const Strip_state end = m_searches[m_found].end();
-    m_searches[m_found].for_each_face(end, visit);
-    if(m_is_double)
-      m_searches[1 - m_found].for_each_face(m_rules.reversed(end), visit);
+    const Strip_search& found = m_searches[m_found];
+    found.for_each_face(found.end(), visit);
+    if(found.end_of_other() != no_strip_state)
+      m_searches[1 - m_found].for_each_face(found.end_of_other(), visit);
   }
 
 private:
+  // Of strips that are not found yet: of two ways that go on, or one that does, and the border.
+  double least_length() const
+  {
+    const auto& [there, back] = m_searches;
+    return (std::min)((std::min)(there.distance(), there.distance_of_border()) + back.distance(),
+                      there.distance() + back.distance_of_border());
+  }
+
   const Strip_rules& m_rules;
   std::array<Strip_search, 2> m_searches;
   std::size_t m_found = 0; // the search that closed the strip
-  bool m_is_double = false;
 };
 
 } // namespace internal

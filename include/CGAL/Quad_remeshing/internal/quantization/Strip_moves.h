@@ -125,7 +125,7 @@ private:
       do
         ++number;
       while(apply(-least_gain));
-    if(number == 0 && m_rules.cost(s) < -least_gain && !m_finder.is_found())
+    if(number == 0 && m_rules.cost(s) < -least_gain && !m_is_strip_found)
       m_rules.forbid(s);
     return number;
   }
@@ -135,9 +135,9 @@ private:
   // may still find a way.
   bool move(const Strip_state start, const double bound, const double bound_of_change)
   {
-    return (m_finder.find(start, bound) && apply(bound_of_change)) ||
-           (m_finder.is_from_both_sides() && m_finder.is_found() &&
-            m_finder.find(start, bound, false) && apply(bound_of_change));
+    m_is_strip_found = m_finder.find(start, bound);
+    return m_is_strip_found && (apply(bound_of_change) || (m_finder.find(start, bound, false) &&
+                                                           apply(bound_of_change)));
   }
 
   // Makes the move along the strip that was found, as below.
@@ -246,6 +246,7 @@ private:
   Intrinsic_complex& m_complex;
   Strip_rules m_rules;
   Strip_finder m_finder;
+  bool m_is_strip_found = false; // for the last move, made or not
   std::vector<Change> m_changes; // of the strip
 };
 

@@ -80,12 +80,9 @@ public:
       m_weight.push_back(weight_of_edge(m_wanted.back()));
       update(h);
       const Corner_index g = complex.opposite(h);
-      for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s) {
+      for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s)
         m_values[std::size_t(s)].across = g == no_index ? no_strip_state : strip_state(
           g, Quarter_turns::compose(complex.corner(h).rotation, s % 4));
-        if(g == no_index && is_allowed(s))
-          m_border.push_back(s);
-      }
     }
   }
 
@@ -105,7 +102,7 @@ public:
   // allowed again.
   void forbid(const Strip_state s)
   {
-    for(const Strip_state t : {s, across(s) == no_strip_state ? s : reversed(s)}) {
+    for(const Strip_state t : {s, is_border(s) ? s : reversed(s)}) {
       m_values[std::size_t(t)].price = std::numeric_limits<double>::infinity();
       m_forbidden.push_back(t);
     }
@@ -119,9 +116,6 @@ public:
   }
 
   const Intrinsic_complex& complex() const { return m_complex; }
-
-  // Allowed changes of border edges.
-  const std::vector<Strip_state>& border() const { return m_border; }
 
   // Of the sum of weighted squares of deviations, if the halfedge's vector changes.
   double cost(const Corner_index h, const Grid_vector& change) const
@@ -168,8 +162,10 @@ public:
   Strip_state across(const Strip_state s) const { return m_values[std::size_t(s)].across; }
 
   // The same edge from the other side; strips through it are the same, in the other direction.
-  // \pre no border
-  Strip_state reversed(const Strip_state s) const { return with_opposite_change(across(s)); }
+  Strip_state reversed(const Strip_state s) const
+  { return with_opposite_change(is_border(s) ? s : across(s)); }
+
+  bool is_border(const Strip_state s) const { return across(s) == no_strip_state; }
 
   Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
 
@@ -177,7 +173,7 @@ private:
   double price_of_allowed(const Strip_state s) const { return (std::max)(cost(s), 0.) + 1e-6; }
 
   const Intrinsic_complex& m_complex;
-  std::vector<Strip_state> m_border, m_forbidden;
+  std::vector<Strip_state> m_forbidden;
   std::vector<std::array<double, 2> > m_wanted; // per halfedge
   std::vector<double> m_weight;                 // per halfedge
   std::vector<State_values> m_values;           // per state
@@ -185,7 +181,7 @@ private:
 };
 
 // From the start on, or, as one of two, from its other side back: these close a strip where they
-// meet.
+// meet, or where both get to the border. A single one finds strips that close inside only.
 // Invariant: what has been reached was reached from the start, by allowed changes.
 class Strip_search
 {
@@ -200,24 +196,31 @@ public:
   {
     ++m_round;
     m_queue.clear();
-    m_is_border_reached = false;
+    m_exits = {no_strip_state, no_strip_state};
     m_start = s;
     m_bound = m_length = bound;
   }
 
+  // \param entry where the strip enters its first face; none if it starts on the border
   // \param other the search from the other side, if there is one
   // \pre both are clear
-  void start(const Strip_search* other)
+  void start(const Strip_state entry, const Strip_search* other)
   {
     m_other = other;
-    expand(m_start, 0);
+    if(entry != no_strip_state) {
+      enter(m_start, entry, 0);
+      return;
+    }
+    m_reached[std::size_t(m_start)] = {0, 0, m_start, no_index, m_round};
+    m_exits[0] = m_start;
   }
 
   // The number of ways that are open. Without any, nothing else will be reached.
   std::size_t width() const { return m_queue.size(); }
 
-  // What a strip costs at least that goes on from here.
-  double distance() const { return m_queue.top().distance(); }
+  // What a strip costs at least that goes on from here, and one that ends at the border.
+  double distance() const { return width() == 0 ? infinity : m_queue.top().distance(); }
+  double distance_of_border() const { return distance(m_exits[0]); }
 
   // One step.
   // \pre width() > 0
@@ -231,7 +234,7 @@ public:
     Passed& passed = m_passed[std::size_t(halfedge_of(s) / 3)];
     if(passed.round != m_round)
       passed = {distance, m_round};
-    expand(s, distance);
+    enter(s, m_rules.across(s), distance);
   }
 
   // Of the cheapest strip that has closed: the sum of the other costs; or the bound.
@@ -239,8 +242,9 @@ public:
 
   bool has_closed() const { return m_length < m_bound; }
 
-  // Where the two have met, or the start.
+  // Where the two have met, or the start, and the end of the other one.
   Strip_state end() const { return m_end; }
+  Strip_state end_of_other() const { return m_end_of_other; }
 
   // Back from the end to the start: calls `visit(exit, entry, change)` for the faces of the strip,
   // with the halfedges over which it leaves and enters a face, and the change in the face's chart.
@@ -248,6 +252,8 @@ public:
   void for_each_face(const Strip_state end, const Visit& visit) const
   {
     Strip_state s = end;
+    if(reached(s).entry == no_index)
+      return;
     do {
       visit(halfedge_of(s), reached(s).entry, change_of(s));
       s = reached(s).parent;
@@ -255,6 +261,8 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   // One bit for each face of a strip; others may share it.
   using Face_bits = std::uint64_t;
 
@@ -350,20 +358,6 @@ private:
     return determinant(units);
   }
 
-  void expand(const Strip_state s, const double distance)
-  {
-    if(const Strip_state entry = m_rules.across(s); entry != no_strip_state) {
-      enter(s, entry, distance);
-      return;
-    }
-    if(m_is_border_reached)
-      return;
-    m_is_border_reached = true;
-    for(const Strip_state b : m_rules.border())
-      if(halfedge_of(b) != halfedge_of(s))
-        enter(s, b, distance + m_rules.price(with_opposite_change(b)));
-  }
-
   // \param side the halfedge over which the strip enters, and the direction in the chart there
   void enter(const Strip_state from, const Strip_state side, const double distance)
   {
@@ -377,34 +371,62 @@ private:
       if(d >= m_bound || (is_reached(s) && reached(s).distance <= d) || !is_open(from, entry, s))
         continue;
       m_reached[std::size_t(s)] = {d, faces_before(from) | bit_of(exit / 3), from, entry, m_round};
-      if(const double length = length_through(s); length < m_length) {
-        m_length = length;
-        m_end = s;
-      }
-      if(s != m_start)
+      close_at(s);
+      if(m_rules.is_border(s))
+        add_exit(s);
+      else if(s != m_start)
         m_queue.emplace(d, s);
     }
   }
 
-  // Of the strip that closes here, or infinite.
-  double length_through(const Strip_state s) const
+  // Where a strip closes here.
+  void close_at(const Strip_state s)
   {
-    if(m_other == nullptr)
-      return s == m_start ? reached(s).distance : std::numeric_limits<double>::infinity();
-    const bool is_inside = s != m_start && m_rules.across(s) != no_strip_state;
-    if(!is_inside || !m_other->is_reached(m_rules.reversed(s)))
-      return std::numeric_limits<double>::infinity();
-    return reached(s).distance - m_rules.price(s) + m_other->reached(m_rules.reversed(s)).distance;
+    if(m_other == nullptr) {
+      if(s == m_start)
+        close(s, no_strip_state, reached(s).distance);
+    } else if(m_rules.is_border(s)) {
+      for(const Strip_state e : m_other->m_exits)
+        if(e != no_strip_state && halfedge_of(e) != halfedge_of(s))
+          close(s, e, reached(s).distance + m_other->reached(e).distance);
+    } else if(const Strip_state r = m_rules.reversed(s); s != m_start && m_other->is_reached(r)) {
+      close(s, r, reached(s).distance - m_rules.price(s) + m_other->reached(r).distance);
+    }
+  }
+
+  void close(const Strip_state end, const Strip_state end_of_other, const double length)
+  {
+    if(length >= m_length)
+      return;
+    m_length = length;
+    m_end = end;
+    m_end_of_other = end_of_other;
+  }
+
+  double distance(const Strip_state s) const
+  { return s == no_strip_state ? infinity : reached(s).distance; }
+
+  void add_exit(const Strip_state s)
+  {
+    auto& [first, second] = m_exits;
+    const bool is_another = first == no_strip_state || halfedge_of(first) != halfedge_of(s);
+    if(distance(s) < distance(first)) {
+      if(is_another)
+        second = first;
+      first = s;
+    } else if(is_another && distance(s) < distance(second)) {
+      second = s;
+    }
   }
 
   const Strip_rules& m_rules;
   std::vector<Reached> m_reached; // per state
   std::vector<Passed> m_passed;   // per face
   std::int32_t m_round = 0;
-  Strip_state m_start = no_strip_state, m_end = no_strip_state;
+  Strip_state m_start = no_strip_state, m_end = no_strip_state, m_end_of_other = no_strip_state;
+  std::array<Strip_state, 2> m_exits; // the cheapest ones over different edges of the border
   double m_bound = 0, m_length = 0;
   const Strip_search* m_other = nullptr;
-  bool m_is_border_reached = false;
   Queue m_queue;
 };
 
