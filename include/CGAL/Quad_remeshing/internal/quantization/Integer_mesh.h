@@ -40,6 +40,9 @@ using Grid_vector = std::array<std::int64_t, 2>;
 
 inline Grid_vector negated(const Grid_vector& a) { return {-a[0], -a[1]}; }
 
+inline Grid_vector multiplied(const std::int64_t factor, const Grid_vector& a)
+{ return {checked_product(factor, a[0]), checked_product(factor, a[1])}; }
+
 inline Grid_vector sum(const Grid_vector& a, const Grid_vector& b)
 {
   return {checked_difference(a[0], -b[0]), checked_difference(a[1], -b[1])};

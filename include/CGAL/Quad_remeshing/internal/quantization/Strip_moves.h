@@ -23,6 +23,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_finder.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -117,14 +118,16 @@ private:
     return result;
   }
 
-  // Returns the number of moves.
+  // Returns the number of moves. Those along one strip are made at once, as many as gain and keep
+  // triangles positive: there are thousands where the scale is far from that wanted.
   std::size_t improve_from(const Strip_state s)
   {
     std::size_t number = 0;
-    while(m_rules.cost(s) < -least_gain && move(s, -m_rules.cost(s), -least_gain))
-      do
-        ++number;
-      while(apply(-least_gain));
+    while(m_rules.cost(s) < -least_gain && move(s, -m_rules.cost(s), -least_gain)) {
+      ++number;
+      for(std::int64_t k = number_of_gains(); k > 0; k /= 2)
+        number += apply_changes(-least_gain, k) ? std::size_t(k) : 0;
+    }
     if(number == 0 && m_rules.cost(s) < -least_gain && !m_is_strip_found)
       m_rules.forbid(s);
     return number;
@@ -156,27 +159,46 @@ private:
     m_changes.push_back({entry, negated(change)});
   }
 
-  // If they change the sum of squares by less than `bound`, and keep triangles positive that are.
-  bool apply_changes(const double bound)
+  // So many times, if that changes the sum of squares by less than `bound`, and keeps triangles
+  // positive that are.
+  bool apply_changes(const double bound, const std::int64_t times = 1)
   {
-    double difference = 0;
-    for(const Change& c : m_changes) {
-      const Corner_index g = m_complex.opposite(c.halfedge);
-      if(g == no_index || c.halfedge < g)
-        difference += m_rules.cost(c.halfedge, c.vector);
-      add(c.halfedge, c.vector);
-    }
-    const bool is_better = difference < bound && are_faces_positive();
-    for(const Change& c : m_changes)
-      if(is_better)
+    const bool is_better = make_changes(times) < bound && are_faces_positive(times);
+    if(!is_better)
+      make_changes(-times);
+    else
+      for(const Change& c : m_changes)
         m_rules.update(c.halfedge);
-      else
-        add(c.halfedge, negated(c.vector));
     return is_better;
   }
 
-  // Those that have been changed; also all the way from what they were.
-  bool are_faces_positive() const
+  // Returns by how much the sum of squares changes.
+  double make_changes(const std::int64_t times)
+  {
+    double difference = 0;
+    for(const Change& c : m_changes) {
+      const Grid_vector change = multiplied(times, c.vector);
+      if(m_complex.represents_edge(c.halfedge))
+        difference += m_rules.cost(c.halfedge, change);
+      Grid_vector& units = m_complex.corners[std::size_t(c.halfedge)].units;
+      units = sum(units, change);
+    }
+    return difference;
+  }
+
+  // How often the changes can be made until once more gains nothing: what they gain is linear.
+  std::int64_t number_of_gains()
+  {
+    constexpr double most = 1e9;
+    const double first = make_changes(1), second = make_changes(1);
+    make_changes(-2);
+    if(first >= -least_gain)
+      return 0;
+    return std::int64_t((std::min)(most, std::ceil((first + least_gain) / (first - second))));
+  }
+
+  // Those that have been changed so many times; also all the way from what they were.
+  bool are_faces_positive(const std::int64_t times) const
   {
     for(std::size_t i = 0; i < m_changes.size(); i += 2) {
       const Flat_face_index f = m_changes[i].halfedge / 3;
@@ -184,8 +206,8 @@ private:
       Face_units before = after, shift{};
       for(const Change& c : m_changes)
         if(c.halfedge / 3 == f) {
-          add_to(before, c.halfedge, negated(c.vector));
-          add_to(shift, c.halfedge, c.vector);
+          add_to(before, c.halfedge, multiplied(-times, c.vector));
+          add_to(shift, c.halfedge, multiplied(times, c.vector));
         }
       const std::int64_t a = determinant(before), d = determinant(after);
       const std::int64_t square = determinant(shift);
@@ -196,12 +218,6 @@ private:
         return false;
     }
     return true;
-  }
-
-  void add(const Corner_index h, const Grid_vector& change)
-  {
-    Grid_vector& units = m_complex.corners[std::size_t(h)].units;
-    units = sum(units, change);
   }
 
   // The cheapest move that raises the determinant of a triangle. Most are cheap, and found soon.

@@ -122,9 +122,12 @@ public:
   {
     const auto& wanted = m_wanted[std::size_t(h)];
     const Grid_vector& units = m_complex.corner(h).units;
-    return m_weight[std::size_t(h)] *
-           (1 + 2 * (static_cast<double>(change[0]) * (static_cast<double>(units[0]) - wanted[0]) +
-                     static_cast<double>(change[1]) * (static_cast<double>(units[1]) - wanted[1])));
+    double result = 0;
+    for(std::size_t c = 0; c < 2; ++c) {
+      const double d = static_cast<double>(change[c]);
+      result += d * (d + 2 * (static_cast<double>(units[c]) - wanted[c]));
+    }
+    return m_weight[std::size_t(h)] * result;
   }
   double cost(const Strip_state s) const { return cost(halfedge_of(s), change_of(s)); }
 
