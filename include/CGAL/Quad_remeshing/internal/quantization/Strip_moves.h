@@ -192,7 +192,7 @@ private:
     constexpr double most = 1e9;
     const double first = make_changes(1), second = make_changes(1);
     make_changes(-2);
-    if(first >= -least_gain)
+    if(first >= -least_gain || first >= second) // the latter by rounding only
       return 0;
     return std::int64_t((std::min)(most, std::ceil((first + least_gain) / (first - second))));
   }
