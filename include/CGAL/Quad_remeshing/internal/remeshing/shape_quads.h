@@ -213,7 +213,8 @@ private:
     return result;
   }
 
-  // By their worst corners, or all; thin quads count more than twice as much.
+  // By their worst corners, or by all: but where one is inverted, it counts alone, as others could
+  // make up for it. Thin quads count more than twice as much.
   double badness() const
   {
     double sum = 0;
@@ -223,9 +224,9 @@ private:
       if(inner_product(normal, m_normals[i]) <= 0)
         return turned_over;
       const std::array<double, 4> sines = sines_of_angles(q, normal);
-      const double x = 1 - (m_all_corners_count
-                              ? (sines[0] + sines[1] + sines[2] + sines[3]) / 4
-                              : *std::min_element(sines.begin(), sines.end()));
+      const double least = *std::min_element(sines.begin(), sines.end());
+      const double x = 1 - (m_all_corners_count && least > 0
+                              ? (sines[0] + sines[1] + sines[2] + sines[3]) / 4 : least);
       sum += x + x * x;
     }
     return sum;
