@@ -320,11 +320,9 @@ private:
 
   Kernel::Point_3 point(const Location& location) const
   {
-    Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
     const Kernel::Triangle_3 t = triangle(location.first);
-    for(int i = 0; i < 3; ++i)
-      sum += location.second[std::size_t(i)] * (t[i] - CGAL::ORIGIN);
-    return CGAL::ORIGIN + sum;
+    const auto& weights = location.second;
+    return CGAL::barycenter(t[0], weights[0], t[1], weights[1], t[2], weights[2]);
   }
 
   // Looks no further from the middle than a bit beyond the point.

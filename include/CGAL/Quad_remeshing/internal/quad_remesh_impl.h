@@ -126,6 +126,14 @@ private:
                       .halfedge_rotation_map(m_surface.rotations());
   }
 
+  // Without over- and underflow.
+  double length(const Mesh::Halfedge_index h) const
+  {
+    const auto edge = surface_mesh().point(surface_mesh().target(h)) -
+                      surface_mesh().point(surface_mesh().source(h));
+    return std::hypot(edge.x(), edge.y(), edge.z());
+  }
+
   // Products of lengths that differ by more are 0 or infinite.
   bool check_lengths()
   {
@@ -134,14 +142,12 @@ private:
     std::size_t face = 0;
     for(const auto f : surface_mesh().faces())
       for(const auto h : surface_mesh().halfedges_around_face(surface_mesh().halfedge(f))) {
-        const auto edge = surface_mesh().point(surface_mesh().target(h)) -
-                          surface_mesh().point(surface_mesh().source(h));
-        const double length = std::hypot(edge.x(), edge.y(), edge.z());
-        if(length > longest) {
-          longest = length;
+        const double l = length(h);
+        if(l > longest) {
+          longest = l;
           face = m_surface.original(f);
         }
-        least = length > 0 ? (std::min)(least, length) : least;
+        least = l > 0 ? (std::min)(least, l) : least;
       }
     return !(longest > largest_ratio * least) ||
            refuse(m_report, Outcome::INVALID_ARGUMENT,
@@ -190,14 +196,13 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
-  // From here on, edges that no field can follow without flips are not features.
+  // From here on, it is no feature: no field can follow it without flips, or quads are inverted
+  // next to it.
   void release(const Mesh::Halfedge_index h)
   {
     m_surface.is_feature()[surface_mesh().edge(h)] = false;
     ++m_report.number_of_released_edges;
-    m_report.length_of_released_edges += m_surface.unscaled(
-      std::sqrt(CGAL::squared_distance(surface_mesh().point(surface_mesh().source(h)),
-                                       surface_mesh().point(surface_mesh().target(h)))));
+    m_report.length_of_released_edges += m_surface.unscaled(length(h));
   }
 
   // Those that force quads. The map stays: only quads need not follow them.

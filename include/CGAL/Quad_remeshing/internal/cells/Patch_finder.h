@@ -50,7 +50,7 @@ class Patch_finder
   using Map = typename boost::property_map<QuadMesh, Tag>::const_type;
 
 public:
-
+  // \param features tells for each edge whether it is to lie between patches
   // \param may_cross whether curves run on where they meet others
   Patch_finder(const QuadMesh& mesh, const FeatureMap& features, const bool may_cross)
     : m_mesh(mesh), m_may_cross(may_cross),
