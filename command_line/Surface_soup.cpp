@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string>
@@ -208,6 +209,76 @@ void add_points(const Polygon_soup& soup, Surface_soup& surface)
       v = new_index[v];
 }
 
+// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
+// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
+// ones. Where all faces fit, nothing is done.
+void cut_one_sided_surfaces(Surface_soup& surface)
+{
+  std::vector<Side> sides = all_sides(surface);
+  std::vector<std::array<Side, 2> > shared;
+  std::vector<std::vector<std::size_t> > shared_of(surface.polygons.size());
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    if(end - begin != 2)
+      return;
+    for(auto side = begin; side != end; ++side)
+      shared_of[side->face].push_back(shared.size());
+    shared.push_back({*begin, *(begin + 1)});
+  });
+  const auto has_one_direction = [](const std::array<Side, 2>& s)
+  { return s[0].source == s[1].source; };
+  std::vector<char> is_turned(surface.polygons.size(), 0), is_reached(surface.polygons.size(), 0);
+  std::vector<std::size_t> reached; // in the order of their distances
+  for(std::size_t start = 0; start < surface.polygons.size(); ++start) {
+    if(is_reached[start])
+      continue;
+    is_reached[start] = 1;
+    reached.assign(1, start);
+    for(std::size_t i = 0; i < reached.size(); ++i)
+      for(const std::size_t s : shared_of[reached[i]]) {
+        const std::size_t f = shared[s][shared[s][0].face == reached[i] ? 1 : 0].face;
+        if(is_reached[f])
+          continue;
+        is_reached[f] = 1;
+        is_turned[f] = char(is_turned[reached[i]] != has_one_direction(shared[s]));
+        reached.push_back(f);
+      }
+  }
+  const auto are_fitting = [&](const std::array<Side, 2>& s)
+  { return has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]); };
+  if(std::all_of(shared.begin(), shared.end(), are_fitting))
+    return;
+  std::vector<std::size_t> first_corner(1, 0);
+  for(const Polygon& polygon : surface.polygons)
+    first_corner.push_back(first_corner.back() + polygon.size());
+  const auto corner = [&](const std::size_t f, const std::size_t v) {
+    const Polygon& polygon = surface.polygons[f];
+    return first_corner[f] +
+           std::size_t(std::find(polygon.begin(), polygon.end(), v) - polygon.begin());
+  };
+  boost::disjoint_sets_with_storage<> sets(first_corner.back());
+  for(std::size_t c = 0; c < first_corner.back(); ++c)
+    sets.make_set(c);
+  for(const auto& s : shared)
+    if(are_fitting(s))
+      for(const std::size_t v : s[0].key)
+        sets.union_set(corner(s[0].face, v), corner(s[1].face, v));
+  std::map<std::size_t, std::size_t> point_of_set;
+  std::vector<char> is_taken(surface.points.size(), 0);
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    for(std::size_t k = 0; k < surface.polygons[f].size(); ++k) {
+      std::size_t& v = surface.polygons[f][k];
+      const auto [set, is_new] = point_of_set.try_emplace(sets.find_set(first_corner[f] + k), v);
+      if(is_new && is_taken[v]) {
+        set->second = surface.points.size();
+        surface.points.push_back(Kernel::Point_3(surface.points[v]));
+        const std::size_t number = surface.file_points[v];
+        surface.file_points.push_back(number);
+      }
+      is_taken[v] = 1;
+      v = set->second;
+    }
+}
+
 // The edges at which faces came apart that had shared them, and the points.
 void count_cuts(const Surface_soup& surface, Repairs& repairs)
 {
@@ -270,6 +341,7 @@ Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
   check_corners(soup, surface);
   remove_duplicate_faces(surface, repairs);
   add_points(soup, surface);
+  cut_one_sided_surfaces(surface);
   surface.is_turned.assign(surface.polygons.size(), false);
   PMP::orient_polygon_soup(surface.points, surface.polygons,
                            CGAL::parameters::visitor(Orientation_visitor(surface)));
