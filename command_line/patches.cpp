@@ -8,10 +8,13 @@
 
 #include <CGAL/Quad_remeshing/quad_patches.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
 #include <iterator>
 #include <locale>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <vector>
@@ -87,23 +90,31 @@ void check_patch_file(const std::string& filename)
     throw Failure(USAGE, "'" + filename + "': patches are written to .obj files, and drawn as .svg");
 }
 
-Patch_counts write_patches(Mesh& quads, const Edge_bool_map& is_feature,
-                           const std::string& filename)
+std::optional<Patch_counts> write_patches(Mesh& quads, const Edge_bool_map& is_feature,
+                                          const std::string& filename)
 {
   if(filename.empty())
-    return {};
+    return std::nullopt;
   const Patches patches =
     QR::quad_patches(quads, QR::parameters::edge_is_constrained_map(is_feature));
   if(!patches)
     throw Failure(NOT_SOLVED, filename + ": " + to_string(patches.status) + ": " + patches.message);
   write_file(filename, is_picture(filename) ? quad_picture(quads, edges_between(quads, patches))
                                             : text_of_patches(quads, patches));
-  return {patches.patches.size(), patches.number_of_t_junctions};
+  return Patch_counts{patches.patches.size(), patches.number_of_t_junctions};
 }
 
-void write_summary(std::ostream& os, const Patch_counts& counts)
+void write_summary(std::ostream& os, const std::optional<Patch_counts>& counts)
 {
-  if(counts.number_of_patches > 0)
-    os << counted(counts.number_of_patches, "patch") << ", "
-       << counted(counts.number_of_t_junctions, "T-junction") << "\n";
+  if(counts)
+    os << counted(counts->number_of_patches, "patch") << ", "
+       << counted(counts->number_of_t_junctions, "T-junction") << "\n";
+}
+
+nlohmann::json json_of(const std::optional<Patch_counts>& counts)
+{
+  if(!counts)
+    return nullptr;
+  return {{"number_of_patches", counts->number_of_patches},
+          {"number_of_t_junctions", counts->number_of_t_junctions}};
 }

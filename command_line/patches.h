@@ -5,8 +5,11 @@
 
 #include "Model.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 class Options;
@@ -21,8 +24,11 @@ struct Patch_counts
 
 // Divides quads into rectangles, with features between these, and writes them with a group for each,
 // or a picture of them. Nothing without a name. Throws `Failure`.
-Patch_counts write_patches(Mesh& quads, const Edge_bool_map& is_feature,
-                           const std::string& filename);
-void write_summary(std::ostream& os, const Patch_counts& counts);
+std::optional<Patch_counts> write_patches(Mesh& quads, const Edge_bool_map& is_feature,
+                                          const std::string& filename);
+void write_summary(std::ostream& os, const std::optional<Patch_counts>& counts);
+
+// Null where there are none.
+nlohmann::json json_of(const std::optional<Patch_counts>& counts);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_PATCHES_H

@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,7 +62,7 @@ struct Quad_options
     seams.add_to(options);
     options.add("grid-scale", "K", scale, {0, infinity, true},
                 "multiply the coordinates by K first (default: 1)");
-    options.add("number", "N", number, {1, largest_number},
+    options.add("number", "N", number, {1, largest_number, false, true},
                 "instead, make about N quads: of the coordinates scaled to an area of N, if "
                 "integers are near; else by a quantization, which finds integers for each map "
                 "without flips");
@@ -136,7 +137,7 @@ struct Result
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::size_t number_of_displaced_vertices = 0; // off the surface or its border
   double largest_displacement = 0;
-  Patch_counts patches;
+  std::optional<Patch_counts> patches;
 };
 
 // Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
@@ -430,8 +431,7 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"first_inverted_quads", report.first_inverted_quads},
           {"number_of_displaced_vertices", result.number_of_displaced_vertices},
           {"largest_displacement", result.largest_displacement},
-          {"number_of_patches", result.patches.number_of_patches},
-          {"number_of_t_junctions", result.patches.number_of_t_junctions},
+          {"patches", json_of(result.patches)},
           {"number_of_other_polygons", report.number_of_other_polygons},
           {"number_of_cut_cells", report.number_of_cut_cells},
           {"nonpositive_faces", report.nonpositive_faces},

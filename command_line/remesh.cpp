@@ -18,6 +18,7 @@
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <nlohmann/json.hpp>
@@ -57,7 +58,10 @@ std::optional<Kernel::Plane_3> named_plane(const std::string& name)
       stream >> comma;
   if(!stream || comma != ',' || !(stream >> std::ws).eof())
     throw Failure(USAGE, "'" + name + "' is not x, y, z, auto, or four numbers A,B,C,D");
-  return Kernel::Plane_3(plane[0], plane[1], plane[2], plane[3]);
+  const Kernel::Plane_3 result(plane[0], plane[1], plane[2], plane[3]);
+  if(result.is_degenerate())
+    throw Failure(USAGE, "'" + name + "' is no plane: one of A, B, C must not be 0");
+  return result;
 }
 
 struct Remesh_options
@@ -83,12 +87,12 @@ struct Remesh_options
                     "all properties that are numbers, but normals.\n");
     options.add_file("input", input);
     options.add_file("output", output);
-    options.add("number", "N", number, {1, largest_number},
+    options.add("number", "N", number, {1, largest_number, false, true},
                 "about how many quads to make (default: 10000)");
     options.add("edge-length", "L", edge_length, {0, infinity, true},
                 "instead, how long to make their edges");
     options.add("coarsest", coarsest, "instead, make as few quads as are found");
-    options.add("maximum-number", "N", maximum_number, {1, largest_number},
+    options.add("maximum-number", "N", maximum_number, {1, largest_number, false, true},
                 "refuse to make more quads, where features force them\n"
                 "(default: 100 times the number wanted, and at least 100000)");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
@@ -187,6 +191,15 @@ std::string why_not(const QR::Remeshing_report& report, const Model& model)
     {"and at most --maximum-number", "and at most --maximum-number; see --number and --edge-length"}};
   return with_words(in_words_of_user(to_string(report.status) + (": " + report.message), model),
                     words);
+}
+
+double length_of_features(const Model& model)
+{
+  double result = 0;
+  for(const Edge e : model.mesh.edges())
+    if(model.is_feature[e])
+      result += PMP::edge_length(e, model.mesh);
+  return result;
 }
 
 double diagonal(const Mesh& mesh)
@@ -297,9 +310,18 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 
 nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written,
                        const std::string& message, const Repairs& repairs,
-                       const Distances& distances, const Patch_counts& patches)
+                       const Distances& distances, const std::optional<Patch_counts>& patches,
+                       const double features)
 {
-  return {{"written", is_written},
+  if(!is_written)
+    return {{"written", false},
+            {"status", to_string(report.status)},
+            {"message", message},
+            {"input", json_of(repairs)},
+            {"number_of_forced_quads", report.number_of_forced_quads},
+            {"released_features", json_of(report.released_features)},
+            {"steps", json_of_steps(report.step_times)}};
+  return {{"written", true},
           {"status", to_string(report.status)},
           {"message", message},
           {"input", json_of(repairs)},
@@ -317,8 +339,8 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
           {"relative_largest_distance", distances.of_quads / distances.diagonal},
           {"largest_distance_of_input", distances.of_input},
           {"diagonal", distances.diagonal},
-          {"number_of_patches", patches.number_of_patches},
-          {"number_of_t_junctions", patches.number_of_t_junctions},
+          {"patches", json_of(patches)},
+          {"length_of_features", features},
           {"number_of_released_edges", report.number_of_released_edges},
           {"length_of_released_edges", report.length_of_released_edges},
           {"released_features", json_of(report.released_features)},
@@ -340,11 +362,15 @@ void remesh(const Arguments& arguments)
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  const double features = length_of_features(model);
+  if(options.feature_loss > 0 && features == 0)
+    os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
+          "--features\n";
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   QR::Remeshing_report report;
   Distances distances{0, 0, diagonal(model.mesh)};
-  Patch_counts patches;
+  std::optional<Patch_counts> patches;
   const auto work = [&] {
     const Direction_map directions = read_directions(options.field, repairs, model.mesh);
     const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
@@ -371,6 +397,6 @@ void remesh(const Arguments& arguments)
     if(!options.report.empty())
       write_json(options.report, json_of(report, status == SUCCESS,
                                          message.empty() ? report.message : message, repairs,
-                                         distances, patches));
+                                         distances, patches, features));
   });
 }
