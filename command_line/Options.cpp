@@ -31,7 +31,7 @@ namespace {
 std::string in_words(const Range& range)
 {
   std::ostringstream os;
-  os << std::setprecision(17) << "must be ";
+  os << std::setprecision(17) << (range.is_whole ? "must be a whole number " : "must be ");
   if(range.high < (std::numeric_limits<double>::max)())
     os << (range.is_open ? "between " : "from ") << range.low << (range.is_open ? " and " : " to ")
        << range.high;

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 
+#include <cmath>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -19,9 +20,13 @@ struct Range
 {
   double low, high;
   bool is_open = false; // without its ends
+  bool is_whole = false;
 
   bool contains(const double x) const // no NaN
-  { return is_open ? x > low && x < high : x >= low && x <= high; }
+  {
+    return (is_open ? x > low && x < high : x >= low && x <= high) &&
+           (!is_whole || x == std::floor(x));
+  }
 };
 
 class Options

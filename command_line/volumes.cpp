@@ -269,8 +269,9 @@ void snap_volume(const Arguments& arguments)
   options.add("report", "R.json", report_file, "write all figures to a file");
   if(!options.parse(arguments))
     return;
-  if(suffix_of(output) != "hexex" && !is_special_file(output))
-    throw Failure(USAGE, output + ": a tetrahedral mesh is written as .hexex only");
+  for(const std::string& file : {input, output})
+    if(suffix_of(file) != "hexex" && !is_special_file(file))
+      throw Failure(USAGE, file + ": a tetrahedral mesh is read and written as .hexex only");
   if(options.is_given("rounding") && !volume_options.integer_grid)
     throw Failure(USAGE, "--rounding is for --integer-grid; give that, too");
   if(options.is_given("untangling-iterations") && !repair_flips && !volume_options.integer_grid)
