@@ -670,6 +670,13 @@ foreach(arguments IN ITEMS "--edge-length;1e-300" "--edge-length;1e300"
 endforeach()
 seamless(1 remesh box.off no_quads.obj --number 268435456)
 expect_message("${err}" "there would be 2.68e+08 quads; ask for fewer by --number")
+seamless(1 remesh box.off no_quads.obj --coarsest --maximum-number 3)
+expect_message("${err}" "--maximum-number")
+expect("${err}" NOT err MATCHES "needs_face_graph")
+seamless(2 remesh box.off no_quads.obj --number 30.5)
+expect_message("${err}" "must be a whole number")
+seamless(2 remesh box.off no_quads.obj --symmetry 0,0,0,1)
+expect_message("${err}" "is no plane")
 # more quads than allowed: which number would work
 seamless(1 remesh box.off no_quads.obj --quads 1 --feature-angle 40 --maximum-number 5)
 expect_message("${err}" "more than --maximum-number")

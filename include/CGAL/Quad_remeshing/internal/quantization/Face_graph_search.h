@@ -53,6 +53,7 @@ struct Quantized_complex
 {
   Intrinsic_complex complex;
   double number_of_quads = 0;
+  bool has_reached_maximum = false; // and no face graph was found below it
   double first_scale = 1;
   std::size_t number_of_moves = 0, number_of_long_edges = 0;
   std::vector<double> scales; // wanted units per step of the input's grid, per part
@@ -94,6 +95,8 @@ public:
       result.complex = found.complex;
       result.number_of_quads = found.number_of_quads;
     }
+    else
+      result.has_reached_maximum = m_has_reached_maximum;
     return result;
   }
 
@@ -112,11 +115,13 @@ private:
 
   void search()
   {
-    if(at(m_best).number_of_quads / 4 > m_maximum) // the coarsest ones are hardly fewer
+    m_has_reached_maximum = at(m_best).number_of_quads / 4 > m_maximum;
+    if(m_has_reached_maximum) // the coarsest ones are hardly fewer
       return;
     const int wanted = m_best;
     const double coarsest = at(m_best = 0).number_of_quads;
-    if(coarsest / 2 > m_maximum)
+    m_has_reached_maximum = coarsest / 2 > m_maximum;
+    if(m_has_reached_maximum)
       return;
     m_first = step_of((std::max)(1., 0.9 * coarsest));
     const int begin = m_best = (std::max)(m_first, wanted);
@@ -188,8 +193,10 @@ private:
     if(!is_new)
       return result;
     result.number_of_quads = q.number_after(divisions);
-    if(result.number_of_quads > m_maximum)
+    if(result.number_of_quads > m_maximum) {
+      m_has_reached_maximum = true;
       return result;
+    }
     result.complex = q.complex;
     refine(1 << divisions, result.complex);
     const double before = internal::number_of_quads(result.complex);
@@ -213,6 +220,7 @@ private:
   double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
   int m_first = 0; // the least step whose number may be reached
   int m_best = 0, m_divisions = 0;
+  bool m_has_reached_maximum = false;
 };
 
 } // namespace internal

@@ -170,6 +170,11 @@ public:
                       words_for_number() + ". That is more than maximum_number: raise it, or ask "
                       "for about as many, mark fewer features, or release some by "
                       "maximum_feature_loss");
+    if(found.has_reached_maximum)
+      return refuse(m_result, Outcome::TOO_LARGE,
+                    "quads meet themselves, or each other twice, and no mesh of at most " +
+                      std::to_string(std::llround(m_options.maximum_number)) +
+                      " quads was found, which is maximum_number: raise it");
     m_result.set_surface(std::make_shared<const Quantized_surface>(
       Quantized_surface{m_coarse, std::move(found.complex), m_options.needs_face_graph}));
     return true;
@@ -351,7 +356,7 @@ private:
     add_note(m_result, counted(released.size(), "feature") +
                          (released.size() == 1 ? " is" : " are") + " released, " +
                          short_number(100 * length_in_map(input, released) / total) +
-                         " % of the length of all, which saves about " +
+                         " % of the length of all in the map, which saves about " +
                          std::to_string(std::llround(saved)) + " quads");
   }
 
