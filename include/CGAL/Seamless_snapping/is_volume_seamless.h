@@ -20,19 +20,10 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/measure_volume.h>
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
 #include <CGAL/Named_function_parameters.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -95,134 +86,6 @@ measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
   internal::require_exact_arithmetic();
   return internal::measure_volume_seamlessness(tetrahedra, uvw_map, internal::strip(np));
 }
-
-/*!
-\ingroup PkgSeamlessSnappingVerifying
-
-What `measure_volume_integer_grid()` returns. The counts are exact; distances and the volume are
-computed in floating point.
-*/
-struct Volume_integer_grid_measure
-{
-  bool is_exactly_seamless = false; ///< whether all transitions and alignments hold exactly
-  std::size_t number_of_noninteger_cuts = 0;   ///< cut facets whose translation is no integer
-  std::size_t number_of_noninteger_facets = 0; ///< aligned facets that lie on no integer plane
-  std::size_t number_of_noninteger_edges = 0;  ///< aligned edges that lie on no integer line
-  /// interior edges with another angle than 360 degrees, and, on a boundary that is aligned, edges
-  /// of 360 degrees or more
-  std::size_t number_of_singular_edges = 0;
-  /// those of them that lie on no integer line
-  std::size_t number_of_noninteger_singular_edges = 0;
-  /// vertices at which other than two interior singular edges meet
-  std::size_t number_of_nodes = 0;
-  /// those of them that are no integer points; where cells have positive volume, all are, if
-  /// singular edges are on integer lines
-  std::size_t number_of_noninteger_nodes = 0;
-  /// cells that are flipped or degenerate in the domain, if most are positive; else those that are
-  /// not negative
-  std::size_t number_of_nonpositive_cells = 0;
-  double translation_distance = 0; ///< the largest distance of a translation from an integer
-  /// the largest distance of an aligned facet from an integer plane, or of an edge from a line
-  double alignment_distance = 0;
-  /// of all cells, with their signs: in an integer-grid map with aligned boundary, it is the number
-  /// of hexahedra
-  double volume = 0;
-
-  /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
-  /// looked at.
-  explicit operator bool() const
-  {
-    return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
-           number_of_noninteger_facets == 0 && number_of_noninteger_edges == 0 &&
-           number_of_noninteger_singular_edges == 0 && number_of_noninteger_nodes == 0;
-  }
-};
-
-namespace internal {
-
-// The singular edges, of a volume that does not list them as aligned.
-inline void measure_singular_edges(const Flat_volume& volume, const Volume_transitions& transitions,
-                                   Volume_integer_grid_measure& measure)
-{
-  const std::vector<Grid_edge> edges = Grid_edge_finder(volume, transitions).find();
-  Flat_volume edges_only = volume;
-  edges_only.aligned_facets.clear();
-  edges_only.aligned_edges.clear();
-  measure.number_of_singular_edges = edges.size();
-  for(const Grid_edge& edge : edges)
-    if(!edge.is_skew)
-      edges_only.aligned_edges.push_back(edge.edge);
-  measure.number_of_noninteger_singular_edges = edges.size() - edges_only.aligned_edges.size();
-  const Volume_alignment alignment = Facet_alignment_reader(edges_only, transitions).read();
-  for(std::size_t i = 0; i < edges_only.aligned_edges.size(); ++i) {
-    const double distance = line_distance(edges_only, i, alignment, volume.coordinates);
-    measure.number_of_noninteger_singular_edges +=
-      std::size_t(distance != 0 || !is_on_line(edges_only, i, alignment));
-    measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
-  }
-  std::vector<std::pair<std::int32_t, bool> > nodes; // and whether they are off the grid
-  for(const Corner_index corner : corners_of_nodes(volume, edges))
-    nodes.emplace_back(volume.vertex(corner), point_distance(volume, corner) != 0);
-  std::sort(nodes.begin(), nodes.end(), std::greater<>());
-  for(std::size_t i = 0; i < nodes.size(); ++i)
-    if(i == 0 || nodes[i].first != nodes[i - 1].first) {
-      ++measure.number_of_nodes;
-      measure.number_of_noninteger_nodes += std::size_t(nodes[i].second);
-    }
-}
-
-inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_measure& measure)
-{
-  std::size_t positive = 0, negative = 0;
-  for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
-    const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
-    const CGAL::Orientation sign = orientation(u);
-    positive += std::size_t(sign == CGAL::POSITIVE);
-    negative += std::size_t(sign == CGAL::NEGATIVE);
-    measure.volume += six_times_volume(u) / 6;
-  }
-  measure.number_of_nonpositive_cells =
-    volume.number_of_cells() - (std::max)(positive, negative);
-  if(negative > positive)
-    measure.volume = -measure.volume;
-}
-
-template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
-Volume_integer_grid_measure measure_volume_integer_grid(const TetrahedronRange& range,
-                                                        const CornerUVWMap& uvw_map,
-                                                        const NamedParameters& np)
-{
-  Tetrahedra tetrahedra;
-  Flat_volume volume;
-  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {},
-                                      Cells_to_read::ALL))
-    throw std::invalid_argument(refusal->message);
-  read_coordinates(uvw_map, volume);
-  Volume_integer_grid_measure result;
-  const Volume_transitions transitions = Facet_transition_reader(volume).read();
-  const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();
-  result.is_exactly_seamless = is_exact(volume, transitions, alignment, volume.coordinates);
-  const auto note = [](const double distance, std::size_t& number, double& largest) {
-    number += std::size_t(distance != 0);
-    largest = (std::max)(largest, distance);
-  };
-  for(std::size_t i = 0; i < volume.open_facets.size(); ++i)
-    if(transitions.is_cut[i] != 0)
-      note(translation_distance(volume, volume.open_facets[i], transitions.element[i],
-                                volume.coordinates),
-           result.number_of_noninteger_cuts, result.translation_distance);
-  for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i)
-    note(level_distance(volume, i, alignment, volume.coordinates),
-         result.number_of_noninteger_facets, result.alignment_distance);
-  for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
-    note(line_distance(volume, i, alignment, volume.coordinates),
-         result.number_of_noninteger_edges, result.alignment_distance);
-  measure_singular_edges(volume, transitions, result);
-  measure_orientations(volume, result);
-  return result;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSeamlessSnappingVerifying

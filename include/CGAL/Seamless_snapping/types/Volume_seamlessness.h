@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What `measure_volume_seamlessness()` returns.
+// What `measure_volume_seamlessness()` and `measure_volume_integer_grid()` return.
 
 #include <cstddef>
 
@@ -49,6 +49,48 @@ struct Volume_seamlessness
 
   /// returns `true` if and only if all transitions and alignments hold exactly.
   bool is_exact() const { return number_of_inexact_facets == 0 && number_of_misalignments == 0; }
+};
+
+/*!
+\ingroup PkgSeamlessSnappingVerifying
+
+What `measure_volume_integer_grid()` returns. The counts are exact; distances and the volume are
+computed in floating point.
+*/
+struct Volume_integer_grid_measure
+{
+  bool is_exactly_seamless = false; ///< whether all transitions and alignments hold exactly
+  std::size_t number_of_noninteger_cuts = 0;   ///< cut facets whose translation is no integer
+  std::size_t number_of_noninteger_facets = 0; ///< aligned facets that lie on no integer plane
+  std::size_t number_of_noninteger_edges = 0;  ///< aligned edges that lie on no integer line
+  /// interior edges with another angle than 360 degrees, and, on a boundary that is aligned, edges
+  /// of 360 degrees or more
+  std::size_t number_of_singular_edges = 0;
+  /// those of them that lie on no integer line
+  std::size_t number_of_noninteger_singular_edges = 0;
+  /// vertices at which other than two interior singular edges meet
+  std::size_t number_of_nodes = 0;
+  /// those of them that are no integer points; where cells have positive volume, all are, if
+  /// singular edges are on integer lines
+  std::size_t number_of_noninteger_nodes = 0;
+  /// cells that are flipped or degenerate in the domain, if most are positive; else those that are
+  /// not negative
+  std::size_t number_of_nonpositive_cells = 0;
+  double translation_distance = 0; ///< the largest distance of a translation from an integer
+  /// the largest distance of an aligned facet from an integer plane, or of an edge from a line
+  double alignment_distance = 0;
+  /// of all cells, with their signs: in an integer-grid map with aligned boundary, it is the number
+  /// of hexahedra
+  double volume = 0;
+
+  /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
+  /// looked at.
+  explicit operator bool() const
+  {
+    return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
+           number_of_noninteger_facets == 0 && number_of_noninteger_edges == 0 &&
+           number_of_noninteger_singular_edges == 0 && number_of_noninteger_nodes == 0;
+  }
 };
 
 } // namespace Seamless_snapping

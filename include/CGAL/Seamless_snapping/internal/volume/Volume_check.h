@@ -22,10 +22,13 @@
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/volume/Grid_edges.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
+#include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -102,14 +105,7 @@ inline double translation_distance(const Flat_volume& volume, const Corner_index
   return result;
 }
 
-// Those of a constant coordinate of an aligned facet, and of both of an aligned edge.
-inline double level_distance(const Flat_volume& volume, const std::size_t i,
-                             const Volume_alignment& alignment, const std::vector<Uvw>& u)
-{
-  const Corner_index corner = corners_of_facet(volume.aligned_facets[i])[0];
-  return distance_to_integer(u[std::size_t(corner)][std::size_t(alignment.coordinate[i])]);
-}
-
+// That of a constant coordinate of an aligned edge.
 inline double line_distance(const Flat_volume& volume, const std::size_t i,
                             const Volume_alignment& alignment, const std::vector<Uvw>& u)
 {
@@ -132,21 +128,37 @@ inline bool is_on_line(const Flat_volume& volume, const std::size_t i,
   return true;
 }
 
-// Whether translations and levels are integers. \pre the map is exactly seamless and aligned
+// Counts what is off the integers, and measures by how much: translations and levels.
+// \pre the map is exactly seamless and aligned, else distances are those at one vertex
+inline void measure_distances(const Flat_volume& volume, const Volume_transitions& transitions,
+                              const Volume_alignment& alignment, const std::vector<Uvw>& u,
+                              Volume_integer_grid_measure& measure)
+{
+  const auto note = [](const double distance, std::size_t& number, double& largest) {
+    number += std::size_t(distance != 0);
+    largest = (std::max)(largest, distance);
+  };
+  for(std::size_t i = 0; i < volume.open_facets.size(); ++i)
+    if(transitions.is_cut[i] != 0)
+      note(translation_distance(volume, volume.open_facets[i], transitions.element[i], u),
+           measure.number_of_noninteger_cuts, measure.translation_distance);
+  for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i) {
+    const Corner_index corner = corners_of_facet(volume.aligned_facets[i])[0];
+    note(distance_to_integer(u[std::size_t(corner)][std::size_t(alignment.coordinate[i])]),
+         measure.number_of_noninteger_facets, measure.alignment_distance);
+  }
+  for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
+    note(line_distance(volume, i, alignment, u), measure.number_of_noninteger_edges,
+         measure.alignment_distance);
+}
+
 inline bool is_on_integers(const Flat_volume& volume, const Volume_transitions& transitions,
                            const Volume_alignment& alignment, const std::vector<Uvw>& u)
 {
-  for(std::size_t i = 0; i < volume.open_facets.size(); ++i)
-    if(transitions.is_cut[i] != 0 &&
-       translation_distance(volume, volume.open_facets[i], transitions.element[i], u) != 0)
-      return false;
-  for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i)
-    if(level_distance(volume, i, alignment, u) != 0)
-      return false;
-  for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
-    if(line_distance(volume, i, alignment, u) != 0)
-      return false;
-  return true;
+  Volume_integer_grid_measure measure;
+  measure_distances(volume, transitions, alignment, u, measure);
+  return measure.number_of_noninteger_cuts == 0 && measure.number_of_noninteger_facets == 0 &&
+         measure.number_of_noninteger_edges == 0;
 }
 
 // The corners of vertices at which other than two of the interior edges meet.
@@ -172,23 +184,65 @@ inline double point_distance(const Flat_volume& volume, const Corner_index corne
   return result;
 }
 
-// Whether a map is that of an integer grid, to one who sees its coordinates only.
-// \pre the volume holds all cells, and lists no singular edges
-inline bool is_integer_grid(Flat_volume volume)
+// The singular edges, of a volume that does not list them as aligned.
+inline void measure_singular_edges(const Flat_volume& volume, const Volume_transitions& transitions,
+                                   Volume_integer_grid_measure& measure)
 {
-  const Volume_transitions transitions = Facet_transition_reader(volume).read();
   const std::vector<Grid_edge> edges = Grid_edge_finder(volume, transitions).find();
-  for(const Grid_edge& edge : edges) {
-    if(edge.is_skew)
-      return false;
-    volume.aligned_edges.push_back(edge.edge);
+  Flat_volume edges_only = volume;
+  edges_only.aligned_facets.clear();
+  edges_only.aligned_edges.clear();
+  measure.number_of_singular_edges = edges.size();
+  for(const Grid_edge& edge : edges)
+    if(!edge.is_skew)
+      edges_only.aligned_edges.push_back(edge.edge);
+  measure.number_of_noninteger_singular_edges = edges.size() - edges_only.aligned_edges.size();
+  const Volume_alignment alignment = Facet_alignment_reader(edges_only, transitions).read();
+  for(std::size_t i = 0; i < edges_only.aligned_edges.size(); ++i) {
+    const double distance = line_distance(edges_only, i, alignment, volume.coordinates);
+    measure.number_of_noninteger_singular_edges +=
+      std::size_t(distance != 0 || !is_on_line(edges_only, i, alignment));
+    measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
   }
+  std::vector<std::pair<std::int32_t, bool> > nodes; // and whether they are off the grid
   for(const Corner_index corner : corners_of_nodes(volume, edges))
-    if(point_distance(volume, corner) != 0)
-      return false;
+    nodes.emplace_back(volume.vertex(corner), point_distance(volume, corner) != 0);
+  std::sort(nodes.begin(), nodes.end(), std::greater<>());
+  for(std::size_t i = 0; i < nodes.size(); ++i)
+    if(i == 0 || nodes[i].first != nodes[i - 1].first) {
+      ++measure.number_of_nodes;
+      measure.number_of_noninteger_nodes += std::size_t(nodes[i].second);
+    }
+}
+
+inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_measure& measure)
+{
+  std::size_t positive = 0, negative = 0;
+  for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
+    const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
+    const CGAL::Orientation sign = orientation(u);
+    positive += std::size_t(sign == CGAL::POSITIVE);
+    negative += std::size_t(sign == CGAL::NEGATIVE);
+    measure.volume += six_times_volume(u) / 6;
+  }
+  measure.number_of_nonpositive_cells =
+    volume.number_of_cells() - (std::max)(positive, negative);
+  if(negative > positive)
+    measure.volume = -measure.volume;
+}
+
+// How far a map is from that of an integer grid, to one who sees its coordinates only.
+// \pre the volume holds all cells, and lists no singular edges
+inline Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume)
+{
+  Volume_integer_grid_measure result;
+  const Volume_transitions transitions = Facet_transition_reader(volume).read();
   const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();
-  return is_exact(volume, transitions, alignment, volume.coordinates) &&
-         is_on_integers(volume, transitions, alignment, volume.coordinates);
+  result.is_exactly_seamless = is_exact(volume, transitions, alignment, volume.coordinates);
+  measure_distances(volume, transitions, alignment, volume.coordinates, result);
+  measure_singular_edges(volume, transitions, result);
+  measure_orientations(volume, result);
+  return result;
 }
 
 } // namespace internal

@@ -162,6 +162,32 @@ public:
     }
   }
 
+  // Keeps what `move()` does to the coordinates of a member if it returns that it is a gain, and no
+  // cell at the member is worse by it; else takes it back. Returns whether it is kept.
+  template <typename Move, typename IsGood>
+  bool try_move(const Member_index m, std::vector<Uvw>& coordinates, const Move& move,
+                const IsGood& is_good) const
+  {
+    std::vector<Uvw> before;
+    std::vector<char> was_good;
+    for_each_corner(m, [&](std::size_t, const Corner_index i) {
+      before.push_back(coordinates[std::size_t(i)]);
+      was_good.push_back(is_good(std::size_t(i / 4)));
+    });
+    bool is_kept = move();
+    std::size_t k = 0;
+    for_each_corner(m, [&](std::size_t, const Corner_index i) {
+      is_kept = is_kept && (was_good[k] == 0 || is_good(std::size_t(i / 4)));
+      ++k;
+    });
+    k = 0;
+    if(!is_kept)
+      for_each_corner(m, [&](std::size_t, const Corner_index i) {
+        coordinates[std::size_t(i)] = before[k++];
+      });
+    return is_kept;
+  }
+
   // How coordinate c of a sector moves.
   Term term(const Member_index m, const std::size_t slot, const std::size_t c) const
   {

@@ -135,26 +135,11 @@ private:
     for(const double part : {0.5, 0.1, 0.01}) {
       const Move move = proposed_move(member, freedom, directions, part);
       const std::size_t lost = number_of_lost_cells(member);
-      std::vector<Uvw> before;
-      for_each_corner(member, [&](std::size_t, const std::size_t i) {
-        before.push_back(m_coordinates[i]);
-      });
-      std::vector<char> was_lost;
-      for_each_corner(member, [&](std::size_t, const std::size_t i) {
-        was_lost.push_back(is_lost(i / 4));
-      });
-      bool is_better = apply(member, freedom, move) && number_of_lost_cells(member) < lost;
-      std::size_t k = 0;
-      for_each_corner(member, [&](std::size_t, const std::size_t i) {
-        is_better = is_better && (was_lost[k] != 0 || !is_lost(i / 4));
-        ++k;
-      });
-      if(is_better)
+      if(m_members->try_move(
+           member, m_coordinates,
+           [&] { return apply(member, freedom, move) && number_of_lost_cells(member) < lost; },
+           [&](const std::size_t c) { return !is_lost(c); }))
         return;
-      k = 0;
-      for_each_corner(member, [&](std::size_t, const std::size_t i) {
-        m_coordinates[i] = before[k++];
-      });
     }
   }
 

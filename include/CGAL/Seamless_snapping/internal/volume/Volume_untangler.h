@@ -342,24 +342,8 @@ private:
   // orientation.
   bool has_moved(const Member_index m, const Vector& z)
   {
-    std::vector<Uvw> before;
-    std::vector<char> was_good;
-    m_members.for_each_corner(m, [&](std::size_t, const Corner_index i) {
-      before.push_back(m_coordinates[std::size_t(i)]);
-      was_good.push_back(is_good(std::size_t(i / 4)));
-    });
-    bool is_kept = has_added(m, z);
-    std::size_t k = 0;
-    m_members.for_each_corner(m, [&](std::size_t, const Corner_index i) {
-      is_kept = is_kept && (m_may_lose || was_good[k] == 0 || is_good(std::size_t(i / 4)));
-      ++k;
-    });
-    k = 0;
-    if(!is_kept)
-      m_members.for_each_corner(m, [&](std::size_t, const Corner_index i) {
-        m_coordinates[std::size_t(i)] = before[k++];
-      });
-    return is_kept;
+    return m_members.try_move(m, m_coordinates, [&] { return has_added(m, z); },
+                              [&](const std::size_t c) { return m_may_lose || is_good(c); });
   }
 
   // Adds one number, with signs, to all coordinates of an unknown, if all sums are exact. That

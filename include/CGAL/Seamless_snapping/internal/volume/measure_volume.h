@@ -19,6 +19,7 @@
 // `is_volume_seamless.h` do.
 
 #include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_volume.h>
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
@@ -121,6 +122,20 @@ bool is_volume_seamless(const TetrahedronRange& range, const CornerUVWMap& uvw_m
   Volume_seamlessness result;
   measure_constraints(volume, result);
   return result.is_exact();
+}
+
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+Volume_integer_grid_measure measure_volume_integer_grid(const TetrahedronRange& range,
+                                                        const CornerUVWMap& uvw_map,
+                                                        const NamedParameters& np)
+{
+  Tetrahedra tetrahedra;
+  Flat_volume volume;
+  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {},
+                                      Cells_to_read::ALL))
+    throw std::invalid_argument(refusal->message);
+  read_coordinates(uvw_map, volume);
+  return measure_integer_grid(volume);
 }
 
 } // namespace internal

@@ -157,7 +157,7 @@ private:
   {
     m_volume.aligned_edges.resize(m_number_of_feature_edges);
     const bool are_most = 2 * m_report.lost_faces.size() >= m_volume.number_of_cells();
-    if(!are_most && is_integer_grid(m_volume))
+    if(!are_most && measure_integer_grid(m_volume))
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER,
                    "at the nearest integers, " + counted(m_report.lost_faces.size(), "cell") +
