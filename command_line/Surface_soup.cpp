@@ -172,8 +172,6 @@ void weld_borders(Surface_soup& surface, Repairs& repairs)
   });
   const std::size_t n = surface.places.size();
   boost::disjoint_sets_with_storage<> sets(n);
-  for(std::size_t v = 0; v < n; ++v)
-    sets.make_set(v);
   for_each_key(border, [&](const auto begin, const auto end) {
     if(end - begin != 2 || begin->face == (end - 1)->face) // which belong together is unknown
       return;
@@ -209,26 +207,22 @@ void add_points(const Polygon_soup& soup, Surface_soup& surface)
       v = new_index[v];
 }
 
-// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
-// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
-// ones. Where all faces fit, nothing is done.
-void cut_one_sided_surfaces(Surface_soup& surface)
+using Shared_side = std::array<Side, 2>; // of two faces
+
+bool has_one_direction(const Shared_side& s) { return s[0].source == s[1].source; }
+
+// Whether each face has to be turned to fit those from which it is reached, in the order of their
+// distances from the first face of a piece.
+std::vector<char> turned_faces(const std::vector<Shared_side>& shared,
+                               const std::size_t number_of_faces)
 {
-  std::vector<Side> sides = all_sides(surface);
-  std::vector<std::array<Side, 2> > shared;
-  std::vector<std::vector<std::size_t> > shared_of(surface.polygons.size());
-  for_each_key(sides, [&](const auto begin, const auto end) {
-    if(end - begin != 2)
-      return;
-    for(auto side = begin; side != end; ++side)
-      shared_of[side->face].push_back(shared.size());
-    shared.push_back({*begin, *(begin + 1)});
-  });
-  const auto has_one_direction = [](const std::array<Side, 2>& s)
-  { return s[0].source == s[1].source; };
-  std::vector<char> is_turned(surface.polygons.size(), 0), is_reached(surface.polygons.size(), 0);
-  std::vector<std::size_t> reached; // in the order of their distances
-  for(std::size_t start = 0; start < surface.polygons.size(); ++start) {
+  std::vector<std::vector<std::size_t> > shared_of(number_of_faces);
+  for(std::size_t s = 0; s < shared.size(); ++s)
+    for(const Side& side : shared[s])
+      shared_of[side.face].push_back(s);
+  std::vector<char> is_turned(number_of_faces, 0), is_reached(number_of_faces, 0);
+  std::vector<std::size_t> reached;
+  for(std::size_t start = 0; start < number_of_faces; ++start) {
     if(is_reached[start])
       continue;
     is_reached[start] = 1;
@@ -243,10 +237,21 @@ void cut_one_sided_surfaces(Surface_soup& surface)
         reached.push_back(f);
       }
   }
-  const auto are_fitting = [&](const std::array<Side, 2>& s)
-  { return has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]); };
-  if(std::all_of(shared.begin(), shared.end(), are_fitting))
-    return;
+  return is_turned;
+}
+
+// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
+// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
+// ones.
+void cut_one_sided_surfaces(Surface_soup& surface)
+{
+  std::vector<Side> sides = all_sides(surface);
+  std::vector<Shared_side> shared;
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    if(end - begin == 2)
+      shared.push_back({*begin, *(begin + 1)});
+  });
+  const std::vector<char> is_turned = turned_faces(shared, surface.polygons.size());
   std::vector<std::size_t> first_corner(1, 0);
   for(const Polygon& polygon : surface.polygons)
     first_corner.push_back(first_corner.back() + polygon.size());
@@ -256,10 +261,8 @@ void cut_one_sided_surfaces(Surface_soup& surface)
            std::size_t(std::find(polygon.begin(), polygon.end(), v) - polygon.begin());
   };
   boost::disjoint_sets_with_storage<> sets(first_corner.back());
-  for(std::size_t c = 0; c < first_corner.back(); ++c)
-    sets.make_set(c);
-  for(const auto& s : shared)
-    if(are_fitting(s))
+  for(const Shared_side& s : shared)
+    if(has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]))
       for(const std::size_t v : s[0].key)
         sets.union_set(corner(s[0].face, v), corner(s[1].face, v));
   std::map<std::size_t, std::size_t> point_of_set;
@@ -270,9 +273,8 @@ void cut_one_sided_surfaces(Surface_soup& surface)
       const auto [set, is_new] = point_of_set.try_emplace(sets.find_set(first_corner[f] + k), v);
       if(is_new && is_taken[v]) {
         set->second = surface.points.size();
-        surface.points.push_back(Kernel::Point_3(surface.points[v]));
-        const std::size_t number = surface.file_points[v];
-        surface.file_points.push_back(number);
+        surface.points.push_back(surface.points[v]);
+        surface.file_points.push_back(surface.file_points[v]);
       }
       is_taken[v] = 1;
       v = set->second;
@@ -317,16 +319,8 @@ private:
   Surface_soup& m_soup;
 };
 
-} // namespace
-
-void refuse(const Polygon_soup& soup, const std::size_t face, const std::string& why)
-{
-  const std::size_t line = soup.polygons[face].line;
-  throw Failure(UNREADABLE, (line == 0 ? "face " + std::to_string(face + soup.first_number)
-                                       : "line " + std::to_string(line)) + ": " + why);
-}
-
-Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
+// \param has_one_side whether a piece is known to have one side only
+Surface_soup oriented_surface(const Polygon_soup& soup, const bool has_one_side, Repairs& repairs)
 {
   Surface_soup surface;
   surface.places = first_points(soup);
@@ -341,12 +335,34 @@ Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
   check_corners(soup, surface);
   remove_duplicate_faces(surface, repairs);
   add_points(soup, surface);
-  cut_one_sided_surfaces(surface);
+  if(has_one_side)
+    cut_one_sided_surfaces(surface);
   surface.is_turned.assign(surface.polygons.size(), false);
   PMP::orient_polygon_soup(surface.points, surface.polygons,
                            CGAL::parameters::visitor(Orientation_visitor(surface)));
   count_cuts(surface, repairs);
   if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
     throw Failure(UNREADABLE, "the faces are no surface, even when cut apart");
+  return surface;
+}
+
+} // namespace
+
+void refuse(const Polygon_soup& soup, const std::size_t face, const std::string& why)
+{
+  const std::size_t line = soup.polygons[face].line;
+  throw Failure(UNREADABLE, (line == 0 ? "face " + std::to_string(face + soup.first_number)
+                                       : "line " + std::to_string(line)) + ": " + why);
+}
+
+// A surface of one side is made once more: only then is it known that it is one, and few are.
+Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
+{
+  const Repairs before = repairs;
+  Surface_soup surface = oriented_surface(soup, false, repairs);
+  if(repairs.one_sided_edges > 0) {
+    repairs = before;
+    surface = oriented_surface(soup, true, repairs);
+  }
   return surface;
 }

@@ -74,8 +74,6 @@ welded_vertices(const Soup& soup, const std::vector<std::array<Side_index, 2> >&
 {
   const std::size_t n = soup.points.size();
   boost::disjoint_sets_with_storage<> sets(n);
-  for(std::size_t v = 0; v < n; ++v)
-    sets.make_set(v);
   const auto vertex = [&soup](const Side_index s) {
     return soup.triangles[s / 3].vertices[s % 3];
   };
