@@ -29,6 +29,9 @@ struct Range
   }
 };
 
+inline Range whole_numbers(const double low, const double high)
+{ return {low, high, false, true}; }
+
 class Options
 {
 public:

@@ -62,7 +62,7 @@ struct Quad_options
     seams.add_to(options);
     options.add("grid-scale", "K", scale, {0, infinity, true},
                 "multiply the coordinates by K first (default: 1)");
-    options.add("number", "N", number, {1, largest_number, false, true},
+    options.add("number", "N", number, whole_numbers(1, largest_number),
                 "instead, make about N quads: of the coordinates scaled to an area of N, if "
                 "integers are near; else by a quantization, which finds integers for each map "
                 "without flips");

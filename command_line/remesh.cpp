@@ -87,12 +87,12 @@ struct Remesh_options
                     "all properties that are numbers, but normals.\n");
     options.add_file("input", input);
     options.add_file("output", output);
-    options.add("number", "N", number, {1, largest_number, false, true},
+    options.add("number", "N", number, whole_numbers(1, largest_number),
                 "about how many quads to make (default: 10000)");
     options.add("edge-length", "L", edge_length, {0, infinity, true},
                 "instead, how long to make their edges");
     options.add("coarsest", coarsest, "instead, make as few quads as are found");
-    options.add("maximum-number", "N", maximum_number, {1, largest_number, false, true},
+    options.add("maximum-number", "N", maximum_number, whole_numbers(1, largest_number),
                 "refuse to make more quads, where features force them\n"
                 "(default: 100 times the number wanted, and at least 100000)");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
@@ -313,38 +313,34 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
                        const Distances& distances, const std::optional<Patch_counts>& patches,
                        const double features)
 {
+  nlohmann::json result = {{"written", is_written},
+                           {"status", to_string(report.status)},
+                           {"message", message},
+                           {"input", json_of(repairs)},
+                           {"number_of_forced_quads", report.number_of_forced_quads},
+                           {"released_features", json_of(report.released_features)},
+                           {"steps", json_of_steps(report.step_times)}};
   if(!is_written)
-    return {{"written", false},
-            {"status", to_string(report.status)},
-            {"message", message},
-            {"input", json_of(repairs)},
-            {"number_of_forced_quads", report.number_of_forced_quads},
-            {"released_features", json_of(report.released_features)},
-            {"steps", json_of_steps(report.step_times)}};
-  return {{"written", true},
-          {"status", to_string(report.status)},
-          {"message", message},
-          {"input", json_of(repairs)},
-          {"number_of_quads", report.number_of_quads},
-          {"number_of_forced_quads", report.number_of_forced_quads},
-          {"number_of_vertices", report.number_of_vertices},
-          {"number_of_cones", report.number_of_cones},
-          {"number_of_inverted_quads", report.number_of_inverted_quads},
-          {"first_inverted_quads", report.first_inverted_quads},
-          {"number_of_displaced_vertices", report.number_of_displaced_vertices},
-          {"largest_displacement", report.largest_displacement},
-          {"least_scaled_jacobian", report.least_scaled_jacobian},
-          {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-          {"largest_distance", distances.of_quads},
-          {"relative_largest_distance", distances.of_quads / distances.diagonal},
-          {"largest_distance_of_input", distances.of_input},
-          {"diagonal", distances.diagonal},
-          {"patches", json_of(patches)},
-          {"length_of_features", features},
-          {"number_of_released_edges", report.number_of_released_edges},
-          {"length_of_released_edges", report.length_of_released_edges},
-          {"released_features", json_of(report.released_features)},
-          {"steps", json_of_steps(report.step_times)}};
+    return result;
+  result.update(nlohmann::json{
+    {"number_of_quads", report.number_of_quads},
+    {"number_of_vertices", report.number_of_vertices},
+    {"number_of_cones", report.number_of_cones},
+    {"number_of_inverted_quads", report.number_of_inverted_quads},
+    {"first_inverted_quads", report.first_inverted_quads},
+    {"number_of_displaced_vertices", report.number_of_displaced_vertices},
+    {"largest_displacement", report.largest_displacement},
+    {"least_scaled_jacobian", report.least_scaled_jacobian},
+    {"mean_scaled_jacobian", report.mean_scaled_jacobian},
+    {"largest_distance", distances.of_quads},
+    {"relative_largest_distance", distances.of_quads / distances.diagonal},
+    {"largest_distance_of_input", distances.of_input},
+    {"diagonal", distances.diagonal},
+    {"patches", json_of(patches)},
+    {"length_of_features", features},
+    {"number_of_released_edges", report.number_of_released_edges},
+    {"length_of_released_edges", report.length_of_released_edges}});
+  return result;
 }
 
 } // namespace

@@ -96,7 +96,9 @@ public:
       result.number_of_quads = found.number_of_quads;
     }
     else
-      result.has_reached_maximum = m_has_reached_maximum;
+      result.has_reached_maximum =
+        std::any_of(m_face_graphs.begin(), m_face_graphs.end(),
+                    [&](const auto& g) { return g.second.number_of_quads > m_maximum; });
     return result;
   }
 
@@ -115,13 +117,11 @@ private:
 
   void search()
   {
-    m_has_reached_maximum = at(m_best).number_of_quads / 4 > m_maximum;
-    if(m_has_reached_maximum) // the coarsest ones are hardly fewer
+    if(at(m_best).number_of_quads / 4 > m_maximum) // the coarsest ones are hardly fewer
       return;
     const int wanted = m_best;
     const double coarsest = at(m_best = 0).number_of_quads;
-    m_has_reached_maximum = coarsest / 2 > m_maximum;
-    if(m_has_reached_maximum)
+    if(coarsest / 2 > m_maximum)
       return;
     m_first = step_of((std::max)(1., 0.9 * coarsest));
     const int begin = m_best = (std::max)(m_first, wanted);
@@ -193,10 +193,8 @@ private:
     if(!is_new)
       return result;
     result.number_of_quads = q.number_after(divisions);
-    if(result.number_of_quads > m_maximum) {
-      m_has_reached_maximum = true;
+    if(result.number_of_quads > m_maximum)
       return result;
-    }
     result.complex = q.complex;
     refine(1 << divisions, result.complex);
     const double before = internal::number_of_quads(result.complex);
@@ -220,7 +218,6 @@ private:
   double m_wanted = 0, m_least = (std::numeric_limits<double>::max)();
   int m_first = 0; // the least step whose number may be reached
   int m_best = 0, m_divisions = 0;
-  bool m_has_reached_maximum = false;
 };
 
 } // namespace internal

@@ -82,15 +82,23 @@ inline void measure_constraints(const Flat_volume& volume, Volume_seamlessness& 
 
 // Throws what is wrong with the cells or the coordinates.
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+void read_or_throw(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                   const NamedParameters& np, const Cells_to_read cells, Tetrahedra& tetrahedra,
+                   Flat_volume& volume)
+{
+  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, cells))
+    throw std::invalid_argument(refusal->message);
+  read_coordinates(uvw_map, volume);
+}
+
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
 Volume_seamlessness measure_volume_seamlessness(const TetrahedronRange& range,
                                                 const CornerUVWMap& uvw_map,
                                                 const NamedParameters& np)
 {
   Tetrahedra tetrahedra;
   Flat_volume volume;
-  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume))
-    throw std::invalid_argument(refusal->message);
-  read_coordinates(uvw_map, volume);
+  read_or_throw(range, uvw_map, np, Cells_to_read::AT_CONSTRAINTS, tetrahedra, volume);
   Volume_seamlessness result;
   measure_constraints(volume, result);
   result.number_of_cells = tetrahedra.number_of_cells();
@@ -131,10 +139,7 @@ Volume_integer_grid_measure measure_volume_integer_grid(const TetrahedronRange& 
 {
   Tetrahedra tetrahedra;
   Flat_volume volume;
-  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {},
-                                      Cells_to_read::ALL))
-    throw std::invalid_argument(refusal->message);
-  read_coordinates(uvw_map, volume);
+  read_or_throw(range, uvw_map, np, Cells_to_read::ALL, tetrahedra, volume);
   return measure_integer_grid(volume);
 }
 
