@@ -596,6 +596,8 @@ foreach(i RANGE 11)
 endforeach()
 file(WRITE "${WORK_DIR}/torus.off" "${torus}${faces}")
 seamless(0 remesh torus.off torus_quads.off --number 20)
+seamless(1 remesh torus.off no_quads.obj --coarsest --maximum-number 5)
+expect_message("${err}" "no mesh of at most 5 quads was found, which is --maximum-number")
 
 # what hangs on a file: the colors and texture coordinates of the square are linear
 set(obj "mtllib square.mtl\nv 0 0 0 0 0 0.5\nv 1 0 0 1 0 0.5\nv 1 1 0 1 1 0.5\nv 0 1 0 0 1 0.5\n")

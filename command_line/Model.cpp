@@ -41,6 +41,7 @@ std::string with_options(const std::string& message)
      "; let curves end where they meet others: leave out --base-complex"},
     {"by grid_scale", "by --grid-scale or --number"},
     {"more than maximum_number", "more than --maximum-number"},
+    {"which is maximum_number", "which is --maximum-number"},
     {"by maximum_feature_loss", "by --feature-loss"},
     {"than maximum_feature_loss", "than --feature-loss"},
     {"symmetry_plane", "--symmetry"},
