@@ -45,6 +45,7 @@ std::string with_options(const std::string& message)
     {"by maximum_feature_loss", "by --feature-loss"},
     {"than maximum_feature_loss", "than --feature-loss"},
     {"symmetry_plane", "--symmetry"},
+    {"curvature_alignment", "--curvature"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
   return with_words(message, words);

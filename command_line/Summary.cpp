@@ -87,8 +87,10 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
                       {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
                       {"multiprecision", r.linear_solver.multiprecision}};
-  result["change"] = {{"grid_step", r.grid_step}, {"largest", r.largest_change},
-                      {"mean", r.mean_change}, {"rms", r.rms_change}};
+  result["change"] = {{"grid_step", r.grid_step > 0 ? nlohmann::json(r.grid_step)
+                                                    : nlohmann::json()},
+                      {"largest_of_a_coordinate", r.largest_change},
+                      {"mean_at_seams", r.mean_change}, {"rms_at_seams", r.rms_change}};
   result["seconds"]["writing"] = s.writing_time;
   return result;
 }
@@ -163,9 +165,9 @@ void write_snap(std::ostream& os, const Summary& s)
             s.after.number_of_degenerate_faces);
   os << "  (in brackets: relative to the extent " << to_text(s.before.extent) << ")\n\n"
      << CGAL::Linear_snapping::to_string(r.status) << ": largest change "
-     << to_text(r.largest_change, r.extent) << ", mean change " << to_text(r.mean_change, r.extent)
-     << "\n" << "time: reading " << to_text(s.reading_time) << " s, snapping "
-     << to_text(s.snapping_time) << " s, writing and reading back " << to_text(s.writing_time)
+     << to_text(r.largest_change, r.extent) << " of a coordinate, mean "
+     << to_text(r.mean_change, r.extent) << " of those at seams\n"
+     << "time: reading " << to_text(s.reading_time) << " s, snapping " << to_text(s.snapping_time) << " s, writing and reading back " << to_text(s.writing_time)
      << " s" << std::endl;
 }
 
@@ -180,6 +182,8 @@ void write_check(std::ostream& os, const Summary& s)
        << ", largest misalignment " << to_text(s.before.misalignment, s.before.extent) << "\n";
   os << counted(s.before.number_of_flipped_faces, "flipped face") << ", "
      << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n"
+     << (s.before.number_of_degenerate_faces == s.faces ? "note: no face has an area: this is no map\n"
+                                                        : "")
      << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
      << (s.left_out_edges > 0 ? ", but not aligned along what is left out" : "")

@@ -98,7 +98,7 @@ struct Outcome
             {"faces", made.number_of_faces}, {"genus", made.genus},
             {"components", made.number_of_components},
             {"border_loops", made.number_of_border_loops}, {"cones", made.cones.size()},
-            {"cut_edges", made.number_of_cut_edges},
+            {"cut_edges", is_exact ? snapped.run.number_of_cut_edges : made.number_of_cut_edges},
             {"aligned_edges", made.number_of_aligned_edges},
             {"released_edges", made.released_edges.size()},
             {"flipped_faces", made.number_of_flipped_faces},

@@ -5,6 +5,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "Summary.h"
+#include "Topology.h"
 #include "commands.h"
 #include "files.h"
 #include "json_report.h"
@@ -15,13 +16,10 @@
 #include "snap_model.h"
 #include "words.h"
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +33,6 @@
 #include <utility>
 #include <vector>
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 namespace QR = CGAL::Quad_remeshing;
 
 namespace {
@@ -132,12 +129,15 @@ struct Result
   Mesh mesh;
   Edge_bool_map is_feature;
   QR::Snapping_report snapped; // to integers, unless there is a quantization
-  QR::Snapping_report repaired; // what `--repair-flips` did
+  QR::Snapping_report repaired; // of what was extracted or quantized
   std::string integers;        // which they are
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::size_t number_of_displaced_vertices = 0; // off the surface or its border
   double largest_displacement = 0;
+  std::optional<Topologies> topologies; // where the result is a mesh
   std::optional<Patch_counts> patches;
+
+  bool is_rounded() const { return snapped.run.number_of_faces > 0; }
 };
 
 // Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
@@ -257,7 +257,6 @@ void extract_and_smooth(const Quad_options& options, const Model& model,
   report.message = made.message;
   report.number_of_faces = made.number_of_quads;
   report.number_of_vertices = made.number_of_vertices;
-  report.number_of_cones = made.number_of_cones;
   report.number_of_inverted_quads = made.number_of_inverted_quads;
   report.first_inverted_quads = made.first_inverted_quads;
   result.number_of_displaced_vertices = made.number_of_displaced_vertices;
@@ -360,36 +359,26 @@ double part_left_out(const QR::Extraction_report& report)
                                          : 1 - double(report.number_of_faces) / report.area;
 }
 
-std::size_t number_of_pieces(const Mesh& mesh)
-{
-  std::vector<std::size_t> piece(mesh.num_faces());
-  return PMP::connected_components(
-    mesh, boost::make_iterator_property_map(piece.begin(), get(boost::face_index, mesh)));
-}
-
 // What the result lacks of the surface.
-void write_left_out(std::ostream& os, const Result& result, const Mesh& input)
+void write_left_out(std::ostream& os, const Result& result)
 {
   const QR::Extraction_report& report = result.report;
   if(report.number_of_cut_cells == 0)
     return;
   os << "left out: " << counted(report.number_of_cut_cells, "piece")
      << " of cells at the border or at holes, " << 100 * part_left_out(report)
-     << " % of the area";
-  const std::size_t n = number_of_pieces(result.mesh), of_input = number_of_pieces(input);
-  if(n > of_input)
-    os << "; the quads fall into " << counted(n, "part") << ", the mesh has " << of_input;
-  os << ". More quads leave out less; --align-border keeps cells whole where border edges are "
-        "nearly on isocurves\n";
+     << " % of the area in the domain. More quads leave out less; --align-border keeps cells whole "
+        "where border edges are nearly on isocurves\n";
 }
 
-void write_summary(std::ostream& os, const Quad_options& options, const Result& result,
-                   const Mesh& input)
+void write_summary(std::ostream& os, const Quad_options& options, const Result& result)
 {
   const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
-     << counted(report.number_of_vertices, "vertex") << ", "
-     << counted(report.number_of_cones, "cone") << "\n";
+     << counted(report.number_of_vertices, "vertex");
+  if(!options.soup)
+    os << ", " << counted(number_of_irregular_vertices(result.mesh), "irregular vertex");
+  os << "\n";
   if(!result.integers.empty())
     os << "integers: " << result.integers << "\n";
   if(result.number_of_repaired_flips > 0)
@@ -399,13 +388,15 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
        << " flipped, and repaired\n";
   if(result.number_of_repaired_flips == 0)
     write_flip_repairs(os, result.repaired);
-  if(result.snapped.run.number_of_faces > 0)
+  if(result.is_rounded())
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
        << " of the side of a cell\n";
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
-  write_left_out(os, result, input);
+  write_left_out(os, result);
+  if(result.topologies)
+    os << note(*result.topologies, "extraction");
   if(!report.nonpositive_faces.empty())
     os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
@@ -421,16 +412,19 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
     return {{"written", false},
             {"message", message},
             {"nonpositive_faces", report.nonpositive_faces},
-            {"steps", json_of_steps(result.snapped.step_times)}};
+            {"steps", json_of_steps(result.repaired.step_times)}};
   return {{"written", true},
           {"message", message},
           {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
-          {"number_of_cones", report.number_of_cones},
+          {"number_of_irregular_vertices",
+           result.topologies ? nlohmann::json(number_of_irregular_vertices(result.mesh))
+                             : nlohmann::json()},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
           {"number_of_displaced_vertices", result.number_of_displaced_vertices},
           {"largest_displacement", result.largest_displacement},
+          {"topology", json_of(result.topologies)},
           {"patches", json_of(result.patches)},
           {"number_of_other_polygons", report.number_of_other_polygons},
           {"number_of_cut_cells", report.number_of_cut_cells},
@@ -438,9 +432,10 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"integers", result.integers},
           {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
           {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
-          {"part_left_out", part_left_out(report)},
-          {"largest_rounding", result.snapped.largest_rounding},
-          {"steps", json_of_steps(result.snapped.step_times)}};
+          {"part_of_domain_left_out", part_left_out(report)},
+          {"largest_rounding", result.is_rounded() ? nlohmann::json(result.snapped.largest_rounding)
+                                                   : nlohmann::json()},
+          {"steps", json_of_steps(result.repaired.step_times)}};
 }
 
 } // namespace
@@ -466,8 +461,10 @@ void quads(const Arguments& arguments)
                                             : text_of_quads(result.mesh, options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
+    if(!options.soup)
+      result.topologies = {Topology(model.mesh), Topology(result.mesh)};
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
-    write_summary(os, options, result, model.mesh);
+    write_summary(os, options, result);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

@@ -4,6 +4,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "Repairs.h"
+#include "Topology.h"
 #include "attributes.h"
 #include "commands.h"
 #include "directions.h"
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -219,34 +221,30 @@ std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mes
                          "mesh as a whole is mirrored, not one half of it\n";
 }
 
-int euler_characteristic(const Mesh& mesh)
-{
-  return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
-}
-
-// That another topology came of a half that was replaced; else nothing.
-std::string note_on_topology(const Mesh& mesh, const Mesh& quads)
-{
-  const int before = euler_characteristic(mesh), after = euler_characteristic(quads);
-  return before == after ? "" : "note: mirroring changes the Euler characteristic from " +
-                                std::to_string(before) + " to " + std::to_string(after) + "\n";
-}
-
-// The largest distances of vertices from the other mesh, and of middles of quads from the input.
+// The largest distances of the quads from the input, and of the input from them.
 struct Distances
 {
   double of_quads, of_input, diagonal;
 };
 
-std::vector<Kernel::Point_3> points_and_middles(const Mesh& mesh)
+// The vertices, and points of a grid on each edge and face: at most about 20,000, or one for each
+// face, on the edges, and as many on the faces.
+std::vector<Kernel::Point_3> samples(const Mesh& mesh)
 {
-  std::vector<Kernel::Point_3> result(mesh.points().begin(), mesh.points().end());
+  const double number = (std::max)(20000., double(mesh.number_of_faces()));
+  double lengths = 0, squares = 0; // a grid has as many points as on its longest sides a square has
+  for(const Edge e : mesh.edges())
+    lengths += PMP::edge_length(e, mesh);
   for(const auto f : mesh.faces()) {
-    Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      sum += mesh.point(v) - CGAL::ORIGIN;
-    result.push_back(CGAL::ORIGIN + sum / mesh.degree(f));
+    double longest = 0;
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      longest = (std::max)(longest, PMP::edge_length(h, mesh));
+    squares += longest * longest;
   }
+  const double spacing = (std::max)(lengths / number, std::sqrt(squares / (2 * number)));
+  std::vector<Kernel::Point_3> result;
+  PMP::sample_triangle_mesh(mesh, std::back_inserter(result),
+                            CGAL::parameters::use_grid_sampling(true).grid_spacing(spacing));
   return result;
 }
 
@@ -265,17 +263,14 @@ Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_
     }
     return result;
   };
-  const auto distance = [&](const auto& points, const Mesh& mesh) {
-    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(points, mesh),
+  const auto distance = [&](const Mesh& from, const Mesh& to) {
+    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(samples(from), to),
                       -exponent);
   };
   const Mesh from = scaled(input);
   Mesh to = scaled(quads);
-  const double of_quads =
-    is_mirrored ? distance(points_and_middles(to), from) : report.largest_distance;
   PMP::triangulate_faces(to);
-  return {of_quads, distance(CGAL::make_range(from.points().begin(), from.points().end()), to),
-          size};
+  return {is_mirrored ? distance(to, from) : report.largest_distance, distance(from, to), size};
 }
 
 void write_summary(std::ostream& os, const Remesh_options& options,
@@ -283,12 +278,12 @@ void write_summary(std::ostream& os, const Remesh_options& options,
 {
   os << counted(report.number_of_quads, "quad") << ", "
      << counted(report.number_of_vertices, "vertex") << ", "
-     << counted(report.number_of_cones, "cone") << "\n"
+     << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
      << (report.message.empty() ? "" : "note: " + report.message + "\n")
      << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
      << report.mean_scaled_jacobian << "\n"
      << "largest distance from the input: " << distances.of_quads << ", that is "
-     << distances.of_quads / distances.diagonal << " of its diagonal; of its vertices from the "
+     << distances.of_quads / distances.diagonal << " of its diagonal; of the input from the "
      << "quads: " << distances.of_input << ", that is " << distances.of_input / distances.diagonal
      << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
@@ -310,8 +305,8 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 
 nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written,
                        const std::string& message, const Repairs& repairs,
-                       const Distances& distances, const std::optional<Patch_counts>& patches,
-                       const double features)
+                       const Distances& distances, const std::optional<Topologies>& topologies,
+                       const std::optional<Patch_counts>& patches, const double features)
 {
   nlohmann::json result = {{"written", is_written},
                            {"status", to_string(report.status)},
@@ -325,7 +320,7 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
   result.update(nlohmann::json{
     {"number_of_quads", report.number_of_quads},
     {"number_of_vertices", report.number_of_vertices},
-    {"number_of_cones", report.number_of_cones},
+    {"number_of_irregular_vertices", report.number_of_irregular_vertices},
     {"number_of_inverted_quads", report.number_of_inverted_quads},
     {"first_inverted_quads", report.first_inverted_quads},
     {"number_of_displaced_vertices", report.number_of_displaced_vertices},
@@ -335,7 +330,9 @@ nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written
     {"largest_distance", distances.of_quads},
     {"relative_largest_distance", distances.of_quads / distances.diagonal},
     {"largest_distance_of_input", distances.of_input},
+    {"relative_largest_distance_of_input", distances.of_input / distances.diagonal},
     {"diagonal", distances.diagonal},
+    {"topology", json_of(topologies)},
     {"patches", json_of(patches)},
     {"length_of_features", features},
     {"number_of_released_edges", report.number_of_released_edges},
@@ -366,6 +363,7 @@ void remesh(const Arguments& arguments)
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   QR::Remeshing_report report;
   Distances distances{0, 0, diagonal(model.mesh)};
+  std::optional<Topologies> topologies;
   std::optional<Patch_counts> patches;
   const auto work = [&] {
     const Direction_map directions = read_directions(options.field, repairs, model.mesh);
@@ -375,8 +373,8 @@ void remesh(const Arguments& arguments)
     report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
-    if(plane)
-      os << note_on_topology(model.mesh, quads.mesh);
+    topologies = {Topology(model.mesh), Topology(quads.mesh)};
+    os << note(*topologies, plane ? "mirroring" : "remeshing");
     distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
@@ -393,6 +391,6 @@ void remesh(const Arguments& arguments)
     if(!options.report.empty())
       write_json(options.report, json_of(report, status == SUCCESS,
                                          message.empty() ? report.message : message, repairs,
-                                         distances, patches, features));
+                                         distances, topologies, patches, features));
   });
 }

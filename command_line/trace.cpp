@@ -13,6 +13,7 @@
 #include "pictures/tracing_failure_figure.h"
 #include "pictures/tracing_overview.h"
 #include "pictures/tracing_types.h"
+#include "words.h"
 
 #include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
@@ -181,7 +182,8 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
   for(const auto& [status, count] : counts)
     std::cout << std::left << std::setw(22)
               << (status == IL::Isocurve_status::MAXIMUM_NUMBER
-                    ? "--maximum-number " + std::to_string(maximum_number) : IL::to_string(status))
+                    ? "after " + counted(std::size_t(maximum_number), "crossing")
+                    : IL::to_string(status))
               << std::right << std::setw(10) << count.first << std::setw(10) << count.second
               << "\n";
   if(counts.empty())

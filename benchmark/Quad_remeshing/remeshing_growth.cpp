@@ -63,8 +63,9 @@ std::string measure(const std::string& filename, const unsigned int subdivisions
   const rusage usage = usage_of_process();
   std::ostringstream result;
   result << mesh.number_of_faces() << ' ' << user_seconds(usage) - start << ' ' << std::fixed
-         << std::setprecision(3) << report.number_of_quads << " | " << report.number_of_cones
-         << " | " << report.mean_scaled_jacobian << " | " << usage.ru_maxrss / 1024 << " | "
+         << std::setprecision(3) << report.number_of_quads << " | "
+         << report.number_of_irregular_vertices << " | " << report.mean_scaled_jacobian << " | "
+         << usage.ru_maxrss / 1024 << " | "
          << 1024. * double(usage.ru_maxrss) / double(mesh.number_of_faces());
   return result.str();
 }

@@ -81,7 +81,7 @@ void print_row(const std::string& filename, const double number, const std::stri
     const Point_3 &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
     ratios.push_back(std::sqrt(CGAL::squared_distance(p, q)) / size_at(CGAL::midpoint(p, q)));
   }
-  std::cout << report.number_of_quads << " | " << report.number_of_cones << " | "
+  std::cout << report.number_of_quads << " | " << report.number_of_irregular_vertices << " | "
             << report.mean_scaled_jacobian << " | ";
   print_sizes(ratios);
 }
@@ -105,8 +105,8 @@ int main(int argc, char** argv)
     {"linear", [&](const double t) { return (1 + (ratio - 1) * t) / root; }},
     {"small in the middle", [&](const double t)
      { return std::pow(ratio, 0.5 - std::exp(-20 * (t - 0.5) * (t - 0.5))); }}};
-  std::cout << "| mesh | sizes | quads | cones | mean Jacobian | median ratio | median deviation "
-               "| ninth decile |\n|---|---|---|---|---|---|---|---|" << std::endl
+  std::cout << "| mesh | sizes | quads | irregular | mean Jacobian | median ratio "
+               "| median deviation | ninth decile |\n|---|---|---|---|---|---|---|---|" << std::endl
             << std::fixed << std::setprecision(3);
   for(const std::string& mesh : benchmark::mesh_files_of(meshes))
     for(const auto& [kind, size] : kinds)

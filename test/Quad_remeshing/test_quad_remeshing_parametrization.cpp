@@ -733,6 +733,8 @@ void test_refused_parameters()
                 parameters::target_edge_length(std::numeric_limits<double>::quiet_NaN()));
   check_refused("negative curvature alignment", sphere, Outcome::INVALID_ARGUMENT,
                 parameters::curvature_alignment(-1.));
+  check_refused("curvature alignment that rounding hides", sphere, Outcome::INVALID_ARGUMENT,
+                parameters::curvature_alignment(1e-20));
   check_refused("negative number of iterations", sphere, Outcome::INVALID_ARGUMENT,
                 parameters::number_of_iterations(-1));
 

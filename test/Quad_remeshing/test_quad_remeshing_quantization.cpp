@@ -1171,7 +1171,7 @@ void check_remeshing(const Parametrized_model& model, const QR::Remeshing_report
   std::size_t number_of_irregular = 0;
   for(const auto v : quads.vertices())
     number_of_irregular += CGAL::is_border(v, quads) || quads.degree(v) == 4 ? 0 : 1;
-  CHECK_EQUAL(number_of_irregular, report.number_of_cones);
+  CHECK_EQUAL(number_of_irregular, report.number_of_irregular_vertices);
   for(const auto f : quads.faces())
     CHECK_EQUAL(quads.degree(f), 4u);
   CHECK_IN(name, report.mean_scaled_jacobian > 0.7 && report.mean_scaled_jacobian <= 1);

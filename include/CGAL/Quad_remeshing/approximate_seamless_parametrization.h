@@ -301,7 +301,7 @@ report.
     \cgalParamDescription{how strongly the field follows the principal directions of curvature: 0 is
                           the smoothest field; with 1, they weigh as much as the smoothness where
                           the principal radii are as short as an edge}
-    \cgalParamType{`double`}
+    \cgalParamType{`double`, 0 or at least 1e-9}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}

@@ -69,7 +69,8 @@ struct Remeshing_report
   /// @{
   std::size_t number_of_quads = 0;    ///< faces that were written
   std::size_t number_of_vertices = 0; ///< vertices that were written
-  std::size_t number_of_cones = 0;    ///< irregular vertices inside
+  /// vertices inside that have other than four edges
+  std::size_t number_of_irregular_vertices = 0;
   /// where there are more than 1.1 times as many quads as wanted: how many of them the features
   /// force; the message tells of it, too
   std::size_t number_of_forced_quads = 0;
@@ -88,7 +89,8 @@ struct Remeshing_report
   /// quads would be inverted otherwise
   std::size_t number_of_displaced_vertices = 0;
   double largest_displacement = 0; ///< the largest distance by which these were moved
-  /// the largest distance from the input that was found, at the middles of faces and edges; with
+  /// the largest distance from the input that was found: at the middles of faces and edges, and
+  /// where quads are few at more points of the bilinear patches over them, up to about 20,000; with
   /// `symmetry_plane`, of the quads of one half from this half. The vertices lie on the input, up
   /// to rounding, but for those that were displaced, and images of what is not symmetric.
   /// Parts of the input can be farther from the quads, such as corners that they cut off.
@@ -327,7 +329,7 @@ wanted. The quad around a vertex of one edge is left out.
                           `approximate_seamless_parametrization()`. By default they do so where
                           this costs little: along sharp edges that are no features, and around
                           round parts.}
-    \cgalParamType{`double`, or a `std::optional` of it}
+    \cgalParamType{`double`, 0 or at least 1e-9, or a `std::optional` of it}
     \cgalParamDefault{`0.002`, and 100 divided by the number of faces of more than 50,000; `0` where
                       sizes vary, which direct the field then}
   \cgalParamNEnd

@@ -527,7 +527,7 @@ private:
     m_report.number_of_vertices = m_quads.number_of_vertices();
     for(const auto v : m_quads.vertices())
       if(!m_quads.is_border(v) && m_quads.degree(v) != 4)
-        ++m_report.number_of_cones;
+        ++m_report.number_of_irregular_vertices;
   }
 
   static constexpr int lowest_rung = -12; // of about one quad

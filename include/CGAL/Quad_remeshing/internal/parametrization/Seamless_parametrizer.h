@@ -67,8 +67,9 @@ inline void check_options(const Parametrization_options& options, const Triangle
     refuse("all points of the mesh coincide");
   if(!(options.target_edge_length > 0) || !std::isfinite(options.target_edge_length))
     refuse("target_edge_length must be positive");
-  if(!(options.curvature_alignment >= 0) || !std::isfinite(options.curvature_alignment))
-    refuse("curvature_alignment must not be negative");
+  if(options.curvature_alignment != 0 && !(options.curvature_alignment >= 1e-9 &&
+                                           std::isfinite(options.curvature_alignment)))
+    refuse("curvature_alignment must be 0, or at least 1e-9");
   if(!(options.curvature_adaptivity >= 1) || !std::isfinite(options.curvature_adaptivity))
     refuse("curvature_adaptivity must be at least 1");
   if(options.largest_cone_index < 1 || options.largest_cone_index >= Quarter_turns::order)

@@ -142,14 +142,6 @@ private:
     return sum;
   }
 
-  static Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
-  {
-    Space_vector result;
-    for(std::size_t c = 0; c < 3; ++c)
-      result[c] = a[c] + part * (b[c] - a[c]);
-    return result;
-  }
-
   static std::array<Quad, 5> five_quads(const Quad& outer, const Quad& inner)
   {
     std::array<Quad, 5> result{inner};

@@ -49,6 +49,10 @@ inline Space_vector outer_product(const Space_vector& a, const Space_vector& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+inline Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
+{
+  return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
+}
 inline double norm(const Space_vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 inline Space_vector scaled_to_one(const Space_vector& a)
@@ -165,24 +169,27 @@ public:
     return {least, sum / static_cast<double>(faces(m_quads).size())};
   }
 
-  // The largest distance of the middles of faces and edges from the surface.
+  // The largest distance from the surface of a grid of points in each quad: of its middle and those
+  // of its edges, and of more where quads are few.
   double measure_distance() const
   {
+    constexpr std::size_t enough_points = 20000, most_parts = 16;
+    std::size_t n = 2;
+    while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
+      n *= 2;
     double largest = 0;
     const auto measure = [&](const Space_vector& p)
       { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
-      Space_vector middle{};
-      for(std::size_t i = 0; i < 4; ++i)
-        for(std::size_t c = 0; c < 3; ++c)
-          middle[c] += q[i][c] / 4;
-      measure(middle);
+      for(std::size_t i = 1; i < n; ++i)
+        for(std::size_t j = 1; j < n; ++j)
+          measure(between(between(q[0], q[1], double(i) / n), between(q[3], q[2], double(i) / n),
+                          double(j) / n));
     }
-    for(const auto e : edges(m_quads)) {
-      const Space_vector a = point(source(e, m_quads)), b = point(target(e, m_quads));
-      measure({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
-    }
+    for(const auto e : edges(m_quads))
+      for(std::size_t i = 1; i < n; ++i)
+        measure(between(point(source(e, m_quads)), point(target(e, m_quads)), double(i) / n));
     return largest;
   }
 
