@@ -58,13 +58,14 @@ public:
       m_star(quads, is_feature, smoother, has_single_precision)
   { }
 
-  // At most 18 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
+  // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
   // a vertex in all, each of which looks at about a hundred places.
   // \param with_neighbors whether the vertices of the quads around move, too
   void run(const bool with_neighbors)
   {
     for(auto it = m_displaced.begin(); it != m_displaced.end();)
       it = m_quads.is_removed(it->first) ? m_displaced.erase(it) : std::next(it);
+    m_edge_length = mean_edge_length();
     for(const Face f : faces(m_quads))
       if(m_smoother.is_bad(f))
         mend(f, with_neighbors);
@@ -82,6 +83,15 @@ public:
   }
 
 private:
+  double mean_edge_length() const
+  {
+    double sum = 0;
+    for(const auto e : edges(m_quads))
+      sum += norm(vector_to(m_smoother.point(source(e, m_quads)),
+                            m_smoother.point(target(e, m_quads))));
+    return sum / double(m_quads.number_of_edges());
+  }
+
   void mend(const Face f, const bool with_neighbors)
   {
     m_vertices.clear();
@@ -98,10 +108,18 @@ private:
     for(std::size_t k = 0; k < 4; ++k)
       longest = (std::max)(longest, norm(vector_to(q[k], q[(k + 1) % 4])));
     m_star.has_to_be_mended(f);
+    // as far as a long edge reaches only where less does not help
+    if(!improve_within((std::min)(longest, m_edge_length)) && longest > m_edge_length)
+      improve_within(longest);
+  }
+
+  bool improve_within(const double size)
+  {
     for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
       for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
-        if(improve(part * longest, freedom))
-          return;
+        if(improve(part * size, freedom))
+          return true;
+    return false;
   }
 
   void add_vertices(const Face f)
@@ -198,6 +216,7 @@ private:
   Quad_smoother& m_smoother;
   Quad_star m_star; // of the vertices that move
   int m_moves_left = most_moves;
+  double m_edge_length = 0;                   // the mean one
   std::map<Vertex, Space_vector> m_displaced; // and where they were
   std::vector<Vertex> m_vertices;             // that move
   std::vector<Space_vector> m_places;         // of these, before
