@@ -35,14 +35,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <ios>
 #include <numeric>
 #include <ostream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {

@@ -33,10 +33,8 @@
 #include <CGAL/property_map.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -30,7 +30,6 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <istream>

@@ -27,7 +27,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
 #include <vector>
 

@@ -28,13 +28,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {

@@ -37,7 +37,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {

@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>

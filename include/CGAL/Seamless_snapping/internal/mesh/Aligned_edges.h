@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>

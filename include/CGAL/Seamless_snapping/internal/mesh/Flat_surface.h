@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>

@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>

@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <string>

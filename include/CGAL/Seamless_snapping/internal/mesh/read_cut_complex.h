@@ -31,7 +31,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>

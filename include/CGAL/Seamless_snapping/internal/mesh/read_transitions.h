@@ -27,7 +27,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>

@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>

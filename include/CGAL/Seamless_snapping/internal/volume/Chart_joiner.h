@@ -21,7 +21,6 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -23,10 +23,8 @@
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -26,7 +26,6 @@
 #include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -27,7 +27,6 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>

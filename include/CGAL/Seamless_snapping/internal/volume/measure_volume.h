@@ -24,11 +24,8 @@
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -20,7 +20,6 @@
 
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
