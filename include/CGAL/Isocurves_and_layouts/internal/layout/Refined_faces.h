@@ -66,7 +66,6 @@ public:
 
   const Polygon_complex& cells() const { return m_cells; }
   const Face_point& point(const std::size_t v) const { return m_points[v]; }
-  std::size_t face_of_cell(const std::size_t c) const { return std::size_t(m_faces[c]); }
   std::size_t patch_of_cell(const std::size_t c) const { return std::size_t(m_patches[c]); }
   // Those of arc after arc.
   const std::vector<Arc_step>& steps() const { return m_steps; }
@@ -284,7 +283,7 @@ private:
         i = m_next_step[std::size_t(i)])
       add_step(std::size_t(i), first);
     link_darts();
-    add_cells(f);
+    add_cells();
   }
 
   // Where a step begins or ends among the points of its face: those on its edges, then those
@@ -359,17 +358,16 @@ private:
     }
   }
 
-  void add_cells(const Flat_face_index f)
+  void add_cells()
   {
     for(const Local_dart& d : m_darts) {
       if(m_cells.cells[std::size_t(d.dart)] != no_index)
         continue;
       for(std::int32_t i = d.dart; m_cells.cells[std::size_t(i)] == no_index;
           i = m_cells.nexts[std::size_t(i)])
-        m_cells.cells[std::size_t(i)] = std::int32_t(m_faces.size());
-      m_faces.push_back(f);
+        m_cells.cells[std::size_t(i)] = std::int32_t(m_cells.n_cells);
+      ++m_cells.n_cells;
     }
-    m_cells.n_cells = m_faces.size();
   }
 
   // Outside, against the direction of the halfedges.
@@ -439,7 +437,6 @@ private:
   std::vector<std::int32_t> m_first_part;     // the first edge of the cells, per first halfedge
   std::vector<Half_arc_index> m_half_arcs;    // per edge of the cells: that along dart 2 e
   std::vector<std::int32_t> m_edge_of_step, m_next_step, m_first_step; // lists of steps, per face
-  std::vector<Flat_face_index> m_faces;       // per cell
   std::vector<Patch_index> m_patches;         // per cell
   std::vector<std::pair<Patch_index, Patch_index> > m_joined;
   bool m_is_covered = false;

@@ -51,7 +51,6 @@ public:
     m_placed.clear();
   }
 
-  std::size_t number_of_sides() const { return m_sides.size(); }
   const Polygon_side& side(const std::size_t i) const { return m_sides[i]; }
 
   // The next side. `turn` leads from the chart of its face to that of the polygon.

@@ -122,7 +122,6 @@ struct Cut_complex
   std::size_t number_of_vertices() const { return is_node.size(); }
   std::size_t number_of_branches() const { return element.size(); }
   std::size_t number_of_chains() const { return functional.size(); }
-  bool has_further_constraints() const { return !paths.empty() || !equations.empty(); }
 
   // Null for sectors whose corners are the same.
   const Mixed_sector* find_mixed_sector(const Sector_index s) const
