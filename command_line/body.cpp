@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "Options.h"
+#include "Progress.h"
 #include "commands.h"
 #include "files.h"
 #include "handle_body.h"
@@ -12,6 +13,7 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -39,7 +41,13 @@ void make_body(const Arguments& arguments)
   if(suffix != "off" && suffix != "obj")
     throw Failure(USAGE, "'" + output + "': surfaces are written to .off and .obj files");
   check_outputs({}, {output});
+  const double number = expected_number_of_faces(body), most = 1e7;
+  const std::string about = "about " + std::to_string(std::llround(number)) + " triangles";
+  if(number > most)
+    throw Failure(USAGE, "--edge-length makes " + about + ", at most 10 million are made: by " +
+                           std::to_string(1.001 * body.edge_length * std::sqrt(number / most)));
 
+  const Progress progress("making " + about);
   Mesh mesh;
   make_handle_body(body, mesh);
   std::ostringstream os;

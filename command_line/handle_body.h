@@ -135,6 +135,10 @@ struct Handle_body_options
   double edge_length = 0.25;    // of the triangles; the box is one unit thick
 };
 
+// About how many faces the surface has, by those that it had in trials.
+inline double expected_number_of_faces(const Handle_body_options& options)
+{ return (26 + 43. * options.genus) / (options.edge_length * options.edge_length); }
+
 template <typename Mesh>
 void make_handle_body(const Handle_body_options& options, Mesh& mesh)
 {

@@ -190,7 +190,8 @@ std::string why_not(const QR::Remeshing_report& report, const Model& model)
 {
   static const char* const words[][2] = {
     {"shrink the map by --grid-scale, or ask", "ask"},
-    {"and at most --maximum-number", "and at most --maximum-number; see --number and --edge-length"}};
+    {"and at most --maximum-number",
+     "and at most --maximum-number; see --number, --edge-length, and --sizes"}};
   return with_words(in_words_of_user(to_string(report.status) + (": " + report.message), model),
                     words);
 }
