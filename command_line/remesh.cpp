@@ -274,28 +274,6 @@ Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_
   return {is_mirrored ? distance(to, from) : report.largest_distance, distance(from, to), size};
 }
 
-void write_summary(std::ostream& os, const Remesh_options& options,
-                   const QR::Remeshing_report& report, const Distances& distances)
-{
-  os << counted(report.number_of_quads, "quad") << ", "
-     << counted(report.number_of_vertices, "vertex") << ", "
-     << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
-     << (report.message.empty() ? "" : "note: " + report.message + "\n")
-     << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
-     << report.mean_scaled_jacobian << "\n"
-     << "largest distance from the input: " << distances.of_quads << ", that is "
-     << distances.of_quads / distances.diagonal << " of its diagonal; of the input from the "
-     << "quads: " << distances.of_input << ", that is " << distances.of_input / distances.diagonal
-     << "\n";
-  write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
-                       options.output);
-  write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
-  if(report.number_of_released_edges > 0)
-    os << "not kept, as faces would be flipped: "
-       << counted(report.number_of_released_edges, "feature edge") << ", of length "
-       << report.length_of_released_edges << " in sum\n";
-}
-
 nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 {
   nlohmann::json result = nlohmann::json::array();
@@ -304,42 +282,71 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
   return result;
 }
 
-nlohmann::json json_of(const QR::Remeshing_report& report, const bool is_written,
-                       const std::string& message, const Repairs& repairs,
-                       const Distances& distances, const std::optional<Topologies>& topologies,
-                       const std::optional<Patch_counts>& patches, const double features)
+// What is told of the work, as far as it came.
+struct Remesh_outcome
 {
-  nlohmann::json result = {{"written", is_written},
-                           {"status", to_string(report.status)},
-                           {"message", message},
-                           {"input", json_of(repairs)},
-                           {"number_of_forced_quads", report.number_of_forced_quads},
-                           {"released_features", json_of(report.released_features)},
-                           {"steps", json_of_steps(report.step_times)}};
-  if(!is_written)
+  Repairs repairs;
+  double length_of_features = 0;
+  QR::Remeshing_report report;
+  Distances distances{};
+  std::optional<Topologies> topologies;
+  std::optional<Patch_counts> patches;
+
+  void write_summary(std::ostream& os, const std::string& output) const
+  {
+    os << counted(report.number_of_quads, "quad") << ", "
+       << counted(report.number_of_vertices, "vertex") << ", "
+       << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
+       << (report.message.empty() ? "" : "note: " + report.message + "\n")
+       << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
+       << report.mean_scaled_jacobian << "\n"
+       << "largest distance from the input: " << distances.of_quads << ", that is "
+       << distances.of_quads / distances.diagonal << " of its diagonal; of the input from the "
+       << "quads: " << distances.of_input << ", that is " << distances.of_input / distances.diagonal
+       << "\n";
+    write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
+    write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
+    if(report.number_of_released_edges > 0)
+      os << "not kept, as faces would be flipped: "
+         << counted(report.number_of_released_edges, "feature edge") << ", of length "
+         << report.length_of_released_edges << " in sum\n";
+    ::write_summary(os, patches);
+  }
+
+  nlohmann::json json(const bool is_written, const std::string& message) const
+  {
+    nlohmann::json result = {{"written", is_written},
+                             {"status", to_string(report.status)},
+                             {"message", message.empty() ? report.message : message},
+                             {"input", json_of(repairs)},
+                             {"number_of_forced_quads", report.number_of_forced_quads},
+                             {"released_features", json_of(report.released_features)},
+                             {"steps", json_of_steps(report.step_times)}};
+    if(!is_written)
+      return result;
+    result.update(nlohmann::json{
+      {"number_of_quads", report.number_of_quads},
+      {"number_of_vertices", report.number_of_vertices},
+      {"number_of_irregular_vertices", report.number_of_irregular_vertices},
+      {"number_of_inverted_quads", report.number_of_inverted_quads},
+      {"first_inverted_quads", report.first_inverted_quads},
+      {"number_of_displaced_vertices", report.number_of_displaced_vertices},
+      {"largest_displacement", report.largest_displacement},
+      {"least_scaled_jacobian", report.least_scaled_jacobian},
+      {"mean_scaled_jacobian", report.mean_scaled_jacobian},
+      {"largest_distance", distances.of_quads},
+      {"relative_largest_distance", distances.of_quads / distances.diagonal},
+      {"largest_distance_of_input", distances.of_input},
+      {"relative_largest_distance_of_input", distances.of_input / distances.diagonal},
+      {"diagonal", distances.diagonal},
+      {"topology", json_of(topologies)},
+      {"patches", json_of(patches)},
+      {"length_of_features", length_of_features},
+      {"number_of_released_edges", report.number_of_released_edges},
+      {"length_of_released_edges", report.length_of_released_edges}});
     return result;
-  result.update(nlohmann::json{
-    {"number_of_quads", report.number_of_quads},
-    {"number_of_vertices", report.number_of_vertices},
-    {"number_of_irregular_vertices", report.number_of_irregular_vertices},
-    {"number_of_inverted_quads", report.number_of_inverted_quads},
-    {"first_inverted_quads", report.first_inverted_quads},
-    {"number_of_displaced_vertices", report.number_of_displaced_vertices},
-    {"largest_displacement", report.largest_displacement},
-    {"least_scaled_jacobian", report.least_scaled_jacobian},
-    {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-    {"largest_distance", distances.of_quads},
-    {"relative_largest_distance", distances.of_quads / distances.diagonal},
-    {"largest_distance_of_input", distances.of_input},
-    {"relative_largest_distance_of_input", distances.of_input / distances.diagonal},
-    {"diagonal", distances.diagonal},
-    {"topology", json_of(topologies)},
-    {"patches", json_of(patches)},
-    {"length_of_features", features},
-    {"number_of_released_edges", report.number_of_released_edges},
-    {"length_of_released_edges", report.length_of_released_edges}});
-  return result;
-}
+  }
+};
 
 } // namespace
 
@@ -350,33 +357,32 @@ void remesh(const Arguments& arguments)
     return;
   std::ostream& os = summary_stream({options.output, options.picture, options.patches, options.report});
   Model model;
-  const Repairs repairs = read_or_tell(options.report, "written", [&]
+  Remesh_outcome outcome;
+  outcome.repairs = read_or_tell(options.report, "written", [&]
     { return read_plain_model(options.input, options.reading, model); });
-  write_repairs(os, options.input, repairs);
+  write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
-  const double features = length_of_features(model);
-  if(options.feature_loss > 0 && features == 0)
+  outcome.length_of_features = length_of_features(model);
+  if(options.feature_loss > 0 && outcome.length_of_features == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  QR::Remeshing_report report;
-  Distances distances{0, 0, diagonal(model.mesh)};
-  std::optional<Topologies> topologies;
-  std::optional<Patch_counts> patches;
   const auto work = [&] {
-    const Direction_map directions = read_directions(options.field, repairs, model.mesh);
-    const Sizing_map sizes = read_sizes(options.sizes, options.input, repairs.file_points, model);
+    const Direction_map directions = read_directions(options.field, outcome.repairs, model.mesh);
+    const Sizing_map sizes =
+      read_sizes(options.sizes, options.input, outcome.repairs.file_points, model);
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(plane, model.mesh);
+    QR::Remeshing_report& report = outcome.report;
     report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
-    topologies = {Topology(model.mesh), Topology(quads.mesh)};
-    os << note(*topologies, plane ? "mirroring" : "remeshing");
-    distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
+    outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
+    os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
+    outcome.distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
       if(!quads.written.empty())
@@ -384,14 +390,11 @@ void remesh(const Arguments& arguments)
                                   Mesh::Face_index(Mesh::size_type(f))) - quads.written.begin());
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(quads.mesh, is_kept));
-    patches = write_patches(quads.mesh, is_kept, options.patches);
-    write_summary(os, options, report, distances);
-    write_summary(os, patches);
+    outcome.patches = write_patches(quads.mesh, is_kept, options.patches);
+    outcome.write_summary(os, options.output);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_json(options.report, json_of(report, status == SUCCESS,
-                                         message.empty() ? report.message : message, repairs,
-                                         distances, topologies, patches, features));
+      write_json(options.report, outcome.json(status == SUCCESS, message));
   });
 }
