@@ -1696,10 +1696,11 @@ void test_remeshing_of_long_triangles()
   const auto np = parameters::target_number_of_quads(1000).edge_is_constrained_map(coin.is_feature);
   Mesh quads;
   const auto report = QR::quad_remesh(coin.mesh, quads, np);
-  std::cout << "coin: " << report.number_of_quads << " quads, " << report.number_of_cones
-            << " cones, mean Jacobian " << report.mean_scaled_jacobian << std::endl;
+  std::cout << "coin: " << report.number_of_quads << " quads, "
+            << report.number_of_irregular_vertices << " irregular vertices, mean Jacobian "
+            << report.mean_scaled_jacobian << std::endl;
   CHECK_IN(report.message, bool(report));
-  CHECK_EQUAL(report.number_of_cones, 8u);
+  CHECK_EQUAL(report.number_of_irregular_vertices, 8u);
   CHECK_EQUAL(report.number_of_released_edges, 0u);
   CHECK(report.mean_scaled_jacobian > 0.9 && report.number_of_inverted_quads == 0);
   check_locations(coin.mesh, np, 1e-12);
