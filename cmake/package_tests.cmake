@@ -258,6 +258,20 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       "-DWORK_DIR=${PROJECT_BINARY_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_compiler_options.cmake")
   set_tests_properties(compiler_options PROPERTIES LABELS package COST 800)
+  if(OTHER_COMPILER)
+    file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include"
+      "${PROJECT_SOURCE_DIR}/include/*.h")
+    list(TRANSFORM all_headers REPLACE "(.+)" "#include <\\1>\n")
+    list(JOIN all_headers "" all_headers)
+    set(source "${PROJECT_BINARY_DIR}/headers/all_headers.cpp")
+    file(GENERATE OUTPUT "${source}" CONTENT "${all_headers}")
+    add_test(NAME headers_with_other_compiler
+      COMMAND "${OTHER_COMPILER}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror
+        -I "${PROJECT_SOURCE_DIR}/include"
+        "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>" "${source}"
+      COMMAND_EXPAND_LISTS)
+    set_tests_properties(headers_with_other_compiler PROPERTIES LABELS headers COST 700)
+  endif()
 endif()
 
 # The manual builds without a warning.

@@ -145,7 +145,8 @@ void take_alpha(const std::string& name, const Range& keys,
 void carry_over_colors(const Model& model, const Mesh& file, Located_quads& quads)
 {
   using CGAL::IO::Color;
-  if(const auto [colors, exists] = file.property_map<Vertex, Color>("v:color"); exists) {
+  if(const auto found = file.property_map<Vertex, Color>("v:color"); found.second) {
+    const auto& colors = found.first;
     const auto map = quads.mesh.add_property_map<Vertex, Color>("v:color").first;
     for(const Vertex v : quads.mesh.vertices()) {
       std::array<double, 3> sum{};

@@ -167,7 +167,7 @@ struct Correspondence
     };
     bool is_possible = match(h, g);
     for(std::size_t i = 0; is_possible && i < found.size(); ++i) {
-      const Halfedge x = found[i], y(Mesh::size_type(image[x]));
+      const Halfedge x = found[i], y{Mesh::size_type(image[x])};
       is_possible = match(a.next(x), b.next(y)) && match(a.opposite(x), b.opposite(y));
     }
     if(!is_possible)

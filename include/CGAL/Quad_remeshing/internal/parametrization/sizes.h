@@ -137,7 +137,7 @@ inline void turn_by_sizes(Triangle_surface& surface, const std::vector<double>& 
       side[std::size_t(i)] = {length * std::cos(angle), length * std::sin(angle)};
       change[std::size_t(i)] = log_size[surface.vertex(h + i)] - log_size[surface.source(h + i)];
     }
-    const auto& [a, b] = side;
+    const std::array<double, 2> &a = side[0], &b = side[1];
     const double det = a[0] * b[1] - a[1] * b[0];
     const double dx = (change[0] * b[1] - change[1] * a[1]) / det;
     const double dy = (change[1] * a[0] - change[0] * b[0]) / det;

@@ -73,7 +73,7 @@ public:
   Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
                     const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction,
                     const ReadSize& read_size, const std::optional<Mirror>& mirror)
-    : m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
+    : m_mesh(), m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
       m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
       m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
