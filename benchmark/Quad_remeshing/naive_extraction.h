@@ -43,10 +43,10 @@ public:
       find_points(h);
     m_counts.points = m_points.size();
     std::vector<std::array<std::size_t, 2> > numbers(m_points.size()); // left, arrived
-    for(const auto& [key, p] : m_points)
-      for_darts(key, [&](const Corner_index face, const Uv& start, const int direction) {
+    for(const auto& point : m_points)
+      for_darts(point.first, [&](const Corner_index face, const Uv& start, const int direction) {
         ++m_counts.darts;
-        ++numbers[p][0];
+        ++numbers[point.second][0];
         const std::size_t end = march(face, start, direction);
         if(end < numbers.size())
           ++numbers[end][1];
