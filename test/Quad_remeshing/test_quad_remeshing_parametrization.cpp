@@ -935,16 +935,15 @@ void test_clusters()
     CHECK(std::abs(sum(graph.area) - area) < 1e-9 * area);
     CHECK(std::abs(sum(graph.mass) - mass) < 1e-9 * mass);
     for(std::size_t i = 0; i < graph.size(); ++i)
-      graph.for_each_arc(i, [&](const auto& arc) {
+      for(const auto& arc : graph.arcs[i]) {
         CHECK(std::abs(arc.rotation) < 1 + 1e-12);
         std::size_t number_of_opposite_arcs = 0;
-        graph.for_each_arc(std::size_t(arc.target), [&](const auto& opposite) {
+        for(const auto& opposite : graph.arcs[arc.target])
           number_of_opposite_arcs += std::size_t(opposite.target) == i &&
                                      std::abs(opposite.length - arc.length) < 1e-12 &&
                                      std::abs(opposite.rotation - std::conj(arc.rotation)) < 1e-12;
-        });
         CHECK_EQUAL(number_of_opposite_arcs, std::size_t(1));
-      });
+      }
   }
 }
 

@@ -56,7 +56,7 @@ Complex<N> net_of_cuts(const hexagonal_maps::Mesh& mesh, const unsigned int seed
       complex.pairs.push_back({plus, add_sector()});
     }
     complex.pairs.push_back({sector[std::size_t(h)], sector[std::size_t(mesh.prev(o))]});
-    complex.first_pair.push_back(complex.pairs.size());
+    complex.pairs.end_list();
   }
   complex.first_sector.push_back(internal::Sector_index(complex.coordinates.size()));
   return complex;

@@ -135,7 +135,7 @@ private:
         add_sector(i == inner, {{turned_plus[0] + t[0], turned_plus[1] + t[1]}});
       m_complex.pairs.push_back({plus, other});
     }
-    m_complex.first_pair.push_back(m_complex.pairs.size());
+    m_complex.pairs.end_list();
   }
 
   void add_chain()
@@ -148,7 +148,7 @@ private:
     const int inner = below(4);
     for(int i = 0; i <= inner; ++i)
       m_complex.links.push_back(add_sector(i == inner, on_level(f, level)));
-    m_complex.first_link.push_back(m_complex.links.size());
+    m_complex.links.end_list();
   }
 
   Vector on_level(const int f, const double level)
@@ -171,7 +171,7 @@ private:
       const std::size_t b = std::size_t(below(int(m_complex.number_of_branches())));
       const bool is_along = below(2) == 0;
       const int turns = is_along ? int(m_complex.element[b]) : -int(m_complex.element[b]);
-      const auto& pair = *m_complex.pairs_begin(b);
+      const auto& pair = m_complex.pairs[b].front();
       const Vector here = u(is_along ? pair.plus : pair.minus);
       const Vector there = u(is_along ? pair.minus : pair.plus);
       x = turned<N>(turns, Vector{{x[0] - here[0], x[1] - here[1]}});
@@ -217,20 +217,20 @@ bool is_solution(const internal::Cut_complex<internal::Rotation_group<N> >& comp
     return difference(u(pair.minus), turned<N>(int(complex.element[b]), u(pair.plus)));
   };
   for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
-    for(auto p = complex.pairs_begin(b); p != complex.pairs_end(b); ++p)
-      if(translation(b, *p) != translation(b, *complex.pairs_begin(b)))
+    for(const auto& p : complex.pairs[b])
+      if(translation(b, p) != translation(b, complex.pairs[b].front()))
         return false;
   for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-    for(auto s = complex.links_begin(c); s != complex.links_end(c); ++s)
-      if(value(complex.functional[c], u(*s)) !=
-         value(complex.functional[c], u(*complex.links_begin(c))))
+    for(const auto s : complex.links[c])
+      if(value(complex.functional[c], u(s)) !=
+         value(complex.functional[c], u(complex.links[c].front())))
         return false;
   for(const auto& path : complex.paths) {
     Vector x = u(path.a);
     int f = path.functional;
     for(const auto& crossing : path.crossings) {
       const std::size_t b = std::size_t(crossing.branch);
-      const Vector t = translation(b, *complex.pairs_begin(b));
+      const Vector t = translation(b, complex.pairs[b].front());
       const int turns = int(complex.element[b]);
       if(crossing.is_along) {
         x = turned<N>(turns, x);

@@ -161,7 +161,7 @@ void test_shifted_targets()
   internal::Complex_solver<Group> solver(complex, internal::Number_format::of<double>());
   internal::Snapped_coordinates<Group> snapped;
   CHECK(!solver.solve(snapped));
-  const internal::Sector_index s = complex.pairs_begin(0)->plus;
+  const internal::Sector_index s = complex.pairs[0].front().plus;
   std::vector<Vector> shifted;
   CHECK(solver.solve_shifted({{s, {{1e-6, 0}}}}, shifted));
   CHECK(random_complexes::is_solution<4>(complex, shifted));
@@ -241,7 +241,7 @@ void test_components()
       complex.coordinates.push_back({{x * size, x * size}});
     complex.pairs.push_back({first, first + 1});
     complex.pairs.push_back({first + 2, first + 3});
-    complex.first_pair.push_back(complex.pairs.size());
+    complex.pairs.end_list();
     complex.element.push_back(Group::identity());
   }
   complex.is_node.assign(8, true);

@@ -418,18 +418,18 @@ exact_reference::System full_system(
     add(row, pair.plus, negated(before_turns(int(complex.element[b]), form)));
   };
   for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
-    for(auto p = complex.pairs_begin(b) + 1; p != complex.pairs_end(b); ++p)
+    for(std::size_t i = 1; i < complex.pairs[b].size(); ++i)
       for(std::size_t c = 0; c < 2; ++c) {
         Row row;
-        add_translation(row, b, *p, unit(c));
-        add_translation(row, b, *complex.pairs_begin(b), negated(unit(c)));
+        add_translation(row, b, complex.pairs[b][i], unit(c));
+        add_translation(row, b, complex.pairs[b].front(), negated(unit(c)));
         system.add_row(row);
       }
   for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-    for(auto s = complex.links_begin(c) + 1; s != complex.links_end(c); ++s) {
+    for(std::size_t i = 1; i < complex.links[c].size(); ++i) {
       Row row;
-      add(row, *s, functional(complex.functional[c]));
-      add(row, *complex.links_begin(c), negated(functional(complex.functional[c])));
+      add(row, complex.links[c][i], functional(complex.functional[c]));
+      add(row, complex.links[c].front(), negated(functional(complex.functional[c])));
       system.add_row(row);
     }
   for(const auto& path : complex.paths) {
@@ -445,11 +445,11 @@ exact_reference::System full_system(
       const std::size_t b = std::size_t(crossing->branch);
       const int g = int(complex.element[b]);
       if(crossing->is_along) {
-        add_translation(row, b, *complex.pairs_begin(b), form);
+        add_translation(row, b, complex.pairs[b].front(), form);
         form = before_turns(g, form);
       } else {
         form = before_turns(-g, form);
-        add_translation(row, b, *complex.pairs_begin(b), negated(form));
+        add_translation(row, b, complex.pairs[b].front(), negated(form));
       }
     }
     add(row, path.a, form);

@@ -23,6 +23,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
@@ -182,35 +183,29 @@ class Points_on_edges
 {
 public:
   // \param number_of_points the indices of points are below
-  Points_on_edges(const Chart_mesh& mesh, std::vector<Edge_point> points,
+  Points_on_edges(const Chart_mesh& mesh, const std::vector<Edge_point>& points,
                   const std::size_t number_of_points)
-    : m_mesh(mesh), m_points(std::move(points)), m_ranks(number_of_points, 0),
-      m_first_on_edge(mesh.corners.size() + 1, 0)
+    : m_mesh(mesh), m_points(mesh.corners.size(), [&](const auto& add) {
+        for(const Edge_point& p : points)
+          add(p.key, p);
+      }),
+      m_ranks(number_of_points, 0)
   {
-    std::sort(m_points.begin(), m_points.end(),
-              [&](const Edge_point& a, const Edge_point& b) { return comes_before(m_mesh, a, b); });
-    for(std::size_t i = 0; i < m_points.size(); ++i) {
-      const bool is_first = i == 0 || m_points[i - 1].key != m_points[i].key;
-      m_ranks[std::size_t(m_points[i].point)] =
-        is_first ? 0 : m_ranks[std::size_t(m_points[i - 1].point)] + 1;
-      ++m_first_on_edge[std::size_t(m_points[i].key) + 1];
-    }
-    for(std::size_t h = 0; h < m_mesh.corners.size(); ++h)
-      m_first_on_edge[h + 1] += m_first_on_edge[h];
+    m_points.sort_each([&](const Edge_point& a, const Edge_point& b)
+                       { return comes_before(m_mesh, a, b); });
+    for(std::size_t h = 0; h < m_points.size(); ++h)
+      for(std::size_t i = 0; i < m_points[h].size(); ++i)
+        m_ranks[std::size_t(m_points[h][i].point)] = std::int32_t(i);
   }
 
   std::int32_t number_on(const Corner_index h) const
-  {
-    const std::size_t key = std::size_t(m_mesh.edge_key(h));
-    return m_first_on_edge[key + 1] - m_first_on_edge[key];
-  }
+  { return std::int32_t(m_points[m_mesh.edge_key(h)].size()); }
 
   // Those of a halfedge are counted from 1, as 0 is its source.
   const Edge_point& at(const Corner_index h, const std::int32_t i) const
   {
     const Corner_index key = m_mesh.edge_key(h);
-    const std::int32_t rank = h == key ? i - 1 : number_on(h) - i;
-    return m_points[std::size_t(m_first_on_edge[std::size_t(key)] + rank)];
+    return m_points[key][h == key ? i - 1 : number_on(h) - i];
   }
 
   std::int32_t number_of(const std::int32_t point, const Corner_index h) const
@@ -237,9 +232,8 @@ public:
 
 private:
   const Chart_mesh& m_mesh;
-  std::vector<Edge_point> m_points;
-  std::vector<std::int32_t> m_ranks;         // per point: on its edge, from 0, if it lies on one
-  std::vector<std::int32_t> m_first_on_edge; // of the points, per first halfedge
+  Lists<Edge_point> m_points;        // per first halfedge
+  std::vector<std::int32_t> m_ranks; // per point: on its edge, from 0, if it lies on one
 };
 
 } // namespace internal

@@ -109,7 +109,7 @@ private:
     add_vertices_and_nodes(on_edges);
     for(std::size_t a = 0; a < m_layout.arcs.size(); ++a)
       add_path(a, on_edges);
-    return Points_on_edges(m_mesh, std::move(on_edges), m_points.size());
+    return Points_on_edges(m_mesh, on_edges, m_points.size());
   }
 
   void add_vertices_and_nodes(std::vector<Edge_point>& on_edges)

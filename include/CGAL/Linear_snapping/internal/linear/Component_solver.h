@@ -443,10 +443,10 @@ private:
     std::int64_t sum = 0, pivot = 1; // the sum is that of the row, minus b
     bool fits = rows.is_small(row) && shifted(-rows.right_hand_side(row), right_hand_shift, sum);
     if(fits)
-      for(const Entry<std::int64_t>* e = rows.begin(row); e != rows.end(row); ++e) {
-        if(e->column == column)
-          pivot = e->coefficient;
-        fits = fits && add_product(e->coefficient, x[std::size_t(e->column)], sum);
+      for(const Entry<std::int64_t>& e : rows.row(row)) {
+        if(e.column == column)
+          pivot = e.coefficient;
+        fits = fits && add_product(e.coefficient, x[std::size_t(e.column)], sum);
       }
     if(!fits && !large_sum(rows.exact_row(row), right_hand_shift, x, column, sum, pivot))
       return false;

@@ -20,6 +20,7 @@
 // multiprecision.
 
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -104,34 +105,28 @@ class Integer_system
 {
 public:
   explicit Integer_system(const std::size_t number_of_columns = 0)
-    : m_number_of_columns(number_of_columns), m_row_begin(1, 0)
+    : m_number_of_columns(number_of_columns)
   { }
 
   void reserve(const std::size_t number_of_rows, const std::size_t number_of_entries)
   {
-    m_entries.reserve(number_of_entries);
-    m_row_begin.reserve(number_of_rows + 1);
+    m_rows.reserve(number_of_rows, number_of_entries);
     m_right_hand_side.reserve(number_of_rows);
   }
 
   // \pre the entries are sorted by column, and all numbers fit
-  void add_row(const Entry<std::int64_t>* first, const Entry<std::int64_t>* last,
-               const std::int64_t b)
+  template <typename Row>
+  void add_row(const Row& entries, const std::int64_t b)
   {
-    m_entries.insert(m_entries.end(), first, last);
+    m_rows.append(entries);
     end_row(b);
-  }
-
-  void add_row(const Entries<std::int64_t>& entries, const std::int64_t b)
-  {
-    add_row(entries.data(), entries.data() + entries.size(), b);
   }
 
   void add_row(Integer_row<Exact_integer> row)
   {
     if(fits(row)) {
       for(const Entry<Exact_integer>& e : row.entries)
-        m_entries.push_back({e.column, to_64_bits(e.coefficient)});
+        m_rows.push_back({e.column, to_64_bits(e.coefficient)});
       end_row(to_64_bits(row.right_hand_side));
       return;
     }
@@ -144,7 +139,7 @@ public:
 
   std::size_t number_of_columns() const { return m_number_of_columns; }
   std::size_t number_of_rows() const { return m_right_hand_side.size(); }
-  std::size_t number_of_entries() const { return m_entries.size() + m_number_of_large_entries; }
+  std::size_t number_of_entries() const { return m_rows.elements().size() + m_number_of_large_entries; }
 
   // Whether all rows are of 64-bit integers.
   bool is_small() const { return m_large_rows.empty(); }
@@ -152,10 +147,7 @@ public:
   { return row >= m_large_row.size() || m_large_row[row] < 0; }
 
   // \pre is_small(row)
-  const Entry<std::int64_t>* begin(const std::size_t row) const
-  { return m_entries.data() + m_row_begin[row]; }
-  const Entry<std::int64_t>* end(const std::size_t row) const
-  { return m_entries.data() + m_row_begin[row + 1]; }
+  Lists<Entry<std::int64_t> >::List row(const std::size_t i) const { return m_rows[i]; }
   std::int64_t right_hand_side(const std::size_t row) const { return m_right_hand_side[row]; }
 
   // \pre !is_small(row)
@@ -168,8 +160,8 @@ public:
     if(!is_small(row))
       return large_row(row);
     Integer_row<Exact_integer> result;
-    for(const Entry<std::int64_t>* e = begin(row); e != end(row); ++e)
-      result.entries.push_back({e->column, Exact_integer(e->coefficient)});
+    for(const Entry<std::int64_t>& e : m_rows[row])
+      result.entries.push_back({e.column, Exact_integer(e.coefficient)});
     result.right_hand_side = Exact_integer(right_hand_side(row));
     return result;
   }
@@ -182,8 +174,8 @@ public:
   void for_each_column(const std::size_t row, const F& f) const
   {
     if(is_small(row))
-      for(const Entry<std::int64_t>* e = begin(row); e != end(row); ++e)
-        f(e->column);
+      for(const Entry<std::int64_t>& e : m_rows[row])
+        f(e.column);
     else
       for(const Entry<Exact_integer>& e : large_row(row).entries)
         f(e.column);
@@ -196,8 +188,8 @@ public:
   friend bool operator<(const Integer_system& a, const Integer_system& b)
   {
     const auto members = [](const Integer_system& s) {
-      return std::tie(s.m_number_of_columns, s.m_right_hand_scale, s.m_row_begin, s.m_entries,
-                      s.m_right_hand_side, s.m_large_row, s.m_large_rows);
+      return std::tie(s.m_number_of_columns, s.m_right_hand_scale, s.m_rows, s.m_right_hand_side,
+                      s.m_large_row, s.m_large_rows);
     };
     return members(a) < members(b);
   }
@@ -212,14 +204,13 @@ private:
 
   void end_row(const std::int64_t b)
   {
-    m_row_begin.push_back(m_entries.size());
+    m_rows.end_list();
     m_right_hand_side.push_back(b);
   }
 
   std::size_t m_number_of_columns;
   int m_right_hand_scale = 0;
-  Entries<std::int64_t> m_entries;
-  std::vector<std::size_t> m_row_begin;
+  Lists<Entry<std::int64_t> > m_rows; // empty where they are large
   std::vector<std::int64_t> m_right_hand_side;
   std::vector<Integer_row<Exact_integer> > m_large_rows;
   std::vector<std::int32_t> m_large_row; // per row, as far as there are large ones: -1 for others

@@ -89,7 +89,7 @@ public:
       if constexpr(std::is_same<Integer, Exact_integer>::value)
         m_rows[i] = system.exact_row(i).entries;
       else
-        m_rows[i].assign(system.begin(i), system.end(i));
+        m_rows[i].assign(system.row(i).begin(), system.row(i).end());
     for(std::size_t i = 0; i < m_vectors.size(); ++i) {
       m_vectors[i].push_back({Column_index(i), Integer(1)});
       m_users[i].push_back(i);

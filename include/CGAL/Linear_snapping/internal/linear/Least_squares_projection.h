@@ -63,8 +63,8 @@ inline void get_real_row(const Integer_system& system, const std::size_t row,
 {
   result.clear();
   if(system.is_small(row)) {
-    for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
-      result.push_back({e->column, static_cast<double>(e->coefficient)});
+    for(const Entry<std::int64_t>& e : system.row(row))
+      result.push_back({e.column, static_cast<double>(e.coefficient)});
   } else {
     const long exponent = row_exponent(system, row);
     for(const Entry<Exact_integer>& e : system.large_row(row).entries)
@@ -79,8 +79,8 @@ inline bool small_violation(const Integer_system& system, const std::size_t row,
 {
   if(!system.is_small(row) || !shifted(-system.right_hand_side(row), right_hand_shift, sum))
     return false;
-  for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
-    if(!add_product(e->coefficient, values[std::size_t(e->column)].base, sum))
+  for(const Entry<std::int64_t>& e : system.row(row))
+    if(!add_product(e.coefficient, values[std::size_t(e.column)].base, sum))
       return false;
   return true;
 }
@@ -92,8 +92,8 @@ inline double row_violation(const Integer_system& system, const std::size_t row,
 {
   double offset = 0;
   if(system.is_small(row)) {
-    for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
-      offset += static_cast<double>(e->coefficient) * values[std::size_t(e->column)].offset;
+    for(const Entry<std::int64_t>& e : system.row(row))
+      offset += static_cast<double>(e.coefficient) * values[std::size_t(e.column)].offset;
     std::int64_t sum = 0;
     if(small_violation(system, row, right_hand_shift, values, sum))
       return static_cast<double>(sum) + offset;

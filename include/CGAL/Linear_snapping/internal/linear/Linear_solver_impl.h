@@ -237,12 +237,12 @@ Integer_system Linear_solver::subsystem(const Integer_system& system, const std:
   result.set_right_hand_scale(system.right_hand_scale() - halvings);
   std::size_t number_of_entries = 0;
   for(const std::size_t i : m_rows[c])
-    number_of_entries += std::size_t(system.end(i) - system.begin(i));
+    number_of_entries += system.row(i).size();
   result.reserve(m_rows[c].size(), number_of_entries);
   Entries<std::int64_t> row;
   for(const std::size_t i : m_rows[c])
     if(system.is_small(i)) {
-      row.assign(system.begin(i), system.end(i));
+      row.assign(system.row(i).begin(), system.row(i).end());
       make_local(row);
       result.add_row(row, halved(system.right_hand_side(i), halvings));
     } else {

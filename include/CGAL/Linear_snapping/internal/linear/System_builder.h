@@ -214,7 +214,7 @@ private:
     auto waiting = m_waiting_rows.begin();
     for(std::size_t i = 0; i < m_rows.number_of_rows(); ++i) {
       if(waiting == m_waiting_rows.end() || waiting->index != i) {
-        result.add_row(m_rows.begin(i), m_rows.end(i), 0);
+        result.add_row(m_rows.row(i), 0);
         continue;
       }
       Exact_integer& b = waiting->row.right_hand_side;

@@ -144,8 +144,8 @@ private:
       m_rows[i] = std::move(row.entries);
       m_right_hand_side[i] = std::move(row.right_hand_side);
     } else {
-      m_rows[i].reserve(2 * std::size_t(system.end(i) - system.begin(i))); // most rows grow
-      m_rows[i].assign(system.begin(i), system.end(i));
+      m_rows[i].reserve(2 * system.row(i).size()); // most rows grow
+      m_rows[i].assign(system.row(i).begin(), system.row(i).end());
       m_right_hand_side[i] = system.right_hand_side(i);
     }
   }

@@ -59,8 +59,8 @@ inline bool holds_in_small_integers(const Integer_system& system, const std::siz
   if(!system.is_small(row))
     return false;
   double largest = 0;
-  for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e)
-    largest = (std::max)(largest, std::abs(x[std::size_t(e->column)]));
+  for(const Entry<std::int64_t>& e : system.row(row))
+    largest = (std::max)(largest, std::abs(x[std::size_t(e.column)]));
   // 7 bits finer than the largest value needs; that is enough for nearly all others
   const int exponent = (largest == 0 ? 0 : std::ilogb(largest)) - (digits - 1 + 7);
   const double factor = std::ldexp(1., -exponent);
@@ -68,12 +68,12 @@ inline bool holds_in_small_integers(const Integer_system& system, const std::siz
   if(!std::isfinite(factor) ||
      !shifted(-system.right_hand_side(row), -system.right_hand_scale() - exponent, sum))
     return false;
-  for(const Entry<std::int64_t>* e = system.begin(row); e != system.end(row); ++e) {
-    const double value = x[std::size_t(e->column)];
+  for(const Entry<std::int64_t>& e : system.row(row)) {
+    const double value = x[std::size_t(e.column)];
     const double scaled = value * factor;
     const std::int64_t integer = static_cast<std::int64_t>(scaled);
     if((scaled == 0 && value != 0) || static_cast<double>(integer) != scaled ||
-       !add_product(e->coefficient, integer, sum))
+       !add_product(e.coefficient, integer, sum))
       return false;
   }
   holds = (sum == 0);

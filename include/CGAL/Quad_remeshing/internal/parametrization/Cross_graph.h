@@ -18,13 +18,13 @@
 // What the energy of a field of crosses needs of a surface, and coarser graphs of the same kind,
 // whose nodes stand for clusters of faces.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -58,13 +58,6 @@ struct Cross_graph
 
   std::size_t size() const { return area.size(); }
 
-  template <typename Function>
-  void for_each_arc(const std::size_t node, const Function& function) const
-  {
-    for(std::size_t i = first_arc[node]; i < first_arc[node + 1]; ++i)
-      function(arcs[i]);
-  }
-
   double weight(const std::size_t node, const Arc& arc) const
   { return dual_weight(arc.length, area[node] + area[arc.target]); }
 
@@ -73,8 +66,7 @@ struct Cross_graph
   std::vector<double> area;           // per node
   std::vector<double> mass;           // area, relative to the mean face of the component
   std::vector<std::size_t> component; // per node
-  std::vector<std::size_t> first_arc; // one more than nodes
-  std::vector<Arc> arcs;
+  Lists<Arc> arcs;                    // per node
 };
 
 inline Cross_graph cross_graph(const Triangle_surface& surface)
@@ -83,7 +75,6 @@ inline Cross_graph cross_graph(const Triangle_surface& surface)
   graph.number_of_components = surface.number_of_components;
   graph.area = graph.mass = surface.area;
   graph.component = surface.component;
-  graph.first_arc.push_back(0);
   const std::vector<double> mean_area = component_means(surface, surface.area);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     graph.mass[f] /= mean_area[surface.component[f]];
@@ -91,7 +82,7 @@ inline Cross_graph cross_graph(const Triangle_surface& surface)
       if(!surface.is_border_edge(h))
         graph.arcs.push_back({surface.face(surface.opposite(h)), surface.length[h],
                               cross_of_angle(surface.transport(h))});
-    graph.first_arc.push_back(graph.arcs.size());
+    graph.arcs.end_list();
   }
   return graph;
 }
@@ -106,9 +97,8 @@ public:
   {
     for(std::size_t root = 0; root < graph.size(); ++root) {
       bool is_free = m_cluster[root] == none;
-      graph.for_each_arc(root, [&](const Cross_graph::Arc& arc) {
+      for(const Cross_graph::Arc& arc : graph.arcs[root])
         is_free = is_free && m_cluster[arc.target] == none;
-      });
       if(!is_free)
         continue;
       m_cluster[root] = m_size++;
@@ -167,58 +157,57 @@ public:
 private:
   void add_neighbors(const Cross_graph& graph, const std::size_t root)
   {
-    graph.for_each_arc(root, [&](const Cross_graph::Arc& arc) {
-      if(m_cluster[arc.target] != none)
-        return; // the root, or met twice
-      m_cluster[arc.target] = m_cluster[root];
-      m_transport[arc.target] = unit_cross(arc.rotation);
-    });
+    for(const Cross_graph::Arc& arc : graph.arcs[root])
+      if(m_cluster[arc.target] == none) { // not the root, nor met twice
+        m_cluster[arc.target] = m_cluster[root];
+        m_transport[arc.target] = unit_cross(arc.rotation);
+      }
   }
 
   void join_strongest(const Cross_graph& graph, const std::size_t node)
   {
     double strongest = -1;
-    graph.for_each_arc(node, [&](const Cross_graph::Arc& arc) {
+    for(const Cross_graph::Arc& arc : graph.arcs[node]) {
       const double weight = graph.weight(node, arc);
       if(m_cluster[arc.target] == none || weight <= strongest)
-        return;
+        continue;
       strongest = weight;
       m_cluster[node] = m_cluster[arc.target];
       m_transport[node] = unit_cross(std::conj(arc.rotation) * m_transport[arc.target]);
-    });
+    }
   }
 
   void add_arcs(const Cross_graph& graph, Cross_graph& coarse) const
   {
-    std::vector<std::size_t> first(m_size + 1, 0), members(graph.size());
-    for(const std::size_t c : m_cluster)
-      ++first[c];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    for(std::size_t node = graph.size(); node-- > 0; )
-      members[--first[m_cluster[node]]] = node;
-
-    std::vector<std::size_t> place(m_size, none); // of the arc to a cluster, from the present one
+    const Lists<std::size_t> clusters(m_size, [&](const auto& add) {
+      for(std::size_t node = 0; node < graph.size(); ++node)
+        add(m_cluster[node], node);
+    });
+    std::vector<Cross_graph::Arc> arcs;           // from the present cluster
+    std::vector<std::size_t> place(m_size, none); // of the arc to a cluster
     for(std::size_t c = 0; c < m_size; ++c) {
-      const std::size_t begin = coarse.arcs.size();
-      coarse.first_arc.push_back(begin);
-      for(std::size_t i = first[c]; i < first[c + 1]; ++i)
-        graph.for_each_arc(members[i], [&](const Cross_graph::Arc& arc) {
+      arcs.clear();
+      for(const std::size_t node : clusters[c])
+        for(const Cross_graph::Arc& arc : graph.arcs[node]) {
           const std::size_t d = m_cluster[arc.target];
           if(d == c)
-            return;
-          if(place[d] == none || place[d] < begin) {
-            place[d] = coarse.arcs.size();
-            coarse.arcs.push_back({Cross_graph::Node(d), 0, 0});
+            continue;
+          if(place[d] == none) {
+            place[d] = arcs.size();
+            arcs.push_back({Cross_graph::Node(d), 0, 0});
           }
-          Cross_graph::Arc& sum = coarse.arcs[place[d]];
+          Cross_graph::Arc& sum = arcs[place[d]];
           sum.length += arc.length;
           sum.rotation += arc.length * std::conj(m_transport[arc.target]) * arc.rotation
-                          * m_transport[members[i]];
-        });
-      for(std::size_t i = begin; i < coarse.arcs.size(); ++i)
-        coarse.arcs[i].rotation /= coarse.arcs[i].length;
+                          * m_transport[node];
+        }
+      for(Cross_graph::Arc& arc : arcs) {
+        arc.rotation /= arc.length;
+        place[arc.target] = none;
+      }
+      coarse.arcs.append(arcs);
+      coarse.arcs.end_list();
     }
-    coarse.first_arc.push_back(coarse.arcs.size());
   }
 
   std::size_t m_size = 0;

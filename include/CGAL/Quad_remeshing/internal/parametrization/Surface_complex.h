@@ -81,7 +81,7 @@ private:
           halfedges.push_back(h);
           ends.push_back({Vertex_index(surface.source(h)), Vertex_index(surface.vertex(h))});
         }
-      incidences = Vertex_incidences(surface.number_of_vertices(), ends);
+      incidences = vertex_incidences(surface.number_of_vertices(), ends);
     }
 
     std::vector<Corner_index> halfedges;
@@ -123,8 +123,8 @@ private:
   void find_nodes(const Edge_list& cuts, const Edge_list& aligned)
   {
     for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v) {
-      const std::size_t cut_degree = cuts.incidences.degree(Vertex_index(v));
-      const std::size_t degree = aligned.incidences.degree(Vertex_index(v));
+      const std::size_t cut_degree = cuts.incidences[v].size();
+      const std::size_t degree = aligned.incidences[v].size();
       Quarter_turns::Element holonomy = Quarter_turns::identity();
       for_each_corner(m_surface, v, [&](const Corner_index h) {
         if(!m_surface.is_border_edge(h))
@@ -144,7 +144,7 @@ private:
       return constant_functional(m_surface, m_angles,
                                  aligned.halfedges[std::size_t(incidence.edge)]);
     };
-    const Incidence* const edges = aligned.incidences.begin(v);
+    const auto edges = aligned.incidences[v];
     return functional(edges[0]) == functional(edges[1]);
   }
 

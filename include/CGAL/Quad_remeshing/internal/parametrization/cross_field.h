@@ -87,11 +87,11 @@ inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescrib
         continue;
       double weights = wanted.strength * graph.mass[i];
       Complex sum = weights * wanted.crosses[i];
-      graph.for_each_arc(i, [&](const Cross_graph::Arc& arc) {
+      for(const Cross_graph::Arc& arc : graph.arcs[i]) {
         const double weight = graph.weight(i, arc);
         weights += weight;
         sum += weight * std::conj(arc.rotation) * field[arc.target];
-      });
+      }
       if(wanted.strength == 0 && round % rounds_of_linear_field == 0)
         field[i] = unit_cross(sum);
       else if(weights > 0) // it has neighbors

@@ -52,11 +52,11 @@ public:
     for(std::size_t i = 0; i < graph.size(); ++i)
       add_block(i, i, mass_factor * graph.mass[i]);
     for(std::size_t i = 0; i < graph.size(); ++i)
-      graph.for_each_arc(i, [&](const Cross_graph::Arc& arc) {
+      for(const Cross_graph::Arc& arc : graph.arcs[i]) {
         const double weight = laplace_factor * graph.weight(i, arc);
         add_block(i, i, weight);
         add_block(std::size_t(arc.target), i, -weight * arc.rotation);
-      });
+      }
     m_system.factor();
   }
 

@@ -48,10 +48,10 @@ std::vector<char> exact_components(const Cut_complex<Group>& complex,
   };
   // Sectors can cancel in a row, so that all of it are looked at: those that are left tell.
   const auto mark_branch = [&](const std::size_t b) {
-    for(const auto* pair : {complex.pairs_begin(b), complex.pairs_end(b) - 1})
-      for(const Sector_index s : {pair->plus, pair->minus})
+    for(const auto& pair : {complex.pairs[b].front(), complex.pairs[b].back()})
+      for(const Sector_index s : {pair.plus, pair.minus})
         mark(components.of_node(s));
-    if(complex.has_inner_pairs(b))
+    if(!complex.inner_pairs(b).empty())
       mark(components.of_minus(b));
   };
   const auto& u = complex.coordinates;
@@ -60,7 +60,7 @@ std::vector<char> exact_components(const Cut_complex<Group>& complex,
       mark_branch(b);
   for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
     if(!chain_is_exact(complex, c, u))
-      for(const Sector_index s : {*complex.links_begin(c), *(complex.links_end(c) - 1)})
+      for(const Sector_index s : {complex.links[c].front(), complex.links[c].back()})
         mark(components.of_node(s));
   for(const auto& path : complex.paths)
     if(path_misfit(complex, path, u) != 0) {

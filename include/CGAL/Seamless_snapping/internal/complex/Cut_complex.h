@@ -19,6 +19,8 @@
 // at cuts and aligned edges, and how these link them ([MC19] Sec. 5.3). It knows no mesh and no uv
 // map: a reader fills it, and rows, exact coordinates, and the verification are functions of it.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <CGAL/Exact_rational.h>
@@ -37,9 +39,6 @@ using Sector_index = std::int32_t;
 // of a vertex of the complex: those without constraints are not in it
 using Vertex_index = std::int32_t;
 using Branch_index = std::int32_t;
-
-// A place in one of the complex' arrays, up to the place of the next element.
-using Offsets = std::vector<std::size_t>;
 
 // Invariants: the sectors of a vertex are consecutive. The pairs of a branch, and the sectors of a
 // chain, are in order; the first and the last are at nodes, all others are not, and those are in no
@@ -106,13 +105,11 @@ struct Cut_complex
 
   // Cut branches
   std::vector<Element> element;             // per branch: g
-  Offsets first_pair = Offsets(1, 0);       // per branch, and the number of pairs
-  std::vector<Pair> pairs;
+  Lists<Pair> pairs;                        // per branch
 
   // Chains of aligned edges, along which a functional is constant: f(u) = a
   std::vector<int> functional;              // per chain
-  Offsets first_link = Offsets(1, 0);       // per chain, and the number of links
-  std::vector<Sector_index> links;          // sectors
+  Lists<Sector_index> links;                // per chain: sectors
 
   // Further constraints, between sectors of nodes
   std::vector<Path> paths;
@@ -132,21 +129,11 @@ struct Cut_complex
     return found != mixed_sectors.end() && found->sector == s ? &*found : nullptr;
   }
 
-  const Pair* pairs_begin(const std::size_t b) const { return pairs.data() + first_pair[b]; }
-  const Pair* pairs_end(const std::size_t b) const { return pairs.data() + first_pair[b + 1]; }
-
-  const Sector_index* links_begin(const std::size_t c) const
-  {
-    return links.data() + first_link[c];
-  }
-  const Sector_index* links_end(const std::size_t c) const
-  {
-    return links.data() + first_link[c + 1];
-  }
-
-  // Whether there are pairs, or links, between those at the nodes.
-  bool has_inner_pairs(const std::size_t b) const { return first_pair[b + 1] - first_pair[b] > 2; }
-  bool has_inner_links(const std::size_t c) const { return first_link[c + 1] - first_link[c] > 2; }
+  // Those between the pairs, or links, at the nodes.
+  typename Lists<Pair>::List inner_pairs(const std::size_t b) const
+  { return pairs[b].advance_begin(1).advance_end(-1); }
+  Lists<Sector_index>::List inner_links(const std::size_t c) const
+  { return links[c].advance_begin(1).advance_end(-1); }
 };
 
 // Which sectors the pairs of a complex link, and which functionals its chains fix, seen from each
@@ -164,29 +151,19 @@ public:
   };
 
   explicit Sector_links(const Cut_complex<Group>& complex)
-    : m_first_link(complex.number_of_sectors() + 1, 0), m_links(2 * complex.pairs.size()),
-      m_first_functional(complex.number_of_sectors() + 1, 0), m_functionals(complex.links.size())
+    : m_links(complex.number_of_sectors(), [&](const auto& add) {
+        for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
+          for(const auto& pair : complex.pairs[b]) {
+            add(pair.plus, Link{pair.minus, complex.element[b]});
+            add(pair.minus, Link{pair.plus, Group::inverse(complex.element[b])});
+          }
+      }),
+      m_functionals(complex.number_of_sectors(), [&](const auto& add) {
+        for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
+          for(const Sector_index s : complex.links[c])
+            add(s, complex.functional[c]);
+      })
   {
-    for(const auto& pair : complex.pairs) {
-      ++m_first_link[std::size_t(pair.plus) + 1];
-      ++m_first_link[std::size_t(pair.minus) + 1];
-    }
-    for(const Sector_index s : complex.links)
-      ++m_first_functional[std::size_t(s) + 1];
-    for(std::size_t s = 0; s < complex.number_of_sectors(); ++s) {
-      m_first_link[s + 1] += m_first_link[s];
-      m_first_functional[s + 1] += m_first_functional[s];
-    }
-    Offsets next_link(m_first_link), next_functional(m_first_functional);
-    for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
-      for(auto p = complex.pairs_begin(b); p != complex.pairs_end(b); ++p) {
-        const auto g = complex.element[b];
-        m_links[next_link[std::size_t(p->plus)]++] = {p->minus, g};
-        m_links[next_link[std::size_t(p->minus)]++] = {p->plus, Group::inverse(g)};
-      }
-    for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-      for(auto s = complex.links_begin(c); s != complex.links_end(c); ++s)
-        m_functionals[next_functional[std::size_t(*s)]++] = complex.functional[c];
     for(const auto& path : complex.paths) {
       m_pinned.push_back(path.a);
       m_pinned.push_back(path.b);
@@ -197,25 +174,16 @@ public:
     std::sort(m_pinned.begin(), m_pinned.end());
   }
 
-  const Link* begin(const Sector_index s) const
-  { return m_links.data() + m_first_link[std::size_t(s)]; }
-  const Link* end(const Sector_index s) const
-  { return m_links.data() + m_first_link[std::size_t(s) + 1]; }
-
-  const int* functionals_begin(const Sector_index s) const
-  { return m_functionals.data() + m_first_functional[std::size_t(s)]; }
-  const int* functionals_end(const Sector_index s) const
-  { return m_functionals.data() + m_first_functional[std::size_t(s) + 1]; }
+  typename Lists<Link>::List links(const Sector_index s) const { return m_links[s]; }
+  Lists<int>::List functionals(const Sector_index s) const { return m_functionals[s]; }
 
   // Whether the sector is in a further constraint.
   bool is_pinned(const Sector_index s) const
   { return std::binary_search(m_pinned.begin(), m_pinned.end(), s); }
 
 private:
-  Offsets m_first_link;
-  std::vector<Link> m_links;
-  Offsets m_first_functional;
-  std::vector<int> m_functionals;
+  Lists<Link> m_links;
+  Lists<int> m_functionals;
   std::vector<Sector_index> m_pinned;
 };
 

@@ -55,17 +55,15 @@ public:
       if(m_system.unknown(Sector_index(s)) >= 0)
         m_roles[s] = {Role::NODE, m_system.unknown(Sector_index(s)), -1, Group::identity(), 0};
     for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
-      if(complex.has_inner_pairs(b))
-        for(auto p = complex.pairs_begin(b) + 1; p != complex.pairs_end(b) - 1; ++p) {
-          const Column_index t = m_system.translation(b);
-          m_roles[std::size_t(p->plus)] = {Role::PLUS, t, p->minus, complex.element[b], 0};
-          m_roles[std::size_t(p->minus)] = {Role::MINUS, t, p->plus, complex.element[b], 0};
-        }
+      for(const auto& pair : complex.inner_pairs(b)) {
+        const Column_index t = m_system.translation(b);
+        m_roles[std::size_t(pair.plus)] = {Role::PLUS, t, pair.minus, complex.element[b], 0};
+        m_roles[std::size_t(pair.minus)] = {Role::MINUS, t, pair.plus, complex.element[b], 0};
+      }
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-      if(complex.has_inner_links(c))
-        for(auto s = complex.links_begin(c) + 1; s != complex.links_end(c) - 1; ++s)
-          m_roles[std::size_t(*s)] = {Role::LINK, m_system.level(c), -1, Group::identity(),
-                                      complex.functional[c]};
+      for(const Sector_index s : complex.inner_links(c))
+        m_roles[std::size_t(s)] = {Role::LINK, m_system.level(c), -1, Group::identity(),
+                                   complex.functional[c]};
   }
 
   Response operator()(const Sparse_vectors<Group>& shift) const

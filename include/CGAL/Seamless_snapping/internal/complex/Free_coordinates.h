@@ -193,30 +193,27 @@ private:
   {
     static_assert(Group::is_signed_permutation, "functionals have to be coordinates");
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-      if(complex.has_inner_links(c))
-        for(auto s = complex.links_begin(c) + 1; s + 1 != complex.links_end(c); ++s)
-          m_coordinates.set(coordinate_of(*s, std::size_t(complex.functional[c])),
-                            std::size_t(system.level(c)));
+      for(const Sector_index s : complex.inner_links(c))
+        m_coordinates.set(coordinate_of(s, std::size_t(complex.functional[c])),
+                          std::size_t(system.level(c)));
   }
 
   // Between nodes, u- = g u+ + t.
   void add_branches(const Cut_complex<Group>& complex, const Reduced_system<Group>& system)
   {
     for(std::size_t b = 0; b < complex.number_of_branches(); ++b) {
-      if(!complex.has_inner_pairs(b))
-        continue;
       const auto& m = Group::matrix(complex.element[b]);
-      for(auto p = complex.pairs_begin(b) + 1; p + 1 != complex.pairs_end(b); ++p) {
-        make_free(p->plus);
+      for(const auto& pair : complex.inner_pairs(b)) {
+        make_free(pair.plus);
         for(std::size_t c = 0; c < dimension; ++c) {
           Sparse_row minus;
           for(std::size_t d = 0; d < dimension; ++d)
             if(m[c][d] != 0)
-              m_coordinates.for_each_term(coordinate_of(p->plus, d),
+              m_coordinates.for_each_term(coordinate_of(pair.plus, d),
                                           [&](const std::size_t q, const double factor)
                                           { minus.emplace_back(q, factor * m[c][d]); });
           minus.emplace_back(std::size_t(system.translation(b)) + c, 1.);
-          m_coordinates.set(coordinate_of(p->minus, c), std::move(minus));
+          m_coordinates.set(coordinate_of(pair.minus, c), std::move(minus));
         }
       }
     }

@@ -107,18 +107,18 @@ public:
       if(m_system.unknown(Sector_index(s)) >= 0)
         f(Sector_index(s), of_node(Sector_index(s)));
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
-      if(m_complex.has_inner_pairs(b)) {
+      if(!m_complex.inner_pairs(b).empty()) {
         const Components<dimension> plus = of_plus(b), minus = of_minus(b);
-        for(auto p = m_complex.pairs_begin(b) + 1; p != m_complex.pairs_end(b) - 1; ++p) {
-          f(p->plus, plus);
-          f(p->minus, minus);
+        for(const auto& pair : m_complex.inner_pairs(b)) {
+          f(pair.plus, plus);
+          f(pair.minus, minus);
         }
       }
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c)
-      if(m_complex.has_inner_links(c)) {
+      if(!m_complex.inner_links(c).empty()) {
         const Components<dimension> link = of_link(c);
-        for(auto s = m_complex.links_begin(c) + 1; s != m_complex.links_end(c) - 1; ++s)
-          f(*s, link);
+        for(const Sector_index s : m_complex.inner_links(c))
+          f(s, link);
       }
   }
 

@@ -115,13 +115,13 @@ private:
         m_unknown[std::size_t(s)] = add_column(1., dimension);
     m_number_of_node_columns = m_weights.size();
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b) {
-      const std::ptrdiff_t inner = m_complex.pairs_end(b) - m_complex.pairs_begin(b) - 2;
+      const std::size_t inner = m_complex.inner_pairs(b).size();
       m_translation.push_back(inner > 0 ? add_column(0.5 * static_cast<double>(inner), dimension)
                                         : -1);
     }
     m_end_of_vectors = Column_index(m_weights.size());
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c) {
-      const std::ptrdiff_t inner = m_complex.links_end(c) - m_complex.links_begin(c) - 2;
+      const std::size_t inner = m_complex.inner_links(c).size();
       m_level.push_back(
         inner > 0 ? add_column(Group::squares_at_level_1 * static_cast<double>(inner), 1) : -1);
     }
@@ -143,7 +143,7 @@ private:
   // u- = g u+ + t at both ends. Without t: the difference of both.
   void add_branch_rows(const std::size_t b, System_builder& builder)
   {
-    const Pair ends[2] = {*m_complex.pairs_begin(b), *(m_complex.pairs_end(b) - 1)};
+    const Pair ends[2] = {m_complex.pairs[b].front(), m_complex.pairs[b].back()};
     for(std::size_t c = 0; c < dimension; ++c)
       for(int end = 0; end < 2; ++end) {
         const std::int64_t sign = translation(b) < 0 && end == 1 ? -1 : 1;
@@ -161,13 +161,13 @@ private:
   void add_chain_rows(const std::size_t c, System_builder& builder)
   {
     const auto f = Group::functional(m_complex.functional[c]);
-    append_functional(*m_complex.links_begin(c), f, 1);
+    append_functional(m_complex.links[c].front(), f, 1);
     if(level(c) >= 0) {
       m_row.push_back({level(c), -1});
       add_row({Row_origin::CHAIN, c, false}, builder);
       m_row.push_back({level(c), -1});
     }
-    append_functional(*(m_complex.links_end(c) - 1), f, level(c) < 0 ? -1 : 1);
+    append_functional(m_complex.links[c].back(), f, level(c) < 0 ? -1 : 1);
     add_row({Row_origin::CHAIN, c, level(c) >= 0}, builder);
   }
 
@@ -229,7 +229,7 @@ private:
   {
     const std::size_t b = std::size_t(branch);
     if(translation(b) < 0) {
-      const Pair& first = *m_complex.pairs_begin(b);
+      const Pair& first = m_complex.pairs[b].front();
       append_functional(first.minus, f, factor);
       append_functional(first.plus, Group::times_matrix(f, m_complex.element[b]), -factor);
       return;

@@ -75,10 +75,10 @@ public:
     expand_mixed_sectors();
     expand_nodes();
     for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
-      if(complex.has_inner_pairs(b))
+      if(!complex.inner_pairs(b).empty())
         expand_branch(b);
     for(std::size_t c = 0; c < complex.number_of_chains(); ++c)
-      if(complex.has_inner_links(c))
+      if(!complex.inner_links(c).empty())
         expand_chain(c);
   }
 
@@ -130,9 +130,9 @@ private:
       rounding[c] = optimal_change({t[c], 0}, Column_index(first_column + c));
     }
     rounding = Group::apply(back, rounding);
-    for(auto p = m_complex.pairs_begin(b) + 1; p != m_complex.pairs_end(b) - 1; ++p) {
-      const Grid_point<dimension> plus = m_targets(p->plus, plus_k);
-      const Grid_point<dimension> minus = m_targets(p->minus, minus_k);
+    for(const auto& pair : m_complex.inner_pairs(b)) {
+      const Grid_point<dimension> plus = m_targets(pair.plus, plus_k);
+      const Grid_point<dimension> minus = m_targets(pair.minus, minus_k);
       const Vector gap = Group::apply(back, translation_gap<Group>(g, plus, minus, t));
       std::array<std::int64_t, dimension> x;
       Vector change;
@@ -144,8 +144,8 @@ private:
         add_optimal_change(change, plus_k);
       const auto turned = Group::apply(g, x);
       for(std::size_t c = 0; c < dimension; ++c) {
-        set(p->plus, c, plus_k[c], x[c]);
-        set(p->minus, c, minus_k[c], turned[c] + t[c]);
+        set(pair.plus, c, plus_k[c], x[c]);
+        set(pair.minus, c, minus_k[c], turned[c] + t[c]);
       }
     }
   }
@@ -159,8 +159,8 @@ private:
     const Components<dimension> k = m_components.of_link(chain);
     const std::size_t column = std::size_t(m_system.level(chain));
     const std::size_t last = f[1] != 0 ? 1 : 0, other = 1 - last;
-    for(auto s = m_complex.links_begin(chain) + 1; s != m_complex.links_end(chain) - 1; ++s) {
-      const Grid_point<dimension> target = m_targets(*s, k);
+    for(const Sector_index s : m_complex.inner_links(chain)) {
+      const Grid_point<dimension> target = m_targets(s, k);
       std::int64_t rest = m_solution.x[column];
       double gap = static_cast<double>(rest);
       for(std::size_t c = 0; c < dimension; ++c)
@@ -169,9 +169,9 @@ private:
         const std::int64_t x =
           target.base[other] + nearest_integer(target.offset[other] + direction[other] * gap);
         rest -= f[other] * x;
-        set(*s, other, k[other], x);
+        set(s, other, k[other], x);
       }
-      set(*s, last, k[last], rest);
+      set(s, last, k[last], rest);
       const double change = optimal_level_change(f, target, column);
       add_optimal_change(Vector{change * direction[0], change * direction[1]}, k);
     }

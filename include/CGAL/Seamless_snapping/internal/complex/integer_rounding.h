@@ -102,15 +102,15 @@ private:
     std::array<bool, std::size_t(Group::number_of_functionals)> is_fixed{};
     for(std::size_t i = 0; i < sectors.size(); ++i) {
       const auto [s, g] = sectors[i];
-      for(const int* f = m_links.functionals_begin(s); f != m_links.functionals_end(s); ++f)
-        is_fixed[std::size_t(Group::act(Group::inverse(g), *f).index)] = true;
+      for(const int f : m_links.functionals(s))
+        is_fixed[std::size_t(Group::act(Group::inverse(g), f).index)] = true;
       if(m_links.is_pinned(s))
         is_fixed.fill(true);
-      for(auto link = m_links.begin(s); link != m_links.end(s); ++link)
-        if(link->sector >= first && link->sector < end &&
-           !is_reached[std::size_t(link->sector - first)]) {
-          is_reached[std::size_t(link->sector - first)] = true;
-          sectors.emplace_back(link->sector, Group::compose(link->element, g));
+      for(const auto& link : m_links.links(s))
+        if(link.sector >= first && link.sector < end &&
+           !is_reached[std::size_t(link.sector - first)]) {
+          is_reached[std::size_t(link.sector - first)] = true;
+          sectors.emplace_back(link.sector, Group::compose(link.element, g));
         }
     }
     if(std::any_of(sectors.begin(), sectors.end(), [&](const auto& reached) {
@@ -170,7 +170,7 @@ private:
         if(system.translation(b) >= 0) {
           rounded = value(system.translation(b) + Column_index(c));
         } else {
-          const auto& pair = *m_complex.pairs_begin(b);
+          const auto& pair = m_complex.pairs[b].front();
           rounded = value(system.unknown(pair.minus) + Column_index(c));
           for(std::size_t d = 0; d < dimension; ++d)
             rounded -= Group::matrix(m_complex.element[b])[c][d] *
@@ -180,7 +180,7 @@ private:
       }
     for(std::size_t i = 0; i < m_complex.number_of_chains(); ++i) {
       const int f = m_complex.functional[i];
-      const Sector_index s = *m_complex.links_begin(i);
+      const Sector_index s = m_complex.links[i].front();
       const Vector at_node{value(system.unknown(s)), value(system.unknown(s) + 1)};
       const double rounded =
         system.level(i) >= 0 ? value(system.level(i)) : Group::value(f, at_node);
@@ -198,7 +198,7 @@ private:
   Rounding<Group> translation_is(const std::size_t b, const std::size_t c,
                                  const double rounded) const
   {
-    const auto& pair = *m_complex.pairs_begin(b);
+    const auto& pair = m_complex.pairs[b].front();
     const auto& row = Group::matrix(m_complex.element[b])[c];
     typename Complex::Equation equation{{{pair.minus, int(c), Exact_rational(1)}},
                                         Exact_rational(rounded)};

@@ -71,7 +71,8 @@ template <typename Group, typename Vector>
 bool branch_is_exact(const Cut_complex<Group>& complex, const std::size_t b,
                      const std::vector<Vector>& u)
 {
-  for(auto p = complex.pairs_begin(b); p + 1 != complex.pairs_end(b); ++p) {
+  const auto pairs = complex.pairs[b];
+  for(auto p = pairs.begin(); p + 1 != pairs.end(); ++p) {
     const auto* const q = p + 1;
     const Edge_sides sides{u[std::size_t(p->plus)], u[std::size_t(q->plus)],
                            u[std::size_t(p->minus)], u[std::size_t(q->minus)]};
@@ -87,7 +88,8 @@ bool chain_is_exact(const Cut_complex<Group>& complex, const std::size_t c,
                     const std::vector<Vector>& u)
 {
   const auto f = Group::functional(complex.functional[c]);
-  for(auto s = complex.links_begin(c); s + 1 != complex.links_end(c); ++s) {
+  const auto links = complex.links[c];
+  for(auto s = links.begin(); s + 1 != links.end(); ++s) {
     const Vector &p = u[std::size_t(*s)], &q = u[std::size_t(*(s + 1))];
     const std::array<double, 4> terms{{f[0] * p[0], f[1] * p[1], -f[0] * q[0], -f[1] * q[1]}};
     if(!exact_sum_is_zero(terms.data(), terms.size()))
@@ -107,7 +109,7 @@ Exact_rational path_misfit(const Cut_complex<Group>& complex,
   int f = path.functional;
   for(const auto& crossing : path.crossings) {
     const std::size_t b = std::size_t(crossing.branch);
-    const auto& pair = *complex.pairs_begin(b);
+    const auto& pair = complex.pairs[b].front();
     // from the chart of one sector of a pair to that of the other: u' = g (u - u(here)) + u(there)
     const auto here =
         exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.plus : pair.minus)]);

@@ -53,10 +53,10 @@ public:
           m_values.push_back({u.base[c], u.offset[c]});
       }
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b)
-      if(m_complex.has_inner_pairs(b))
+      if(!m_complex.inner_pairs(b).empty())
         add_translation(b);
     for(std::size_t c = 0; c < m_complex.number_of_chains(); ++c)
-      if(m_complex.has_inner_links(c))
+      if(!m_complex.inner_links(c).empty())
         add_level(c);
     if constexpr(Reduced_system<Group>::has_sums)
       add_sums();
@@ -69,13 +69,13 @@ private:
     const auto plus_components = m_components.of_plus(b),
                minus_components = m_components.of_minus(b);
     const auto g = m_complex.element[b];
-    const auto first = m_complex.pairs_begin(b) + 1, last = m_complex.pairs_end(b) - 1;
+    const auto pairs = m_complex.inner_pairs(b);
     std::array<std::int64_t, dimension> base{};
     std::array<double, dimension> sum{};
-    for(auto p = first; p != last; ++p) {
-      const auto plus = m_coordinates(p->plus, plus_components);
-      const auto minus = m_coordinates(p->minus, minus_components);
-      if(p == first) {
+    for(const auto& pair : pairs) {
+      const auto plus = m_coordinates(pair.plus, plus_components);
+      const auto minus = m_coordinates(pair.minus, minus_components);
+      if(&pair == pairs.begin()) {
         const auto turned = Group::apply(g, plus.base);
         for(std::size_t c = 0; c < dimension; ++c)
           base[c] = minus.base[c] - turned[c];
@@ -85,29 +85,29 @@ private:
         sum[c] += gap[c];
     }
     for(std::size_t c = 0; c < dimension; ++c)
-      m_values.push_back({base[c], sum[c] / static_cast<double>(last - first)});
+      m_values.push_back({base[c], sum[c] / static_cast<double>(pairs.size())});
   }
 
   void add_level(const std::size_t chain)
   {
     const auto f = Group::functional(m_complex.functional[chain]);
     const auto components = m_components.of_link(chain);
-    const auto first = m_complex.links_begin(chain) + 1, last = m_complex.links_end(chain) - 1;
+    const auto links = m_complex.inner_links(chain);
     std::int64_t base = 0;
     double sum = 0;
-    for(auto s = first; s != last; ++s) {
-      const auto u = m_coordinates(*s, components);
+    for(const Sector_index& s : links) {
+      const auto u = m_coordinates(s, components);
       std::int64_t level = 0;
       double offset = 0;
       for(std::size_t c = 0; c < dimension; ++c) {
         level += f[c] * u.base[c];
         offset += f[c] * u.offset[c];
       }
-      if(s == first)
+      if(&s == links.begin())
         base = level;
       sum += static_cast<double>(level - base) + offset;
     }
-    m_values.push_back({base, sum / static_cast<double>(last - first)});
+    m_values.push_back({base, sum / static_cast<double>(links.size())});
   }
 
   void add_sums()

@@ -50,57 +50,22 @@ struct Incidence
 };
 
 // Which edges of a list end at each numbered vertex, in the order of the list.
-class Vertex_incidences
+using Vertex_incidences = Lists<Incidence>;
+
+inline Vertex_incidences vertex_incidences(const std::size_t number_of_vertices,
+                                           const std::vector<Edge_ends>& ends)
 {
-public:
-  Vertex_incidences() = default;
-
-  Vertex_incidences(const std::size_t number_of_vertices, const std::vector<Edge_ends>& ends)
-    : m_begin(number_of_vertices + 1, 0), m_incidences(2 * ends.size())
-  {
-    for(const Edge_ends& e : ends) {
-      ++m_begin[std::size_t(e.source) + 1];
-      ++m_begin[std::size_t(e.target) + 1];
-    }
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      m_begin[v + 1] += m_begin[v];
-    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
+  return Vertex_incidences(number_of_vertices, [&](const auto& add) {
     for(std::size_t i = 0; i < ends.size(); ++i) {
-      const Edge_index e = static_cast<Edge_index>(i);
-      m_incidences[next[std::size_t(ends[i].source)]++] = {e, false};
-      m_incidences[next[std::size_t(ends[i].target)]++] = {e, true};
+      add(ends[i].source, Incidence{Edge_index(i), false});
+      add(ends[i].target, Incidence{Edge_index(i), true});
     }
-  }
-
-  std::size_t size() const { return m_begin.size() - 1; } // vertices
-  std::size_t degree(const Vertex_index v) const
-  { return m_begin[std::size_t(v) + 1] - m_begin[std::size_t(v)]; }
-  const Incidence* begin(const Vertex_index v) const
-  { return m_incidences.data() + m_begin[std::size_t(v)]; }
-  const Incidence* end(const Vertex_index v) const
-  { return m_incidences.data() + m_begin[std::size_t(v) + 1]; }
-
-private:
-  Offsets m_begin = Offsets(1, 0);
-  std::vector<Incidence> m_incidences;
-};
+  });
+}
 
 // The directed edges of each branch, in the order in which they follow each other from node to
 // node.
-class Branch_list
-{
-public:
-  void add_edge(const Directed_edge d) { m_edges.push_back(d); }
-  void finish_branch() { m_begin.push_back(m_edges.size()); }
-
-  std::size_t size() const { return m_begin.size() - 1; }
-  const Directed_edge* begin(const std::size_t b) const { return m_edges.data() + m_begin[b]; }
-  const Directed_edge* end(const std::size_t b) const { return m_edges.data() + m_begin[b + 1]; }
-
-private:
-  std::vector<Directed_edge> m_edges;
-  Offsets m_begin = Offsets(1, 0);
-};
+using Branch_list = Lists<Directed_edge>;
 
 // Walks along the branches of one set of edges.
 class Branch_tracer
@@ -143,7 +108,7 @@ private:
   // At a vertex that is no node, two edges meet; this is the other one, away from the vertex.
   Directed_edge continuation(const Directed_edge d) const
   {
-    const Incidence* ends = m_incidences.begin(target(d));
+    const auto ends = m_incidences[target(d)];
     const bool first_is_here = ends[0].edge == d / 2 && ends[0].points_to_vertex == (d % 2 == 0);
     const Incidence& other = ends[first_is_here ? 1 : 0];
     return 2 * other.edge + (other.points_to_vertex ? 1 : 0);
@@ -153,12 +118,12 @@ private:
   {
     for(;;) {
       m_is_done[std::size_t(d / 2)] = true;
-      branches.add_edge(d);
+      branches.push_back(d);
       if(is_node[std::size_t(target(d))])
         break;
       d = continuation(d);
     }
-    branches.finish_branch();
+    branches.end_list();
   }
 
   const Vertex_incidences& m_incidences;
@@ -175,14 +140,14 @@ Branch_list add_branches(const Vertex_incidences& cuts, const std::vector<Edge_e
                          Cut_complex<Group>& complex)
 {
   const Branch_list branches = Branch_tracer(cuts, ends).trace(complex.is_node);
-  complex.pairs.reserve(ends.size() + branches.size());
+  complex.pairs.reserve(branches.size(), ends.size() + branches.size());
   for(std::size_t b = 0; b < branches.size(); ++b) {
-    const Directed_edge first = *branches.begin(b);
+    const Directed_edge first = branches[b].front();
     complex.element.push_back(element(first));
     complex.pairs.push_back({sector(first, false), sector(opposite_edge(first), true)});
-    for(const Directed_edge* d = branches.begin(b); d != branches.end(b); ++d)
-      complex.pairs.push_back({sector(*d, true), sector(opposite_edge(*d), false)});
-    complex.first_pair.push_back(complex.pairs.size());
+    for(const Directed_edge d : branches[b])
+      complex.pairs.push_back({sector(d, true), sector(opposite_edge(d), false)});
+    complex.pairs.end_list();
   }
   return branches;
 }
@@ -197,12 +162,12 @@ Branch_list add_chains(const Vertex_incidences& aligned, const std::vector<Edge_
 {
   const Branch_list chains = Branch_tracer(aligned, ends).trace(complex.is_node);
   for(std::size_t c = 0; c < chains.size(); ++c) {
-    const Directed_edge first = *chains.begin(c);
+    const Directed_edge first = chains[c].front();
     complex.functional.push_back(functional(first / 2));
     complex.links.push_back(sector(first, false));
-    for(const Directed_edge* d = chains.begin(c); d != chains.end(c); ++d)
-      complex.links.push_back(sector(*d, true));
-    complex.first_link.push_back(complex.links.size());
+    for(const Directed_edge d : chains[c])
+      complex.links.push_back(sector(d, true));
+    complex.links.end_list();
   }
   return chains;
 }

@@ -160,24 +160,15 @@ std::vector<std::size_t> canonical_order(const Surface& surface, const Vertex_nu
         std::size_t(surface.vertex(surface.next(edge.halfedge))),
         std::size_t(surface.vertex(surface.next(g))));
   };
-  std::vector<std::size_t> begin(numbers.size() + 1, 0); // a counting sort by source
-  for(const Edge& edge : edges)
-    ++begin[std::size_t(numbers[edge.source]) + 1];
-  for(std::size_t v = 0; v < numbers.size(); ++v)
-    begin[v + 1] += begin[v];
-  std::vector<std::size_t> order(edges.size());
-  std::vector<std::size_t> next_place(begin.begin(), begin.end() - 1);
-  for(std::size_t i = 0; i < edges.size(); ++i)
-    order[next_place[std::size_t(numbers[edges[i].source])]++] = i;
-  for(std::size_t v = 0; v < numbers.size(); ++v)
-    std::sort(order.begin() + std::ptrdiff_t(begin[v]),
-              order.begin() + std::ptrdiff_t(begin[v + 1]),
-              [&](const std::size_t i, const std::size_t j) {
-                if(edges[i].target != edges[j].target)
-                  return edges[i].target < edges[j].target;
-                return apexes(edges[i]) < apexes(edges[j]);
-              });
-  return order;
+  Lists<std::size_t> by_source(numbers.size(), [&](const auto& add) {
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      add(numbers[edges[i].source], i);
+  });
+  by_source.sort_each([&](const std::size_t i, const std::size_t j) {
+    return edges[i].target != edges[j].target ? edges[i].target < edges[j].target
+                                              : apexes(edges[i]) < apexes(edges[j]);
+  });
+  return by_source.elements();
 }
 
 // Whether an edge runs against the direction that `canonical_order` wants.

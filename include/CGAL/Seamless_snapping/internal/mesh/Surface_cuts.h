@@ -34,17 +34,11 @@ template <typename Group, typename Halfedge>
 struct Surface_cuts
 {
   Cut_complex<Group> complex;
-  std::vector<Halfedge> corners;
-  Offsets first_corner;            // per sector, and the number of corners
+  Lists<Halfedge> corners;         // per sector
   std::vector<std::array<Halfedge, 2> > branch_ends, chain_ends; // the first and the last edge
   // One sector of each vertex that is to be a point of an integer grid; ascending.
   std::vector<Sector_index> grid_points;
   std::size_t number_of_singular_vertices = 0;
-
-  const Halfedge* corners_begin(const Sector_index s) const
-  { return corners.data() + first_corner[std::size_t(s)]; }
-  const Halfedge* corners_end(const Sector_index s) const
-  { return corners.data() + first_corner[std::size_t(s) + 1]; }
 };
 
 } // namespace internal

@@ -126,11 +126,11 @@ private:
   // be among them.
   void add_gaps(const Vertex_index v)
   {
-    if(m_incidences.degree(v) < 3)
+    if(m_incidences[v].size() < 3)
       return;
     m_gaps.clear();
-    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
-      const Edge& edge = m_edges[std::size_t(i->edge)];
+    for(const Incidence& i : m_incidences[v]) {
+      const Edge& edge = m_edges[std::size_t(i.edge)];
       if(!edge.is_exact && edge.gap <= 4 * edge.length && !has_clear_gap(edge))
         m_gaps.push_back(edge.gap);
     }
@@ -141,8 +141,8 @@ private:
     m_has_corner_noise = true;
     const auto median = m_gaps.end() - std::ptrdiff_t((size + 1) / 2); // other edges have no gap
     std::nth_element(m_gaps.begin(), median, m_gaps.end());
-    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
-      m_noise[std::size_t(i->edge)] = (std::max)(m_noise[std::size_t(i->edge)], *median);
+    for(const Incidence& i : m_incidences[v])
+      m_noise[std::size_t(i.edge)] = (std::max)(m_noise[std::size_t(i.edge)], *median);
   }
 
   // Whether a transition fits so well that it can't be by chance: its gap is no noise.
@@ -217,8 +217,8 @@ private:
       const std::size_t i = std::size_t(known.back());
       known.pop_back();
       for(const Vertex_index v : {m_ends[i].source, m_ends[i].target}) {
-        const Incidence* pair = m_incidences.begin(v);
-        if(m_incidences.degree(v) != 2 || is_border(v))
+        const auto pair = m_incidences[v];
+        if(pair.size() != 2 || is_border(v))
           continue;
         const Incidence& other = pair[pair[0].edge == Edge_index(i) ? 1 : 0];
         const std::size_t e = std::size_t(other.edge);
@@ -243,12 +243,12 @@ private:
       if(m_number_of_undecided[std::size_t(v)] != 1 ||
          is_border(v))
         continue;
-      for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i) {
-        const std::size_t e = std::size_t(i->edge);
+      for(const Incidence& i : m_incidences[v]) {
+        const std::size_t e = std::size_t(i.edge);
         if(m_is_decided[e])
           continue;
-        const Element others = holonomy(v, i->edge);
-        const Element g = i->points_to_vertex ? Group::inverse(others) : others;
+        const Element others = holonomy(v, i.edge);
+        const Element g = i.points_to_vertex ? Group::inverse(others) : others;
         if(is_admissible(e, g))
           decide(e, g);
         break;
@@ -260,10 +260,10 @@ private:
   Element holonomy(const Vertex_index v, const Edge_index except) const
   {
     Element product = Group::identity();
-    for(const Incidence* i = m_incidences.begin(v); i != m_incidences.end(v); ++i)
-      if(i->edge != except) {
-        const Element g = m_edges[std::size_t(i->edge)].rotation;
-        product = Group::compose(i->points_to_vertex ? g : Group::inverse(g), product);
+    for(const Incidence& i : m_incidences[v])
+      if(i.edge != except) {
+        const Element g = m_edges[std::size_t(i.edge)].rotation;
+        product = Group::compose(i.points_to_vertex ? g : Group::inverse(g), product);
       }
     return product;
   }
@@ -278,7 +278,7 @@ private:
 
   Halfedge halfedge_towards(const Vertex_index v) const
   {
-    const Incidence& i = *m_incidences.begin(v);
+    const Incidence& i = m_incidences[v].front();
     const Halfedge h = m_edges[std::size_t(i.edge)].halfedge;
     return i.points_to_vertex ? h : m_surface.opposite(h);
   }
@@ -287,7 +287,7 @@ private:
   {
     char& known = m_is_border[std::size_t(v)];
     if(known == UNKNOWN)
-      known = m_incidences.degree(v) > 0 &&
+      known = m_incidences[v].size() > 0 &&
               has_border_at_target(m_surface, halfedge_towards(v)) ? YES : NO;
     return known == YES;
   }
@@ -308,17 +308,16 @@ private:
     is_reached[std::size_t(start)] = true;
     std::size_t found = 0;
     for(std::size_t k = 0; k < reached.size() && found == 0 && k < largest_search; ++k)
-      for(const Incidence* i = m_incidences.begin(reached[k]);
-          i != m_incidences.end(reached[k]) && found == 0; ++i) {
-        const std::size_t e = std::size_t(i->edge);
-        const Vertex_index next = i->points_to_vertex ? m_ends[e].source : m_ends[e].target;
-        if(!m_is_soft[e] || is_reached[std::size_t(next)] ||
-           !is_admissible(e, turned(*i, index)))
+      for(const Incidence& i : m_incidences[reached[k]]) {
+        const std::size_t e = std::size_t(i.edge);
+        const Vertex_index next = i.points_to_vertex ? m_ends[e].source : m_ends[e].target;
+        if(found != 0 || !m_is_soft[e] || is_reached[std::size_t(next)] ||
+           !is_admissible(e, turned(i, index)))
           continue;
         is_reached[std::size_t(next)] = true;
         reached.push_back(next);
         arrival.push_back(std::int32_t(k));
-        by.push_back(*i);
+        by.push_back(i);
         if(!is_border(next) && cone(next) == Group::inverse(index))
           found = reached.size() - 1;
       }

@@ -70,8 +70,8 @@ std::vector<double> residuals_of_parts(const Vertex_incidences& incidences,
 {
   Edge_sets parts(edges.size());
   for(std::size_t v = 0; v < incidences.size(); ++v)
-    for(auto i = incidences.begin(Vertex_index(v)); i != incidences.end(Vertex_index(v)); ++i)
-      parts.unite(incidences.begin(Vertex_index(v))->edge, i->edge);
+    for(const Incidence& i : incidences[v])
+      parts.unite(incidences[v].front().edge, i.edge);
   std::vector<double> largest(edges.size(), 0), result(edges.size());
   for(std::size_t i = 0; i < edges.size(); ++i) {
     double& residual = largest[parts.set_of(i)];
@@ -88,9 +88,9 @@ template <typename Surface, typename Halfedge>
 bool joins_two_edges(const Surface& surface, const std::vector<Mismatched_edge<Halfedge> >& edges,
                      const Vertex_incidences& incidences, const Vertex_index v)
 {
-  if(incidences.degree(v) != 2)
+  if(incidences[v].size() != 2)
     return false;
-  const Incidence& incidence = *incidences.begin(v);
+  const Incidence& incidence = incidences[v].front();
   const Halfedge h = edges[std::size_t(incidence.edge)].halfedge;
   return !has_border_at_target(surface, incidence.points_to_vertex ? h : surface.opposite(h));
 }
@@ -107,8 +107,8 @@ void mark_merged_edges(const Surface& surface, const Vertex_incidences& incidenc
   };
   Edge_sets chains(edges.size());
   for(std::size_t v = 0; v < incidences.size(); ++v) {
-    const Incidence* pair = incidences.begin(Vertex_index(v));
-    if(incidences.degree(Vertex_index(v)) == 2 && is_candidate(std::size_t(pair[0].edge)) &&
+    const auto pair = incidences[v];
+    if(pair.size() == 2 && is_candidate(std::size_t(pair[0].edge)) &&
        is_candidate(std::size_t(pair[1].edge)) &&
        joins_two_edges(surface, edges, incidences, Vertex_index(v)))
       chains.unite(pair[0].edge, pair[1].edge);

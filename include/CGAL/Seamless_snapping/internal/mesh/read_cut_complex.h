@@ -59,8 +59,8 @@ struct Constrained_vertices
     node_corner_ends = numbers.ends(node_corners);
     cut_ends.assign(mismatched_ends.begin(),
                     mismatched_ends.begin() + std::ptrdiff_t(transitions.number_of_cuts));
-    cuts = Vertex_incidences(size, cut_ends);
-    aligned = Vertex_incidences(size, aligned_ends);
+    cuts = vertex_incidences(size, cut_ends);
+    aligned = vertex_incidences(size, aligned_ends);
   }
 
   std::size_t size;
@@ -177,8 +177,7 @@ private:
   {
     Complex& complex = m_result.complex;
     mark_merged_vertices();
-    m_result.corners.reserve(7 * starts.size());
-    m_result.first_corner.reserve(2 * starts.size());
+    m_result.corners.reserve(2 * starts.size(), 7 * starts.size());
     complex.coordinates.reserve(2 * starts.size());
     complex.first_sector.reserve(starts.size() + 1);
     complex.is_node.reserve(starts.size());
@@ -198,6 +197,7 @@ private:
       complex.is_node.push_back(needs_node(Vertex_index(v), gaps, is_singular));
     }
     complex.first_sector.push_back(Sector_index(complex.number_of_sectors()));
+    end_sector();
     for(std::size_t i = 0; i < m_node_corners.size(); ++i)
       make_node(m_node_corners[i].halfedge, m_vertices.node_corner_ends[i].target);
   }
@@ -232,7 +232,7 @@ private:
         else if(m_has_merged_edge[std::size_t(v)])
           compare_with_first(h);
         add_corner(h, cut, following_cut);
-        if(m_vertices.aligned.degree(v) > 0)
+        if(!m_vertices.aligned[v].empty())
           add_to_aligned(v, h);
         begins = false;
       }
@@ -245,10 +245,10 @@ private:
   void collect_cuts_towards(const Vertex_index v)
   {
     m_cuts_here.clear();
-    for(const Incidence* i = m_vertices.cuts.begin(v); i != m_vertices.cuts.end(v); ++i) {
-      const Halfedge h = m_transitions.edges[std::size_t(i->edge)].halfedge;
-      m_cuts_here.push_back(i->points_to_vertex ? Cut_here{h, 2 * i->edge}
-                                                : Cut_here{m_surface.opposite(h), 2 * i->edge + 1});
+    for(const Incidence& i : m_vertices.cuts[v]) {
+      const Halfedge h = m_transitions.edges[std::size_t(i.edge)].halfedge;
+      m_cuts_here.push_back(i.points_to_vertex ? Cut_here{h, 2 * i.edge}
+                                               : Cut_here{m_surface.opposite(h), 2 * i.edge + 1});
     }
   }
 
@@ -264,8 +264,14 @@ private:
   // Where no edge is merged all further corners have the coordinates of the first.
   void begin_sector(const Halfedge h, const Directed_edge cut)
   {
+    end_sector();
     m_result.complex.coordinates.push_back(cut >= 0 ? uv_behind(cut) : m_surface.uv(h));
-    m_result.first_corner.push_back(m_result.corners.size());
+  }
+
+  void end_sector()
+  {
+    if(m_result.corners.size() < m_result.complex.number_of_sectors())
+      m_result.corners.end_list();
   }
 
   void compare_with_first(const Halfedge h)
@@ -301,11 +307,11 @@ private:
   void add_to_aligned(const Vertex_index v, const Halfedge h)
   {
     const Halfedge out = m_surface.next(h);
-    for(const Incidence* i = m_vertices.aligned.begin(v); i != m_vertices.aligned.end(v); ++i) {
-      const std::size_t a = std::size_t(i->edge);
-      if(i->points_to_vertex && m_aligned_edges.edges()[a].halfedge == h)
+    for(const Incidence& i : m_vertices.aligned[v]) {
+      const std::size_t a = std::size_t(i.edge);
+      if(i.points_to_vertex && m_aligned_edges.edges()[a].halfedge == h)
         m_aligned_target_sector[a] = last_sector();
-      else if(!i->points_to_vertex && m_aligned_edges.edges()[a].halfedge == out)
+      else if(!i.points_to_vertex && m_aligned_edges.edges()[a].halfedge == out)
         m_aligned_source_sector[a] = last_sector();
     }
   }
@@ -315,15 +321,15 @@ private:
   // only corners of the mesh touch.
   bool needs_node(const Vertex_index v, const std::size_t gaps, const bool is_singular) const
   {
-    const std::size_t cuts = m_vertices.cuts.degree(v);
-    const std::size_t aligned = m_vertices.aligned.degree(v);
+    const std::size_t cuts = m_vertices.cuts[v].size();
+    const auto aligned = m_vertices.aligned[v];
     if(cuts > 0)
-      return cuts != 2 || aligned > 0 || gaps > 0 || is_singular;
-    if(aligned == 0)
+      return cuts != 2 || !aligned.empty() || gaps > 0 || is_singular;
+    if(aligned.empty())
       return false;
-    const Incidence* ends = m_vertices.aligned.begin(v);
-    return aligned != 2 || gaps > 1 ||
-           m_aligned_edges.functional(ends[0].edge) != m_aligned_edges.functional(ends[1].edge);
+    return aligned.size() != 2 || gaps > 1 ||
+           m_aligned_edges.functional(aligned[0].edge) !=
+             m_aligned_edges.functional(aligned[1].edge);
   }
 
   void make_node(const Halfedge corner, const Vertex_index v)
@@ -332,15 +338,10 @@ private:
     m_result.complex.is_node[std::size_t(v)] = true;
     // the last corner of each sector is followed by the first of the next one
     const Sector_index last = complex.first_sector[std::size_t(v) + 1];
-    for(Sector_index s = complex.first_sector[std::size_t(v)]; s != last; ++s) {
-      const auto first =
-          m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s)]);
-      const auto end = std::size_t(s) + 1 < m_result.first_corner.size()
-        ? m_result.corners.begin() + std::ptrdiff_t(m_result.first_corner[std::size_t(s) + 1])
-        : m_result.corners.end();
-      if(std::find(first, end, corner) != end)
+    for(Sector_index s = complex.first_sector[std::size_t(v)]; s != last; ++s)
+      if(const auto corners = m_result.corners[s];
+         std::find(corners.begin(), corners.end(), corner) != corners.end())
         m_node_corner_sectors.push_back(s);
-    }
   }
 
   // The corners are so close together that their differences are exact, or nearly so.
@@ -350,9 +351,8 @@ private:
       const Uv first = m_result.complex.coordinates[std::size_t(mixed.sector)];
       std::vector<Uv> differences;
       double unit = 0;
-      const auto end = m_result.corners_end(mixed.sector);
-      for(auto h = m_result.corners_begin(mixed.sector); h != end; ++h) {
-        const Uv u = m_surface.uv(*h);
+      for(const Halfedge h : m_result.corners[mixed.sector]) {
+        const Uv u = m_surface.uv(h);
         differences.push_back({u[0] - first[0], u[1] - first[1]});
         unit = (std::max)({unit, std::abs(differences.back()[0]), std::abs(differences.back()[1])});
         mixed.largest = (std::max)({mixed.largest, std::abs(u[0]), std::abs(u[1])});
@@ -394,8 +394,8 @@ private:
       },
       m_result.complex);
     const auto ends = [](const Branch_list& list, const std::size_t b, const auto& halfedge) {
-      return std::array<Halfedge, 2>{{halfedge(*list.begin(b) / 2),
-                                      halfedge(*(list.end(b) - 1) / 2)}};
+      return std::array<Halfedge, 2>{{halfedge(list[b].front() / 2),
+                                      halfedge(list[b].back() / 2)}};
     };
     for(std::size_t b = 0; b < m_branches.size(); ++b)
       m_result.branch_ends.push_back(ends(m_branches, b, [&](const Edge_index i) {
@@ -413,10 +413,10 @@ private:
     std::unordered_map<Halfedge, typename Complex::Crossing> crossings;
     if(!m_constraints.paths.empty())
       for(std::size_t b = 0; b < m_branches.size(); ++b)
-        for(const Directed_edge* d = m_branches.begin(b); d != m_branches.end(b); ++d) {
-          const Halfedge h = m_transitions.edges[std::size_t(*d / 2)].halfedge;
-          crossings[h] = {Branch_index(b), *d % 2 == 0};
-          crossings[m_surface.opposite(h)] = {Branch_index(b), *d % 2 != 0};
+        for(const Directed_edge d : m_branches[b]) {
+          const Halfedge h = m_transitions.edges[std::size_t(d / 2)].halfedge;
+          crossings[h] = {Branch_index(b), d % 2 == 0};
+          crossings[m_surface.opposite(h)] = {Branch_index(b), d % 2 != 0};
         }
     auto sector = m_node_corner_sectors.begin();
     for(const auto& constraint : m_constraints.paths) {
@@ -479,7 +479,6 @@ template <typename Group, typename Surface>
 Surface_cuts<Group, typename Surface::Halfedge> Cut_complex_reader<Group, Surface>::run()
 {
   form_sectors(start_halfedges());
-  m_result.first_corner.push_back(m_result.corners.size());
   measure_mixed_sectors();
   add_branches_and_chains();
   add_further_constraints();

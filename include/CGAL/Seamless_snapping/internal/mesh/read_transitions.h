@@ -246,7 +246,7 @@ private:
                     }))
       return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
-    const Vertex_incidences incidences(numbers.size(), ends);
+    const Vertex_incidences incidences = vertex_incidences(numbers.size(), ends);
     if(!m_given.has_rotations()) {
       data.number_of_edges_decided_by_surroundings =
         Seam_estimator<Group, Surface>(m_surface, m_scale, m_tolerance * (data.extent * m_scale),

@@ -75,9 +75,9 @@ typename Group::Element holonomy(const Vertex_incidences& incidences,
                                  const Vertex_index v)
 {
   auto product = Group::identity(); // of elements that commute, as those of the plane do
-  for(const Incidence* i = incidences.begin(v); i != incidences.end(v); ++i) {
-    const auto g = edges[std::size_t(i->edge)].rotation;
-    product = Group::compose(i->points_to_vertex ? g : Group::inverse(g), product);
+  for(const Incidence& i : incidences[v]) {
+    const auto g = edges[std::size_t(i.edge)].rotation;
+    product = Group::compose(i.points_to_vertex ? g : Group::inverse(g), product);
   }
   return product;
 }
@@ -92,13 +92,13 @@ singular_vertices(const Surface& surface, const double scale,
   Vertex_numbers numbers(surface.number_of_vertices());
   numbers.mark_ends(edges);
   numbers.assign_numbers();
-  const Vertex_incidences incidences(numbers.size(), numbers.ends(edges));
+  const Vertex_incidences incidences = vertex_incidences(numbers.size(), numbers.ends(edges));
   std::vector<std::pair<Halfedge, int> > result;
   for(std::size_t i = 0; i < numbers.size(); ++i) {
     const int turns = Group::turns(holonomy<Group>(incidences, edges, Vertex_index(i)));
     if(turns == 0)
       continue;
-    const Incidence& incidence = *incidences.begin(Vertex_index(i));
+    const Incidence& incidence = incidences[i].front();
     const Halfedge any = edges[std::size_t(incidence.edge)].halfedge;
     const Halfedge first = incidence.points_to_vertex ? any : surface.opposite(any);
     if(has_border_at_target(surface, first))

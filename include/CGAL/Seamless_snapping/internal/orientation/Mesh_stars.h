@@ -85,7 +85,7 @@ public:
   std::vector<Face_index> faces_at_risk(const double reach) override
   {
     constexpr std::size_t lookahead = 24; // corners
-    const std::vector<Halfedge>& corners = m_cuts.corners;
+    const std::vector<Halfedge>& corners = m_cuts.corners.elements();
     std::vector<Face_index> result;
     for(std::size_t i = 0; i < corners.size(); ++i) {
       if(i + lookahead < corners.size())
@@ -122,8 +122,8 @@ public:
     for(std::size_t s = 0; s < number_of_sectors(); ++s)
       add(m_cuts.complex.coordinates[s], state[s]);
     for(const auto& mixed : m_cuts.complex.mixed_sectors)
-      for(auto h = m_cuts.corners_begin(mixed.sector); h != m_cuts.corners_end(mixed.sector); ++h)
-        add(m_surface.uv(*h), state[std::size_t(mixed.sector)]);
+      for(const Halfedge h : m_cuts.corners[mixed.sector])
+        add(m_surface.uv(h), state[std::size_t(mixed.sector)]);
     return result;
   }
 
@@ -149,8 +149,8 @@ public:
   void for_each_corner(const Point_index p, const F& f) const
   {
     if(std::size_t(p) < number_of_sectors()) {
-      for(auto h = m_cuts.corners_begin(p); h != m_cuts.corners_end(p); ++h)
-        f(*h);
+      for(const Halfedge h : m_cuts.corners[p])
+        f(h);
       return;
     }
     // all around, or up to the border on either side: beyond, there may be more corners of the
@@ -213,11 +213,12 @@ private:
     std::size_t low = 0, high = m_cuts.complex.number_of_vertices();
     while(high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
-      const Halfedge corner_there = *m_cuts.corners_begin(first_sector[middle]);
+      const Halfedge corner_there = m_cuts.corners[first_sector[middle]].front();
       (m_surface.vertex(corner_there) <= index ? low : high) = middle;
     }
     for(Sector_index s = first_sector[low]; s != first_sector[low + 1]; ++s)
-      if(std::find(m_cuts.corners_begin(s), m_cuts.corners_end(s), corner) != m_cuts.corners_end(s))
+      if(const auto corners = m_cuts.corners[s];
+         std::find(corners.begin(), corners.end(), corner) != corners.end())
         return s;
     return -1;
   }

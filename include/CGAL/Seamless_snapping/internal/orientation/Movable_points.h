@@ -207,23 +207,22 @@ Vertex_move<Group> find_vertex_move(const Movable_points<Group>& points, const P
   const Sector_links<Group>& links = points.links();
   for(std::size_t i = 0; i < move.members.size(); ++i) {
     const auto here = move.members[i];
-    for(auto link = links.begin(here.point); link != links.end(here.point); ++link) {
+    for(const auto& link : links.links(here.point)) {
       move.is_on_grid = true;
-      const auto element = Group::compose(link->element, here.element);
-      if(const auto* member = move.find(link->sector)) {
+      const auto element = Group::compose(link.element, here.element);
+      if(const auto* member = move.find(link.sector)) {
         if(member->element != element) // a cone: only d = 0 returns to itself
           move.freedom = Vertex_move<Group>::NONE;
       } else {
-        move.members.push_back({link->sector, element});
+        move.members.push_back({link.sector, element});
       }
     }
   }
   for(const auto& member : move.members) {
     if(links.is_pinned(member.point))
       move.freedom = Vertex_move<Group>::NONE;
-    for(auto f = links.functionals_begin(member.point); f != links.functionals_end(member.point);
-        ++f) {
-      const auto fixed = Group::functional(Group::act(Group::inverse(member.element), *f).index);
+    for(const int f : links.functionals(member.point)) {
+      const auto fixed = Group::functional(Group::act(Group::inverse(member.element), f).index);
       move.restrict_to({{-fixed[1], fixed[0]}});
     }
   }

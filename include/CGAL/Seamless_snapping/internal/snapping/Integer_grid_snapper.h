@@ -320,7 +320,7 @@ private:
   bool is_free(const Rounding<Group>& rounding, const Cuts& cuts) const
   {
     return rounding.kind == Rounding<Group>::POINT &&
-           has_border_at_target(m_surface, *cuts.corners_begin(Sector_index(rounding.index)));
+           has_border_at_target(m_surface, cuts.corners[rounding.index].front());
   }
 
   enum class Charts { AS_GIVEN, MOVED, CHOSEN } m_charts = Charts::AS_GIVEN;

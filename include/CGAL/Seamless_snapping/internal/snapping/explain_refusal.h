@@ -54,7 +54,7 @@ std::string name_of_rounding(const Rounding<Group>& rounding, const Surface& sur
   case Rounding<Group>::POINT:
     break;
   }
-  const auto corner = *cuts.corners_begin(Sector_index(rounding.index));
+  const auto corner = cuts.corners[rounding.index].front();
   return std::string(has_border_at_target(surface, corner) ? "the border" : "the cone") +
          " at vertex " + std::to_string(surface.vertex(corner));
 }

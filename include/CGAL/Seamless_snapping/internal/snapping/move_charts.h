@@ -176,12 +176,12 @@ private:
       for(int c = 0; c < int(dimension); ++c)
         add_value(s, c);
     for(std::size_t i = 0; i < complex.number_of_chains(); ++i)
-      add_value(*complex.links_begin(i), complex.functional[i]);
+      add_value(complex.links[i].front(), complex.functional[i]);
   }
 
   void add_value(const Sector_index s, const int functional)
   {
-    const Chart& chart = m_charts[this->chart(*m_cuts.corners_begin(s))];
+    const Chart& chart = m_charts[this->chart(m_cuts.corners[s].front())];
     const Vector& u = m_cuts.complex.coordinates[std::size_t(s)];
     const Signed_functional f = Group::act(Group::inverse(chart.element), functional);
     if(f.index < int(dimension)) // the sum of both follows

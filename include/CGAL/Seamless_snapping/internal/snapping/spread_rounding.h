@@ -244,9 +244,8 @@ private:
   {
     m_sectors.assign(std::size_t(m_surface.number_of_corners()), -1);
     for(std::size_t s = 0; s < m_complex.number_of_sectors(); ++s)
-      for(auto h = m_cuts.corners_begin(Sector_index(s)); h != m_cuts.corners_end(Sector_index(s));
-          ++h)
-        m_sectors[std::size_t(*h)] = Sector_index(s);
+      for(const auto h : m_cuts.corners[s])
+        m_sectors[std::size_t(h)] = Sector_index(s);
   }
 
   bool is_free(const std::size_t face) const
@@ -259,7 +258,7 @@ private:
     m_links.assign(m_complex.number_of_sectors(), {});
     std::vector<Form_vector> translations(m_complex.number_of_branches());
     for(std::size_t b = 0; b < translations.size(); ++b) {
-      const auto& pair = *m_complex.pairs_begin(b);
+      const auto& pair = m_complex.pairs[b].front();
       const Vector turned =
         Group::apply(m_complex.element[b], m_complex.coordinates[std::size_t(pair.plus)]);
       for(std::size_t c = 0; c < dimension; ++c)
@@ -276,9 +275,9 @@ private:
       Form_vector s;
       for(std::size_t c = 0; c < dimension; ++c)
         s[c].add(apply(back, translations[b])[c], -1);
-      for(auto p = m_complex.pairs_begin(b); p != m_complex.pairs_end(b); ++p) {
-        m_links[std::size_t(p->plus)].push_back({p->minus, g, translations[b]});
-        m_links[std::size_t(p->minus)].push_back({p->plus, back, s});
+      for(const auto& pair : m_complex.pairs[b]) {
+        m_links[std::size_t(pair.plus)].push_back({pair.minus, g, translations[b]});
+        m_links[std::size_t(pair.minus)].push_back({pair.plus, back, s});
       }
     }
   }
@@ -293,7 +292,7 @@ private:
     for(Sector_index root = first; root != end; ++root) {
       if(is_placed[std::size_t(root - first)])
         continue;
-      m_places[std::size_t(root)] = {m_surface.vertex(*m_cuts.corners_begin(root)),
+      m_places[std::size_t(root)] = {m_surface.vertex(m_cuts.corners[root].front()),
                                      Group::identity(), {}};
       is_placed[std::size_t(root - first)] = true;
       std::vector<Sector_index> sectors(1, root);
@@ -333,8 +332,8 @@ private:
         fix(term.sector, term.coordinate, r.rounded);
       else if(r.kind == Rounding<Group>::CHAIN) {
         m_has_level[r.index] = true;
-        for(auto s = m_complex.links_begin(r.index); s != m_complex.links_end(r.index); ++s)
-          fix(*s, m_complex.functional[r.index], r.rounded);
+        for(const Sector_index s : m_complex.links[r.index])
+          fix(s, m_complex.functional[r.index], r.rounded);
       }
     }
   }
@@ -435,10 +434,11 @@ private:
       const auto level = [&](const Sector_index s) {
         return Group::value(f, m_complex.coordinates[std::size_t(s)]);
       };
-      const Sector_index first = *m_complex.links_begin(i);
-      for(auto s = m_complex.links_begin(i); s != m_complex.links_end(i) && !m_has_level[i]; ++s)
-        add_condition(form(m_places[std::size_t(*s)], f),
-                      number_and_unknown(level(first) - level(*s), m_first_level + i));
+      if(!m_has_level[i])
+        for(const Sector_index s : m_complex.links[i])
+          add_condition(form(m_places[std::size_t(s)], f),
+                        number_and_unknown(level(m_complex.links[i].front()) - level(s),
+                                           m_first_level + i));
     }
   }
 

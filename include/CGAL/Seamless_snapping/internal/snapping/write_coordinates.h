@@ -94,22 +94,22 @@ private:
   void collect_sectors(const std::vector<Uv>& uv)
   {
     constexpr std::ptrdiff_t lookahead = 32; // corners
-    const Halfedge* const end = m_cuts.corners.data() + m_cuts.corners.size();
-    m_changes.reserve(m_changes.size() + m_cuts.corners.size());
+    const std::vector<Halfedge>& corners = m_cuts.corners.elements();
+    const Halfedge* const end = corners.data() + corners.size();
+    m_changes.reserve(m_changes.size() + corners.size());
     for(std::size_t i = 0; i < number_of_sectors(); ++i) {
       const Sector_index s = Sector_index(i);
-      const auto first = m_cuts.corners_begin(s), last = m_cuts.corners_end(s);
       const Uv& before = m_cuts.complex.coordinates[i];
       const Uv after = with_signs_of_zeros(uv[i], before);
       const bool is_mixed = m_cuts.complex.find_mixed_sector(s) != nullptr;
       if(!is_mixed)
         measure(before, after, 1);
-      for(auto h = first; h != last; ++h) {
-        if(end - h > lookahead)
-          m_surface.prefetch(h[lookahead]);
-        m_changes.push_back({*h, m_surface.uv(*h), after});
+      for(const Halfedge& h : m_cuts.corners[s]) {
+        if(end - &h > lookahead)
+          m_surface.prefetch((&h)[lookahead]);
+        m_changes.push_back({h, m_surface.uv(h), after});
         if(is_mixed)
-          measure(m_changes.back().before, after, 1. / static_cast<double>(last - first));
+          measure(m_changes.back().before, after, 1. / static_cast<double>(m_cuts.corners[s].size()));
       }
     }
   }

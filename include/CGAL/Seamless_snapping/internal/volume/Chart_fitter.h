@@ -102,7 +102,7 @@ private:
   void round(const Number_format& format)
   {
     std::vector<double> largest(m_charts.shifts.size(), 0); // per root
-    for(const Corner_index i : m_sectors.corners)
+    for(const Corner_index i : m_sectors.corners.elements())
       for(std::size_t c = 0; c < 3; ++c) {
         double& x = largest[m_charts.root(i)];
         x = (std::max)({x, std::abs(m_volume.uvw(i)[c]),
@@ -124,20 +124,16 @@ private:
   template <typename Values, typename F>
   void for_each_deviation(const Values& values, const F& f) const
   {
-    for(std::size_t s = 0; s < m_sectors.number_of_sectors(); ++s) {
-      const Corner_index* const begin = m_sectors.corners_begin(Sector_number(s));
-      const Corner_index* const end = m_sectors.corners_end(Sector_number(s));
-      if(end - begin == 1)
-        continue;
-      for(std::size_t c = 0; c < 3; ++c) {
-        const double first = values(std::size_t(*begin), c);
+    for(std::size_t s = 0; s < m_sectors.corners.size(); ++s) {
+      const auto corners = m_sectors.corners[s];
+      for(std::size_t c = 0; corners.size() > 1 && c < 3; ++c) {
+        const double first = values(std::size_t(corners.front()), c);
         double sum = 0;
-        for(const Corner_index* i = begin; i != end; ++i)
-          sum += values(std::size_t(*i), c) - first;
-        const double mean = sum / static_cast<double>(end - begin);
-        for(const Corner_index* i = begin; i != end; ++i)
-          f(std::size_t(*i), c, values(std::size_t(*i), c) - first - mean,
-            std::size_t(end - begin));
+        for(const Corner_index i : corners)
+          sum += values(std::size_t(i), c) - first;
+        const double mean = sum / static_cast<double>(corners.size());
+        for(const Corner_index i : corners)
+          f(std::size_t(i), c, values(std::size_t(i), c) - first - mean, corners.size());
       }
     }
   }

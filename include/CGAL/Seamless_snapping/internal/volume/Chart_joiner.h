@@ -17,6 +17,7 @@
 
 // Joins the charts of a volume whose producer gave each hexahedron, or each cell, its own.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
@@ -111,19 +112,13 @@ private:
   // Turns and moves charts along a spanning forest. Returns how many it reaches from others.
   std::size_t span()
   {
-    std::vector<std::size_t> begin(m_element_of_chart.size() + 1, 0);
-    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
-      if(m_is_cut[i] != 0)
-        for(const Corner_index f : {facet(i), other(i)})
-          ++begin[std::size_t(chart_of(f)) + 1];
-    for(std::size_t k = 1; k < begin.size(); ++k)
-      begin[k] += begin[k - 1];
-    std::vector<Corner_index> facets(begin.back()); // of the cuts, by the chart of their cells
-    std::vector<std::size_t> next(begin);
-    for(std::size_t i = 0; i < m_is_cut.size(); ++i)
-      if(m_is_cut[i] != 0)
-        for(const Corner_index f : {facet(i), other(i)})
-          facets[next[std::size_t(chart_of(f))]++] = f;
+    const Lists<Corner_index> facets( // of the cuts, by the chart of their cells
+      m_element_of_chart.size(), [&](const auto& add) {
+        for(std::size_t i = 0; i < m_is_cut.size(); ++i)
+          if(m_is_cut[i] != 0)
+            for(const Corner_index f : {facet(i), other(i)})
+              add(chart_of(f), f);
+      });
     std::vector<std::int32_t> queue;
     for(std::size_t root = 0; root < m_element_of_chart.size(); ++root) {
       if(m_element_of_chart[root] >= 0)
@@ -132,11 +127,11 @@ private:
       m_root[root] = std::int32_t(root);
       std::size_t i = queue.size();
       for(queue.push_back(std::int32_t(root)); i < queue.size(); ++i)
-        for(std::size_t j = begin[std::size_t(queue[i])]; j < begin[std::size_t(queue[i]) + 1]; ++j)
-          if(const std::int32_t chart = chart_of(m_volume.opposite[std::size_t(facets[j])]);
+        for(const Corner_index f : facets[queue[i]])
+          if(const std::int32_t chart = chart_of(m_volume.opposite[std::size_t(f)]);
              m_element_of_chart[std::size_t(chart)] < 0) {
-            fit(facets[j]);
-            m_tree.push_back(std::size_t(m_place[std::size_t(facets[j])]));
+            fit(f);
+            m_tree.push_back(std::size_t(m_place[std::size_t(f)]));
             queue.push_back(chart);
           }
     }

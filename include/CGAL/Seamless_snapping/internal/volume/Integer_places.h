@@ -107,9 +107,9 @@ private:
   {
     means.assign(place.number_of_slots, Uvw());
     for(std::size_t i = 0; i < place.members.size(); ++i) {
-      const Uvw& x = u[std::size_t(*m_sectors.corners_begin(place.members[i]))];
+      const Uvw& x = u[std::size_t(m_sectors.corners[place.members[i]].front())];
       const Uvw& first = // digits are lost less relative to the first
-        u[std::size_t(*m_sectors.corners_begin(place.members[i % place.number_of_slots]))];
+        u[std::size_t(m_sectors.corners[place.members[i % place.number_of_slots]].front())];
       for(std::size_t c = 0; c < 3; ++c)
         means[i % place.number_of_slots][c] += x[c] - first[c];
     }
@@ -117,7 +117,7 @@ private:
       for(std::size_t c = 0; c < 3; ++c) {
         double& mean = means[slot][c];
         mean = mean / static_cast<double>(place.number_of_members()) +
-               u[std::size_t(*m_sectors.corners_begin(place.members[slot]))][c];
+               u[std::size_t(m_sectors.corners[place.members[slot]].front())][c];
       }
   }
 

@@ -224,19 +224,19 @@ private:
   {
     if(!grid.is_representable(x))
       return false;
-    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i) {
+    for(const Corner_index i : m_sectors.corners[s]) {
       double to = grid.value(x);
       std::size_t column = c;
       if(!m_charts.are_given()) {
-        const int g = m_charts.element(std::size_t(*i));
-        const Grid_value shift = grid.split(m_charts.shift(std::size_t(*i), c));
+        const int g = m_charts.element(std::size_t(i));
+        const Grid_value shift = grid.split(m_charts.shift(std::size_t(i), c));
         const std::int64_t in_chart = Group::sign(g, c) * (x - shift.base);
         if(!grid.is_representable(in_chart) || shift.offset != 0)
           return false;
         to = grid.value(in_chart);
         column = Group::source(g, c);
       }
-      double& u = coordinates[std::size_t(*i)][column];
+      double& u = coordinates[std::size_t(i)][column];
       if(u != to) // a zero that stays one keeps its sign
         u = to;
     }

@@ -93,14 +93,14 @@ public:
   // As numbers of a grid, with what is left.
   Grid_value operator()(const Sector_number s, const std::size_t c, const Grid& grid) const
   {
-    const double first = coordinate(*m_sectors.corners_begin(s), c);
+    const auto corners = m_sectors.corners[s];
+    const double first = coordinate(corners.front(), c);
     double deviation = 0;
-    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
-      deviation += coordinate(*i, c) - first;
+    for(const Corner_index i : corners)
+      deviation += coordinate(i, c) - first;
     Grid_value result = grid.split(first);
     if(deviation != 0)
-      result.offset += grid.in_steps(
-        deviation / static_cast<double>(m_sectors.corners_end(s) - m_sectors.corners_begin(s)));
+      result.offset += grid.in_steps(deviation / static_cast<double>(corners.size()));
     return result;
   }
 
@@ -108,9 +108,9 @@ public:
   double largest(const Sector_number s, const std::size_t c) const
   {
     double result = 0;
-    for(const Corner_index* i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i) {
-      const double u = coordinate(*i, c);
-      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(*i), c))});
+    for(const Corner_index i : m_sectors.corners[s]) {
+      const double u = coordinate(i, c);
+      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(i), c))});
     }
     return result;
   }

@@ -120,8 +120,7 @@ private:
       const std::size_t first = m_members.first_unknown(m);
       m_members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
         const Sector_number s = m_members.sector(m, slot);
-        const double weight = 1 / static_cast<double>(sectors.corners_end(s) -
-                                                      sectors.corners_begin(s));
+        const double weight = 1 / static_cast<double>(sectors.corners[s].size());
         for(std::size_t c = 0; c < 3; ++c)
           if(const Volume_members::Term& t = m_terms[std::size_t(i)][c]; t.sign != 0) {
             sum[t.unknown - first] -= weight * t.sign * m_bases[std::size_t(i)][c];

@@ -17,6 +17,7 @@
 
 // The combinatorics of the caller's tetrahedra: vertices and neighbors of all cells.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 
@@ -40,19 +41,11 @@ class Facet_matcher
 public:
   // \param vertices per corner, from 0 to `number_of_vertices` - 1
   Facet_matcher(const std::vector<std::int32_t>& vertices, const std::size_t number_of_vertices)
-    : m_vertices(vertices)
-  {
-    std::vector<std::int32_t> begin(number_of_vertices + 1, 0);
-    for(std::size_t f = 0; f < vertices.size(); ++f)
-      ++begin[std::size_t(key(Corner_index(f))[0]) + 1];
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      begin[v + 1] += begin[v];
-    m_facets.resize(vertices.size());
-    std::vector<std::int32_t> next(begin);
-    for(std::size_t f = 0; f < vertices.size(); ++f)
-      m_facets[std::size_t(next[std::size_t(key(Corner_index(f))[0])]++)] = Corner_index(f);
-    m_begin.swap(begin);
-  }
+    : m_vertices(vertices), m_buckets(number_of_vertices, [&](const auto& add) {
+        for(std::size_t f = 0; f < vertices.size(); ++f)
+          add(key(Corner_index(f))[0], Corner_index(f));
+      })
+  { }
 
   // Fills in, per facet, the cell on the other side, or -1. Returns a facet that more than two
   // cells have, or `no_facet`.
@@ -60,10 +53,10 @@ public:
   {
     neighbors.assign(m_vertices.size(), -1);
     std::vector<std::pair<Key, Corner_index> > bucket;
-    for(std::size_t v = 0; v + 1 < m_begin.size(); ++v) {
+    for(std::size_t v = 0; v < m_buckets.size(); ++v) {
       bucket.clear();
-      for(std::int32_t i = m_begin[v]; i < m_begin[v + 1]; ++i)
-        bucket.emplace_back(key(m_facets[std::size_t(i)]), m_facets[std::size_t(i)]);
+      for(const Corner_index facet : m_buckets[v])
+        bucket.emplace_back(key(facet), facet);
       std::sort(bucket.begin(), bucket.end());
       for(std::size_t i = 0; i + 1 < bucket.size(); ++i) {
         if(bucket[i].first != bucket[i + 1].first)
@@ -92,8 +85,7 @@ private:
   }
 
   const std::vector<std::int32_t>& m_vertices;
-  std::vector<std::int32_t> m_begin;  // per vertex
-  std::vector<Corner_index> m_facets; // by their least vertices
+  Lists<Corner_index> m_buckets; // of facets, per vertex
 };
 
 // 32 bytes a cell. Invariant: there are at most four times as many vertices as cells.

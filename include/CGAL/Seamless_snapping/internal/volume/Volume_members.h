@@ -155,11 +155,9 @@ public:
   template <typename F>
   void for_each_corner(const Member_index m, const F& f) const
   {
-    for(std::size_t slot = 0; slot < place(m).number_of_slots; ++slot) {
-      const Sector_number s = sector(m, slot);
-      for(auto i = m_sectors.corners_begin(s); i != m_sectors.corners_end(s); ++i)
-        f(slot, *i);
-    }
+    for(std::size_t slot = 0; slot < place(m).number_of_slots; ++slot)
+      for(const Corner_index i : m_sectors.corners[sector(m, slot)])
+        f(slot, i);
   }
 
   // Keeps what `move()` does to the coordinates of a member if it returns that it is a gain, and no

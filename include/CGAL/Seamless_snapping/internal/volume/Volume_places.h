@@ -127,7 +127,7 @@ private:
     for(const Sector_number s : part)
       m_slot[std::size_t(s)] = -1;
     if(!m_charts.are_given()) // their grids differ
-      word.push_back(std::int32_t(m_charts.root(*m_sectors.corners_begin(part[0]))));
+      word.push_back(std::int32_t(m_charts.root(m_sectors.corners[part[0]].front())));
     return word;
   }
 

@@ -23,6 +23,7 @@
 // that share a rotation and a translation, since some vertex of both has the same arc for them. A
 // level is a class of coordinates of sectors that aligned facets and edges make equal.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
 
@@ -72,22 +73,13 @@ struct Sector_level
 struct Volume_sectors
 {
   std::vector<Sector_number> sector;     // per corner; -1 at fixed vertices
-  std::vector<std::size_t> first_corner; // per sector, and the number of `corners`
-  std::vector<Corner_index> corners;     // by sector
+  Lists<Corner_index> corners;           // per sector
   std::vector<Sector_arc> arcs;
   std::vector<Sector_level> levels;
   std::vector<Cube_rotations::Element> sheet_element; // per sheet
   std::size_t number_of_levels = 0;
 
-  std::size_t number_of_sectors() const { return first_corner.size() - 1; }
-  const Corner_index* corners_begin(const Sector_number s) const
-  {
-    return corners.data() + first_corner[std::size_t(s)];
-  }
-  const Corner_index* corners_end(const Sector_number s) const
-  {
-    return corners.data() + first_corner[std::size_t(s) + 1];
-  }
+  std::size_t number_of_sectors() const { return corners.size(); }
 };
 
 class Sector_builder
@@ -136,36 +128,23 @@ private:
   // By vertex, then by the first corner of the sector.
   void sort_corners(Signed_union_find& classes)
   {
-    std::vector<Corner_index> end(m_volume.number_of_vertices() + 1, 0); // per vertex, and 1 more
-    for(std::size_t i = 0; i < m_volume.vertices.size(); ++i)
-      if(!is_fixed(Corner_index(i)))
-        ++end[std::size_t(m_volume.vertices[i]) + 1];
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<Corner_index>& corners = m_result.corners;
-    corners.resize(std::size_t(end.back()));
-    std::vector<Corner_index>& first = m_result.sector; // of the class, until it has a number
-    first.assign(m_volume.vertices.size(), -1);
-    for(std::size_t i = 0; i < first.size(); ++i)
-      if(!is_fixed(Corner_index(i))) {
-        first[i] = Corner_index(classes.root(i));
-        corners[std::size_t(end[std::size_t(m_volume.vertices[i])]++)] = Corner_index(i);
-      }
-    const auto is_before = [&](const Corner_index a, const Corner_index b) {
-      return std::make_pair(first[std::size_t(a)], a) < std::make_pair(first[std::size_t(b)], b);
-    };
-    Corner_index i = 0;
-    for(std::size_t v = 0; v < m_volume.number_of_vertices(); ++v) {
-      if(!std::is_sorted(corners.begin() + i, corners.begin() + end[v], is_before))
-        std::sort(corners.begin() + i, corners.begin() + end[v], is_before);
-      for(Corner_index former = -1; i < end[v]; ++i) {
-        Sector_number& sector = m_result.sector[std::size_t(corners[std::size_t(i)])];
-        if(sector != former)
-          m_result.first_corner.push_back(std::size_t(i));
-        former = sector;
-        sector = Sector_number(m_result.first_corner.size()) - 1;
-      }
+    const Lists<Corner_index> of_vertices(m_volume.number_of_vertices(), [&](const auto& add) {
+      for(std::size_t i = 0; i < m_volume.vertices.size(); ++i)
+        if(!is_fixed(Corner_index(i)))
+          add(m_volume.vertices[i], Corner_index(i));
+    });
+    std::vector<Sector_number>& sector = m_result.sector;
+    sector.assign(m_volume.vertices.size(), -1);
+    Sector_number n = 0;
+    for(const Corner_index i : of_vertices.elements()) {
+      const std::size_t root = classes.root(std::size_t(i)); // the first corner
+      sector[std::size_t(i)] = root == std::size_t(i) ? n++ : sector[root];
     }
-    m_result.first_corner.push_back(corners.size());
+    m_result.corners = Lists<Corner_index>(std::size_t(n), [&](const auto& add) {
+      for(std::size_t i = 0; i < sector.size(); ++i)
+        if(sector[i] >= 0)
+          add(sector[i], Corner_index(i));
+    });
   }
 
   // The arc of a cut facet at a vertex, in a form that does not depend on the facet's sides.

@@ -141,18 +141,16 @@ private:
   {
     const double unit = m_report.grid_step;
     double sum = 0, squares = 0;
-    for(std::size_t s = 0; s < sectors.number_of_sectors(); ++s) {
-      const auto begin = sectors.corners_begin(Sector_number(s));
-      const auto end = sectors.corners_end(Sector_number(s));
+    for(std::size_t s = 0; s < sectors.corners.size(); ++s) {
       double sum_here = 0, squares_here = 0;
-      for(auto i = begin; i != end; ++i)
+      for(const Corner_index i : sectors.corners[s])
         for(std::size_t c = 0; c < 3; ++c) {
-          const double change = std::abs(snapped[std::size_t(*i)][c] - m_volume.uvw(*i)[c]) / unit;
+          const double change = std::abs(snapped[std::size_t(i)][c] - m_volume.uvw(i)[c]) / unit;
           sum_here += change;
           squares_here += change * change;
         }
-      sum += sum_here / static_cast<double>(end - begin);
-      squares += squares_here / static_cast<double>(end - begin);
+      sum += sum_here / static_cast<double>(sectors.corners[s].size());
+      squares += squares_here / static_cast<double>(sectors.corners[s].size());
     }
     const double size = 3 * static_cast<double>(sectors.number_of_sectors());
     m_report.mean_change = sum / size * unit;
@@ -275,7 +273,7 @@ private:
     std::vector<char> is_root_inexact(charts.roots.size(), 0);
     for(const bool is_second_pass : {false, true})
       for(std::size_t s = 0; s < slot.size(); ++s) {
-        char& of_root = is_root_inexact[charts.root(*sectors.corners_begin(Sector_number(s)))];
+        char& of_root = is_root_inexact[charts.root(sectors.corners[s].front())];
         for(std::size_t j = 3 * slot[s]; j < 3 * slot[s] + 3; ++j)
           if(is_second_pass)
             is_inexact[j] = of_root;
