@@ -49,33 +49,6 @@ namespace Seamless_snapping {
 
 namespace internal {
 
-// Whether the faces of the soup are those of the mesh, in the same order: vertices by `number(v)`,
-// points, and, to the bit, coordinates.
-template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap,
-          typename NumberOf>
-bool has_faces_of(const Soup& soup, const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                  const VertexPointMap& points, const NumberOf& number)
-{
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  if(faces(tmesh).size() != soup.triangles.size())
-    return false;
-  auto triangle = soup.triangles.begin();
-  for(const auto f : faces(tmesh)) {
-    auto h = halfedge(f, tmesh);
-    for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh)) {
-      const auto& p = soup.points[triangle->vertices[i]];
-      const auto& uv = soup.uvs[triangle->uvs[i]];
-      const auto& of_mesh = get(uv_map, h);
-      if(triangle->vertices[i] != number(target(h, tmesh)) ||
-         get(points, target(h, tmesh)) != Point(p[0], p[1], p[2]) ||
-         !is_same_number(uv[0], of_mesh.x()) || !is_same_number(uv[1], of_mesh.y()))
-        return false;
-    }
-    ++triangle;
-  }
-  return true;
-}
-
 template <typename Soup, typename TriangleMesh, typename EdgeMap, typename NumberOf>
 bool has_features_of(const Soup& soup, const TriangleMesh& tmesh, const EdgeMap& is_feature,
                      const NumberOf& number)
@@ -278,7 +251,16 @@ private:
                                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const auto numbers = CGAL::get_initialized_vertex_index_map(tmesh, np);
     const auto number = [&](const auto v) { return static_cast<std::size_t>(get(numbers, v)); };
-    if(!internal::has_faces_of(soup, tmesh, uv_map, points, number))
+    using Point = typename boost::property_traits<std::decay_t<decltype(points)> >::value_type;
+    if(!internal::has_faces_of(soup, tmesh, [&](const auto& triangle, const auto i, const auto h) {
+         const auto& p = soup.points[triangle.vertices[i]];
+         const auto& uv = soup.uvs[triangle.uvs[i]];
+         const auto& of_mesh = get(uv_map, h);
+         return triangle.vertices[i] == number(target(h, tmesh)) &&
+                get(points, target(h, tmesh)) == Point(p[0], p[1], p[2]) &&
+                internal::is_same_number(uv[0], of_mesh.x()) &&
+                internal::is_same_number(uv[1], of_mesh.y());
+       }))
       return false;
     const auto features = get_parameter(np, CGAL::internal_np::edge_is_constrained);
     if constexpr(internal::is_given<decltype(features)>)

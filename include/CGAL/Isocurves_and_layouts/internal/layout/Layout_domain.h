@@ -173,20 +173,17 @@ inline void mark_starts(const std::vector<char>& is_given, Layout_domain& domain
 
 // The parts that walls divide the surface into, per face: a face of the part. Sides of a wall may
 // belong to the same part.
-inline std::vector<std::int32_t> parts_between_walls(const Layout_domain& domain)
+inline std::vector<std::size_t> parts_between_walls(const Layout_domain& domain)
 {
   const Chart_mesh& mesh = domain.mesh;
-  const std::size_t n = std::size_t(mesh.number_of_faces());
-  std::vector<std::int32_t> ranks(n, 0), parents(n);
-  boost::disjoint_sets<std::int32_t*, std::int32_t*> sets(ranks.data(), parents.data());
-  for(std::size_t f = 0; f < n; ++f)
-    sets.make_set(std::int32_t(f));
+  std::vector<std::size_t> result(std::size_t(mesh.number_of_faces()));
+  boost::disjoint_sets_with_storage<> sets(result.size());
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(!domain.is_wall[std::size_t(h)] && h < mesh.opposite(h))
       sets.union_set(mesh.face(h), mesh.face(mesh.opposite(h)));
-  for(std::size_t f = 0; f < n; ++f)
-    parents[f] = sets.find_set(std::int32_t(f));
-  return parents;
+  for(std::size_t f = 0; f < result.size(); ++f)
+    result[f] = sets.find_set(f);
+  return result;
 }
 
 // What vertices are compared by: the coordinates of all corners, least first.
@@ -229,10 +226,9 @@ inline std::size_t choose_seed(const Layout_domain& domain, std::vector<std::siz
 inline void add_seeds(Layout_domain& domain)
 {
   const Chart_mesh& mesh = domain.mesh;
-  const std::vector<std::int32_t> parts = parts_between_walls(domain);
+  const std::vector<std::size_t> parts = parts_between_walls(domain);
   std::vector<char> has_start(parts.size(), false);
-  const auto part = [&](const Corner_index h)
-    { return std::size_t(parts[std::size_t(mesh.face(h))]); };
+  const auto part = [&](const Corner_index h) { return parts[std::size_t(mesh.face(h))]; };
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(domain.is_start(mesh.vertex(h)))
       has_start[part(h)] = true;

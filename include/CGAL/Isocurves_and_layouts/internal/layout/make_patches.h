@@ -91,23 +91,20 @@ private:
     if(!faces.is_covered())
       return false;
     const std::size_t n = m_layout.patches.size();
-    std::vector<std::int32_t> ranks(n, 0), parents(n), numbers(n, no_index);
-    boost::disjoint_sets<std::int32_t*, std::int32_t*> sets(ranks.data(), parents.data());
-    for(std::size_t p = 0; p < n; ++p)
-      sets.make_set(Patch_index(p));
+    boost::disjoint_sets_with_storage<> sets(n);
     for(const auto& [a, b] : faces.joined_patches())
       sets.union_set(a, b);
+    std::vector<Patch_index> numbers(n, no_index);
     std::vector<Layout_patch> patches;
     for(std::size_t p = 0; p < n; ++p) {
-      Patch_index& number = numbers[std::size_t(sets.find_set(Patch_index(p)))];
+      Patch_index& number = numbers[sets.find_set(p)];
       if(number == no_index) {
         number = Patch_index(patches.size());
         patches.emplace_back();
       }
       patches[std::size_t(number)].cycles.push_back(std::move(m_layout.patches[p].cycles[0]));
     }
-    const auto new_number = [&](const Patch_index p)
-      { return numbers[std::size_t(sets.find_set(p))]; };
+    const auto new_number = [&](const Patch_index p) { return numbers[sets.find_set(std::size_t(p))]; };
     m_layout.patches = std::move(patches);
     for(Half_arc& half : m_layout.half_arcs)
       if(half.patch != no_index)

@@ -183,10 +183,7 @@ std::vector<double> Linear_solver::displacements(const std::vector<double>& shif
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Linear_solver::find_components(const Integer_system& system)
 {
-  std::vector<int> parent(system.number_of_columns()), rank(system.number_of_columns(), 0);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
-  for(std::size_t j = 0; j < parent.size(); ++j)
-    sets.make_set(int(j));
+  boost::disjoint_sets_with_storage<> sets(system.number_of_columns());
   std::vector<Column_index> first_column(system.number_of_rows(), -1);
   for(std::size_t i = 0; i < system.number_of_rows(); ++i)
     system.for_each_column(i, [&](const Column_index j) {
@@ -201,7 +198,7 @@ void Linear_solver::find_components(const Integer_system& system)
       add_empty_row(system, i);
       continue;
     }
-    Component_index& c = component_of_set[std::size_t(sets.find_set(first_column[i]))];
+    Component_index& c = component_of_set[sets.find_set(std::size_t(first_column[i]))];
     if(c < 0) {
       c = Component_index(m_rows.size());
       m_rows.emplace_back();
@@ -209,8 +206,8 @@ void Linear_solver::find_components(const Integer_system& system)
     }
     m_rows[std::size_t(c)].push_back(i);
   }
-  for(std::size_t j = 0; j < parent.size(); ++j) {
-    const Component_index c = component_of_set[std::size_t(sets.find_set(int(j)))];
+  for(std::size_t j = 0; j < system.number_of_columns(); ++j) {
+    const Component_index c = component_of_set[sets.find_set(j)];
     m_component_of_column[j] = c;
     if(c < 0)
       continue;

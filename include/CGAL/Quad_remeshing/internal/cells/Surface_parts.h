@@ -110,16 +110,13 @@ private:
   void number_parts(const Basic_chart_mesh<Group>& mesh)
   {
     const std::size_t n = mesh.corners.size() / 3;
-    std::vector<std::int32_t> ranks(n, 0), parents(n);
-    boost::disjoint_sets<std::int32_t*, std::int32_t*> sets(ranks.data(), parents.data());
-    for(std::size_t f = 0; f < n; ++f)
-      sets.make_set(std::int32_t(f));
+    boost::disjoint_sets_with_storage<> sets(n);
     for(std::size_t i = 0; i < mesh.corners.size(); ++i)
       if(mesh.opposite(Corner_index(i)) > Corner_index(i))
-        sets.union_set(std::int32_t(i / 3), mesh.opposite(Corner_index(i)) / 3);
+        sets.union_set(i / 3, std::size_t(mesh.opposite(Corner_index(i)) / 3));
     m_parts.assign(n, no_index);
     for(std::size_t f = 0; f < n; ++f) {
-      std::int32_t& part = m_parts[std::size_t(sets.find_set(std::int32_t(f)))];
+      std::int32_t& part = m_parts[sets.find_set(f)];
       if(part == no_index) {
         part = std::int32_t(m_data.size());
         m_data.push_back({f});

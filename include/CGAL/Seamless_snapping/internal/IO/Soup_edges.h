@@ -225,8 +225,6 @@ private:
   {
     // 2t stands for triangle t as it is, 2t + 1 for t turned round; sets of what goes together
     boost::disjoint_sets_with_storage<> sets(2 * m_triangles->size());
-    for(std::size_t t = 0; t < 2 * m_triangles->size(); ++t)
-      sets.make_set(t);
     for_each_edge([&](const Side* const first, const Side* const last) {
       if(last - first == 2) {
         const std::size_t t0 = 2 * std::size_t(first[0].side / 3);

@@ -42,6 +42,26 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// Whether the faces of the soup are those of the mesh, in the same order: vertex i of a triangle is
+// the target of a halfedge h with `is_same(triangle, i, h)`.
+template <typename Soup, typename TriangleMesh, typename IsSame>
+bool has_faces_of(const Soup& soup, const TriangleMesh& tmesh, const IsSame& is_same)
+{
+  if(faces(tmesh).size() != soup.triangles.size())
+    return false;
+  auto triangle = soup.triangles.begin();
+  for(const auto face : faces(tmesh)) {
+    auto h = halfedge(face, tmesh);
+    for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh))
+      if(!is_same(*triangle, i, h))
+        return false;
+    if(h != halfedge(face, tmesh))
+      return false;
+    ++triangle;
+  }
+  return true;
+}
+
 // Calls `f()` with the coordinates of each corner. Throws unless the faces have the same points in
 // the file and in the mesh: else coordinates would go to corners that they do not belong to.
 template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap,
@@ -51,25 +71,14 @@ void for_each_uv_of_mesh(const Soup& soup, const TriangleMesh& tmesh, const Half
 {
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  const auto refuse_unless = [](const bool condition) {
-    if(!condition)
-      throw File_refusal(0, "the faces of the mesh are not those of the file");
-  };
-
-  refuse_unless(faces(tmesh).size() == soup.triangles.size());
-  auto triangle = soup.triangles.begin();
-  for(const auto face : faces(tmesh)) {
-    auto h = halfedge(face, tmesh);
-    for(const std::size_t v : (triangle++)->vertices) {
-      const auto& p = soup.points[v];
-      const Point& q = get(vpm, target(h, tmesh));
-      refuse_unless(q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]));
-      const auto& uv = get(uv_map, h);
-      f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
-      h = next(h, tmesh);
-    }
-    refuse_unless(h == halfedge(face, tmesh));
-  }
+  if(!has_faces_of(soup, tmesh, [&](const auto& triangle, const std::size_t i, const auto h) {
+       const auto& p = soup.points[triangle.vertices[i]];
+       const Point& q = get(vpm, target(h, tmesh));
+       const auto& uv = get(uv_map, h);
+       f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
+       return q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]);
+     }))
+    throw File_refusal(0, "the faces of the mesh are not those of the file");
 }
 
 // Throws `File_refusal`.

@@ -43,42 +43,23 @@ bool may_be_noise(const Mismatched_edge<Halfedge>& edge, const double residual)
   return edge.rotation == Group::identity() && edge.gap <= 8 * noise_factor * residual;
 }
 
-// Sets of edges, by union of neighbors.
-class Edge_sets
-{
-public:
-  explicit Edge_sets(const std::size_t size)
-    : m_parent(size), m_rank(size, 0), m_sets(m_rank.data(), m_parent.data())
-  {
-    for(std::size_t i = 0; i < size; ++i)
-      m_sets.make_set(Edge_index(i));
-  }
-
-  void unite(const Edge_index i, const Edge_index j) { m_sets.union_set(i, j); }
-  std::size_t set_of(const std::size_t i) { return std::size_t(m_sets.find_set(Edge_index(i))); }
-
-private:
-  std::vector<Edge_index> m_parent, m_rank;
-  boost::disjoint_sets<Edge_index*, Edge_index*> m_sets;
-};
-
 // The largest residual of the connected part of the mismatched edges that each of them belongs to:
 // what is exact in one part tells nothing of others, nor others of it.
 template <typename Halfedge>
 std::vector<double> residuals_of_parts(const Vertex_incidences& incidences,
                                        const std::vector<Mismatched_edge<Halfedge> >& edges)
 {
-  Edge_sets parts(edges.size());
+  boost::disjoint_sets_with_storage<> parts(edges.size());
   for(std::size_t v = 0; v < incidences.size(); ++v)
     for(const Incidence& i : incidences[v])
-      parts.unite(incidences[v].front().edge, i.edge);
+      parts.union_set(incidences[v].front().edge, i.edge);
   std::vector<double> largest(edges.size(), 0), result(edges.size());
   for(std::size_t i = 0; i < edges.size(); ++i) {
-    double& residual = largest[parts.set_of(i)];
+    double& residual = largest[parts.find_set(i)];
     residual = (std::max)(residual, edges[i].residual);
   }
   for(std::size_t i = 0; i < edges.size(); ++i)
-    result[i] = largest[parts.set_of(i)];
+    result[i] = largest[parts.find_set(i)];
   return result;
 }
 
@@ -105,24 +86,24 @@ void mark_merged_edges(const Surface& surface, const Vertex_incidences& incidenc
   const auto is_candidate = [&](const std::size_t i) {
     return may_be_noise<Group>(edges[i], residual[i]);
   };
-  Edge_sets chains(edges.size());
+  boost::disjoint_sets_with_storage<> chains(edges.size());
   for(std::size_t v = 0; v < incidences.size(); ++v) {
     const auto pair = incidences[v];
     if(pair.size() == 2 && is_candidate(std::size_t(pair[0].edge)) &&
        is_candidate(std::size_t(pair[1].edge)) &&
        joins_two_edges(surface, edges, incidences, Vertex_index(v)))
-      chains.unite(pair[0].edge, pair[1].edge);
+      chains.union_set(pair[0].edge, pair[1].edge);
   }
   std::vector<double> sum(edges.size(), 0), count(edges.size(), 0);
   for(std::size_t i = 0; i < edges.size(); ++i)
     if(is_candidate(i)) {
-      sum[chains.set_of(i)] += edges[i].gap;
-      count[chains.set_of(i)] += 1;
+      sum[chains.find_set(i)] += edges[i].gap;
+      count[chains.find_set(i)] += 1;
     }
   for(std::size_t i = 0; i < edges.size(); ++i)
     if(is_candidate(i))
       edges[i].is_cut =
-          sum[chains.set_of(i)] > noise_factor * residual[i] * count[chains.set_of(i)];
+          sum[chains.find_set(i)] > noise_factor * residual[i] * count[chains.find_set(i)];
 }
 
 } // namespace internal
