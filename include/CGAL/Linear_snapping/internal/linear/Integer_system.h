@@ -114,7 +114,16 @@ public:
     m_right_hand_side.reserve(number_of_rows);
   }
 
-  // \pre the entries are sorted by column, and all numbers fit
+  // Whether a row need not be kept in multiprecision.
+  template <typename Integer>
+  static bool fits(const Entries<Integer>& entries, const Integer& b)
+  {
+    return fits_64_bits(b) &&
+           std::all_of(entries.begin(), entries.end(), [](const Entry<Integer>& e)
+                       { return fits_64_bits(e.coefficient); });
+  }
+
+  // \pre the entries are sorted by column, and the row fits
   template <typename Row>
   void add_row(const Row& entries, const std::int64_t b)
   {
@@ -124,7 +133,7 @@ public:
 
   void add_row(Integer_row<Exact_integer> row)
   {
-    if(fits(row)) {
+    if(fits(row.entries, row.right_hand_side)) {
       for(const Entry<Exact_integer>& e : row.entries)
         m_rows.push_back({e.column, to_64_bits(e.coefficient)});
       end_row(to_64_bits(row.right_hand_side));
@@ -195,13 +204,6 @@ public:
   }
 
 private:
-  static bool fits(const Integer_row<Exact_integer>& row)
-  {
-    return fits_64_bits(row.right_hand_side) &&
-           std::all_of(row.entries.begin(), row.entries.end(), [](const Entry<Exact_integer>& e)
-                       { return fits_64_bits(e.coefficient); });
-  }
-
   void end_row(const std::int64_t b)
   {
     m_rows.end_list();

@@ -37,9 +37,8 @@ namespace internal {
 
 // a - factor b
 template <typename Integer>
-Entries<Integer> difference_with_multiple(const Entries<Integer>& a,
-                                                const Integer& factor,
-                                                const Entries<Integer>& b)
+Entries<Integer> difference_with_multiple(const Entries<Integer>& a, const Integer& factor,
+                                          const Entries<Integer>& b)
 {
   const Integer zero(0);
   Entries<Integer> result;
@@ -153,7 +152,7 @@ private:
       std::vector<std::size_t>& users = m_users[std::size_t(e.column)];
       std::size_t kept = 0;
       for(const std::size_t v : users)
-        if(find(v, e.column) != nullptr)
+        if(find_entry(m_vectors[v], e.column) != nullptr)
           users[kept++] = v;
       users.resize(kept);
       std::sort(users.begin(), users.end());
@@ -166,23 +165,12 @@ private:
     for(const std::size_t v : candidates) {
       Integer sum(0);
       for(const Entry<Integer>& e : m_rows[row])
-        if(const Integer* const coefficient = find(v, e.column))
-          sum = difference_with_product(sum, Integer(-e.coefficient), *coefficient);
+        if(const Entry<Integer>* const found = find_entry(m_vectors[v], e.column))
+          sum = difference_with_product(sum, Integer(-e.coefficient), found->coefficient);
       if(sum != 0)
         result.push_back({v, sum, logarithm(sum)});
     }
     return result;
-  }
-
-  const Integer* find(const std::size_t v, const Column_index column) const
-  {
-    const Vector& vector = m_vectors[v];
-    const auto position = std::lower_bound(vector.begin(), vector.end(), column,
-                                           [](const Entry<Integer>& e, const Column_index c)
-                                           { return e.column < c; });
-    if(position == vector.end() || position->column != column)
-      return nullptr;
-    return &position->coefficient;
   }
 
   static double logarithm(const Integer& a)

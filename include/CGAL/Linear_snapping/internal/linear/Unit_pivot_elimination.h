@@ -123,18 +123,13 @@ private:
 
   void add_row(const Row_index i, Integer_system& system) const
   {
-    if constexpr(std::is_same<Integer, Exact_integer>::value) {
-      system.add_row(Integer_row<Exact_integer>{row(i), right_hand_side(i)});
-    } else if(fits_64_bits(right_hand_side(i)) &&
-              std::all_of(row(i).begin(), row(i).end(), [](const Entry<Integer>& e)
-                          { return fits_64_bits(e.coefficient); })) {
-      system.add_row(row(i), right_hand_side(i));
-    } else {
-      Integer_row<Exact_integer> exact{{}, Exact_integer(right_hand_side(i))};
-      for(const Entry<Integer>& e : row(i))
-        exact.entries.push_back({e.column, Exact_integer(e.coefficient)});
-      system.add_row(std::move(exact));
-    }
+    if constexpr(!std::is_same<Integer, Exact_integer>::value)
+      if(Integer_system::fits(row(i), right_hand_side(i)))
+        return system.add_row(row(i), right_hand_side(i));
+    Integer_row<Exact_integer> exact{{}, Exact_integer(right_hand_side(i))};
+    for(const Entry<Integer>& e : row(i))
+      exact.entries.push_back({e.column, Exact_integer(e.coefficient)});
+    system.add_row(std::move(exact));
   }
 
   void load_row(const Integer_system& system, const std::size_t i)

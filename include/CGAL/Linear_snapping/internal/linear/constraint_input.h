@@ -108,29 +108,29 @@ bool is_finite_number(const T& t)
     return true;
 }
 
-inline bool has_finite_right_hand_side(const No_right_hand_side&, std::string&) { return true; }
-
-template <typename RightHandSide>
-bool has_finite_right_hand_side(const RightHandSide& b, std::string& problem)
-{
-  const auto first = std::find_if(std::begin(b), std::end(b),
-                                  [](const auto& t) { return !is_finite_number(t); });
-  if(first == std::end(b))
-    return true;
-  problem = "the right-hand side of constraint " +
-            std::to_string(std::distance(std::begin(b), first)) + " is NaN or infinite";
-  return false;
-}
-
-inline bool has_size(const No_right_hand_side&, std::size_t) { return true; }
-
-template <typename RightHandSide>
-bool has_size(const RightHandSide& b, const std::size_t size)
-{
-  return std::distance(std::begin(b), std::end(b)) == std::ptrdiff_t(size);
-}
-
 // Tells the first problem if there is one.
+template <typename RightHandSide>
+bool has_valid_right_hand_side([[maybe_unused]] const RightHandSide& b,
+                               [[maybe_unused]] const std::size_t size,
+                               [[maybe_unused]] std::string& problem)
+{
+  if constexpr(!std::is_same<RightHandSide, No_right_hand_side>::value) {
+    if(std::distance(std::begin(b), std::end(b)) != std::ptrdiff_t(size)) {
+      problem = "the right-hand side must have one number per constraint, that is " +
+                std::to_string(size);
+      return false;
+    }
+    const auto first = std::find_if(std::begin(b), std::end(b),
+                                    [](const auto& t) { return !is_finite_number(t); });
+    if(first != std::end(b)) {
+      problem = "the right-hand side of constraint " +
+                std::to_string(std::distance(std::begin(b), first)) + " is NaN or infinite";
+      return false;
+    }
+  }
+  return true;
+}
+
 template <typename Coefficient>
 bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& problem)
 {
@@ -227,12 +227,7 @@ template <typename Constraints, typename RightHandSide>
 bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_system& system,
                       std::string& problem)
 {
-  if(!has_size(b, number_of_rows(c))) {
-    problem = "the right-hand side must have one number per constraint, that is " +
-              std::to_string(number_of_rows(c));
-    return false;
-  }
-  if(!has_finite_right_hand_side(b, problem) || !has_valid_indices(c, problem))
+  if(!has_valid_right_hand_side(b, number_of_rows(c), problem) || !has_valid_indices(c, problem))
     return false;
   constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
   if(number_of_columns(c) > largest || number_of_rows(c) > largest) {
