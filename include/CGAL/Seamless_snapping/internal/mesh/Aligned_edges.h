@@ -60,9 +60,7 @@ public:
     for(Edge& edge : found)
       if(must_turn(surface, edge))
         turn(edge);
-    Vertex_numbers numbers(surface.number_of_vertices());
-    numbers.mark_ends(found);
-    numbers.assign_numbers();
+    const Vertex_numbers numbers(surface.number_of_vertices(), found);
     for(const std::size_t i : canonical_order(surface, numbers, found)) {
       m_edges.push_back(found[i]);
       if(surface.is_border(found[i].halfedge))

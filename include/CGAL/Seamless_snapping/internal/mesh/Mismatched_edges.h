@@ -94,6 +94,33 @@ void measure_length_and_gap(Mismatched_edge<Halfedge>& edge, const Edge_vectors&
   edge.gap = (std::max)(gap(sides.a, sides.a_opposite), gap(sides.b, sides.b_opposite));
 }
 
+// The product of the rotations around a vertex, counterclockwise, but for one edge. Without
+// exception it is the rotation of the index: crossing counterclockwise over an edge leads from the
+// face of the halfedge that points to the vertex to the opposite one, and the angles of the sectors
+// make up the rest of a full turn.
+template <typename Group, typename Halfedge>
+typename Group::Element holonomy(const Vertex_incidences& incidences,
+                                 const std::vector<Mismatched_edge<Halfedge> >& edges,
+                                 const Vertex_index v, const Edge_index except = -1)
+{
+  auto product = Group::identity(); // of elements that commute, as those of the plane do
+  for(const Incidence& i : incidences[v])
+    if(i.edge != except) {
+      const auto g = edges[std::size_t(i.edge)].rotation;
+      product = Group::compose(i.points_to_vertex ? g : Group::inverse(g), product);
+    }
+  return product;
+}
+
+// The halfedge of an edge that points to the vertex of the incidence.
+template <typename Surface, typename Edge>
+typename Surface::Halfedge halfedge_towards(const Surface& surface, const std::vector<Edge>& edges,
+                                            const Incidence& i)
+{
+  const auto h = edges[std::size_t(i.edge)].halfedge;
+  return i.points_to_vertex ? h : surface.opposite(h);
+}
+
 // --- order
 
 // Numbers without gaps for the ends of some edges, in the order of the mesh's indices.
@@ -101,22 +128,11 @@ class Vertex_numbers
 {
 public:
   // \param number_of_vertices of the mesh; indices of views of a mesh may be larger
-  explicit Vertex_numbers(const std::size_t number_of_vertices)
+  template <typename... Edges>
+  explicit Vertex_numbers(const std::size_t number_of_vertices, const Edges&... lists)
     : m_numbers(number_of_vertices, -1)
-  {}
-
-  template <typename Edges>
-  void mark_ends(const Edges& edges)
   {
-    for(const auto& edge : edges) {
-      mark(edge.source);
-      mark(edge.target);
-    }
-  }
-
-  void assign_numbers()
-  {
-    m_size = 0;
+    (mark_ends(lists), ...);
     for(Vertex_index& number : m_numbers)
       if(number >= 0)
         number = m_size++;
@@ -136,11 +152,15 @@ public:
   }
 
 private:
-  void mark(const std::size_t index)
+  template <typename Edges>
+  void mark_ends(const Edges& edges)
   {
-    if(index >= m_numbers.size())
-      m_numbers.resize(index + 1, -1);
-    m_numbers[index] = 0;
+    for(const auto& edge : edges)
+      for(const std::size_t index : {edge.source, edge.target}) {
+        if(index >= m_numbers.size())
+          m_numbers.resize(index + 1, -1);
+        m_numbers[index] = 0;
+      }
   }
 
   std::vector<Vertex_index> m_numbers; // -1 for none

@@ -76,7 +76,9 @@ private:
 
   void leave_few_cones()
   {
-    complete_all_vertices();
+    for(std::size_t v = 0; v < m_incidences.size(); ++v)
+      m_queue.push_back(Vertex_index(v));
+    complete_vertices();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
       if(!m_is_decided[i] && is_noise(m_edges[i].gap, i) && is_admissible(i, Group::identity()))
         decide(i, Group::identity());
@@ -87,15 +89,8 @@ private:
         complete_vertices();
       }
     for(std::size_t v = 0; v < m_incidences.size(); ++v)
-      if(is_cone(Vertex_index(v)))
+      if(cone(Vertex_index(v)) != Group::identity())
         cancel_cone(Vertex_index(v));
-  }
-
-  void complete_all_vertices()
-  {
-    for(std::size_t v = 0; v < m_incidences.size(); ++v)
-      m_queue.push_back(Vertex_index(v));
-    complete_vertices();
   }
 
   // --- noise ---
@@ -222,8 +217,7 @@ private:
           continue;
         const Incidence& other = pair[pair[0].edge == Edge_index(i) ? 1 : 0];
         const std::size_t e = std::size_t(other.edge);
-        const Element behind = holonomy(v, other.edge);
-        const Element g = other.points_to_vertex ? Group::inverse(behind) : behind;
+        const Element g = rotation_without_cone(v, other);
         if(m_is_decided[e] || !is_admissible(e, g))
           continue;
         decide(e, g);
@@ -240,15 +234,13 @@ private:
   {
     for(; !m_queue.empty(); m_queue.pop_front()) {
       const Vertex_index v = m_queue.front();
-      if(m_number_of_undecided[std::size_t(v)] != 1 ||
-         is_border(v))
+      if(m_number_of_undecided[std::size_t(v)] != 1 || is_border(v))
         continue;
       for(const Incidence& i : m_incidences[v]) {
         const std::size_t e = std::size_t(i.edge);
         if(m_is_decided[e])
           continue;
-        const Element others = holonomy(v, i.edge);
-        const Element g = i.points_to_vertex ? Group::inverse(others) : others;
+        const Element g = rotation_without_cone(v, i);
         if(is_admissible(e, g))
           decide(e, g);
         break;
@@ -256,32 +248,20 @@ private:
     }
   }
 
-  // The product of the rotations around a vertex, counterclockwise, but for one edge.
-  Element holonomy(const Vertex_index v, const Edge_index except) const
+  Element rotation_without_cone(const Vertex_index v, const Incidence& i) const
   {
-    Element product = Group::identity();
-    for(const Incidence& i : m_incidences[v])
-      if(i.edge != except) {
-        const Element g = m_edges[std::size_t(i.edge)].rotation;
-        product = Group::compose(i.points_to_vertex ? g : Group::inverse(g), product);
-      }
-    return product;
+    const Element others = holonomy<Group>(m_incidences, m_edges, v, i.edge);
+    return i.points_to_vertex ? Group::inverse(others) : others;
   }
-
-  bool is_cone(const Vertex_index v) { return cone(v) != Group::identity(); }
 
   // \return the identity on the border
   Element cone(const Vertex_index v)
   {
-    return is_border(v) ? Group::identity() : holonomy(v, -1);
+    return is_border(v) ? Group::identity() : holonomy<Group>(m_incidences, m_edges, v);
   }
 
   Halfedge halfedge_towards(const Vertex_index v) const
-  {
-    const Incidence& i = m_incidences[v].front();
-    const Halfedge h = m_edges[std::size_t(i.edge)].halfedge;
-    return i.points_to_vertex ? h : m_surface.opposite(h);
-  }
+  { return internal::halfedge_towards(m_surface, m_edges, m_incidences[v].front()); }
 
   bool is_border(const Vertex_index v)
   {

@@ -20,6 +20,7 @@
 // throughout.
 
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <algorithm>
 #include <cmath>

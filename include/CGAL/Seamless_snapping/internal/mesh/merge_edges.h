@@ -71,9 +71,7 @@ bool joins_two_edges(const Surface& surface, const std::vector<Mismatched_edge<H
 {
   if(incidences[v].size() != 2)
     return false;
-  const Incidence& incidence = incidences[v].front();
-  const Halfedge h = edges[std::size_t(incidence.edge)].halfedge;
-  return !has_border_at_target(surface, incidence.points_to_vertex ? h : surface.opposite(h));
+  return !has_border_at_target(surface, halfedge_towards(surface, edges, incidences[v].front()));
 }
 
 // A chain of edges without rotation is judged as a whole, by the mean of its gaps against the

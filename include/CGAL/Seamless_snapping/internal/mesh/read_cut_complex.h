@@ -48,11 +48,8 @@ struct Constrained_vertices
                        const Transition_data<Halfedge>& transitions, const Aligned& aligned_edges,
                        const std::vector<Indexed_edge<Halfedge> >& node_corners)
   {
-    Vertex_numbers numbers(number_of_vertices);
-    numbers.mark_ends(transitions.edges);
-    numbers.mark_ends(aligned_edges.edges());
-    numbers.mark_ends(node_corners);
-    numbers.assign_numbers();
+    const Vertex_numbers numbers(number_of_vertices, transitions.edges, aligned_edges.edges(),
+                                 node_corners);
     size = numbers.size();
     mismatched_ends = numbers.ends(transitions.edges);
     aligned_ends = numbers.ends(aligned_edges.edges());
@@ -245,11 +242,9 @@ private:
   void collect_cuts_towards(const Vertex_index v)
   {
     m_cuts_here.clear();
-    for(const Incidence& i : m_vertices.cuts[v]) {
-      const Halfedge h = m_transitions.edges[std::size_t(i.edge)].halfedge;
-      m_cuts_here.push_back(i.points_to_vertex ? Cut_here{h, 2 * i.edge}
-                                               : Cut_here{m_surface.opposite(h), 2 * i.edge + 1});
-    }
+    for(const Incidence& i : m_vertices.cuts[v])
+      m_cuts_here.push_back({halfedge_towards(m_surface, m_transitions.edges, i),
+                             2 * i.edge + (i.points_to_vertex ? 0 : 1)});
   }
 
   // -1 if the edge of `h`, which points to the vertex under way, is not a cut

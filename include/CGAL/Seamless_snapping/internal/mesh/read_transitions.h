@@ -295,9 +295,7 @@ Transition_data<typename Surface::Halfedge> Transition_reader<Group, Surface>::r
   if(data.refusal)
     return data;
   m_scale = unit_scale(data.extent);
-  Vertex_numbers numbers(m_surface.number_of_vertices());
-  numbers.mark_ends(survey.mismatched_edges);
-  numbers.assign_numbers();
+  const Vertex_numbers numbers(m_surface.number_of_vertices(), survey.mismatched_edges);
   if(!read_rotations(survey.mismatched_edges, numbers, data) || !check_residuals(data) ||
      !tell_cuts_from_noise(numbers, data))
     return data;

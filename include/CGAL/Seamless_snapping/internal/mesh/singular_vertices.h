@@ -66,22 +66,6 @@ double unfolded_angle(const Surface& surface, const typename Surface::Halfedge f
   return angle;
 }
 
-// The product of the rotations of the cuts around a vertex, counterclockwise. It is the rotation of
-// the index: crossing counterclockwise over an edge leads from the face of the halfedge that points
-// to the vertex to the opposite one, and the angles of the sectors make up the rest of a full turn.
-template <typename Group, typename Halfedge>
-typename Group::Element holonomy(const Vertex_incidences& incidences,
-                                 const std::vector<Mismatched_edge<Halfedge> >& edges,
-                                 const Vertex_index v)
-{
-  auto product = Group::identity(); // of elements that commute, as those of the plane do
-  for(const Incidence& i : incidences[v]) {
-    const auto g = edges[std::size_t(i.edge)].rotation;
-    product = Group::compose(i.points_to_vertex ? g : Group::inverse(g), product);
-  }
-  return product;
-}
-
 // The singular vertices, each by a halfedge towards it, and their indices, in the order of the cut
 // edges.
 template <typename Group, typename Surface, typename Halfedge>
@@ -89,18 +73,14 @@ std::vector<std::pair<Halfedge, int> >
 singular_vertices(const Surface& surface, const double scale,
                   const std::vector<Mismatched_edge<Halfedge> >& edges)
 {
-  Vertex_numbers numbers(surface.number_of_vertices());
-  numbers.mark_ends(edges);
-  numbers.assign_numbers();
+  const Vertex_numbers numbers(surface.number_of_vertices(), edges);
   const Vertex_incidences incidences = vertex_incidences(numbers.size(), numbers.ends(edges));
   std::vector<std::pair<Halfedge, int> > result;
   for(std::size_t i = 0; i < numbers.size(); ++i) {
     const int turns = Group::turns(holonomy<Group>(incidences, edges, Vertex_index(i)));
     if(turns == 0)
       continue;
-    const Incidence& incidence = incidences[i].front();
-    const Halfedge any = edges[std::size_t(incidence.edge)].halfedge;
-    const Halfedge first = incidence.points_to_vertex ? any : surface.opposite(any);
+    const Halfedge first = halfedge_towards(surface, edges, incidences[i].front());
     if(has_border_at_target(surface, first))
       continue;
     double angles = 0;

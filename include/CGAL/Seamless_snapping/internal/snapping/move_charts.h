@@ -25,6 +25,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -102,27 +104,19 @@ private:
       for(const Corner_index h : {transitions.edges[i].halfedge,
                                   m_surface.opposite(transitions.edges[i].halfedge)})
         is_cut[std::size_t(h)] = true;
+    boost::disjoint_sets_with_storage<> sets(m_surface.number_of_faces());
+    for(Corner_index h = 0; h < m_surface.number_of_corners(); ++h)
+      if(!m_surface.is_border(m_surface.opposite(h)) && !is_cut[std::size_t(h)])
+        sets.union_set(std::size_t(h / 3), std::size_t(m_surface.opposite(h) / 3));
     constexpr std::size_t none = std::size_t(-1);
-    m_chart_of_face.assign(m_surface.number_of_faces(), none);
-    std::vector<Corner_index> to_visit; // the first corners of faces
-    const auto visit = [&](const Corner_index h, const std::size_t chart) {
-      if(this->chart(h) != none)
-        return;
-      this->chart(h) = chart;
-      to_visit.push_back(m_surface.first_in_face(h));
-    };
-    for(const Corner_index root : m_surface.one_per_face()) {
-      if(chart(root) != none)
-        continue;
-      m_charts.emplace_back();
-      visit(root, m_charts.size() - 1);
-      while(!to_visit.empty()) {
-        const Corner_index first = to_visit.back();
-        to_visit.pop_back();
-        for(Corner_index h = first; h < first + 3; ++h)
-          if(!m_surface.is_border(m_surface.opposite(h)) && !is_cut[std::size_t(h)])
-            visit(m_surface.opposite(h), m_charts.size() - 1);
+    std::vector<std::size_t> number(m_surface.number_of_faces(), none); // per set
+    for(std::size_t f = 0; f < number.size(); ++f) {
+      std::size_t& chart = number[sets.find_set(f)];
+      if(chart == none) {
+        chart = m_charts.size();
+        m_charts.emplace_back();
       }
+      m_chart_of_face.push_back(chart);
     }
   }
 
