@@ -391,15 +391,14 @@ private:
   template <typename NamedParameters>
   Options options(const NamedParameters& np) const
   {
-    using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     namespace np_tags = CGAL::internal_np;
     Options result;
-    result.limits.maximum_number = static_cast<std::size_t>(
-      choose_parameter(get_parameter(np, np_tags::maximum_number), m_mesh.corners.size()));
-    result.limits.maximum_length = choose_parameter(get_parameter(np, np_tags::maximum_length),
-                                                    result.limits.maximum_length);
-    result.decide_exactly = choose_parameter(get_parameter(np, np_tags::decide_exactly), true);
+    result.limits.maximum_number =
+      internal::chosen(np, np_tags::maximum_number, m_mesh.corners.size());
+    result.limits.maximum_length =
+      internal::chosen(np, np_tags::maximum_length, result.limits.maximum_length);
+    result.decide_exactly = internal::chosen(np, np_tags::decide_exactly, true);
     result.near_distance = near_distance(np);
     const auto target = get_parameter(np, np_tags::target_vertex);
     if constexpr(internal::is_given<decltype(target)>)
@@ -417,9 +416,7 @@ private:
   {
     const double relative = m_mesh.extent > 0 ? 100 * m_mesh.violation / m_mesh.extent : 0;
     return m_mesh.extent *
-           CGAL::parameters::choose_parameter(
-             CGAL::parameters::get_parameter(np, CGAL::internal_np::near_distance),
-             (std::max)(relative, 1e-12));
+           internal::chosen(np, CGAL::internal_np::near_distance, (std::max)(relative, 1e-12));
   }
 
   Curve trace(const Start& start, const Isocurve_direction direction, const Options& options) const

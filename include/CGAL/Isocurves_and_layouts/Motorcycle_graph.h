@@ -380,9 +380,9 @@ Race_options race_options(const TriangleMesh& tmesh, const Flat_numbering<Triang
 {
   using CGAL::parameters::get_parameter;
   Race_options options;
-  options.maximum_number = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-    get_parameter(np, CGAL::internal_np::maximum_number),
-    (std::max)(std::size_t(1000000), 10 * numbering.halfedges_of_corners().size())));
+  options.maximum_number =
+    chosen(np, CGAL::internal_np::maximum_number,
+           (std::max)(std::size_t(1000000), 10 * numbering.halfedges_of_corners().size()));
   const auto policy = get_parameter(np, CGAL::internal_np::curve_stop_policy);
   using Policy = std::decay_t<decltype(policy)>;
   if constexpr(std::is_same_v<Policy, Run_to_nodes>)
@@ -409,8 +409,7 @@ void read_and_make_layout(const TriangleMesh& tmesh, const Flat_numbering<Triang
   }
   input.is_feature = feature_corners(tmesh, numbering, np);
   input.is_given = constrained_vertices(numbering, np);
-  input.align_border = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::align_border), false);
+  input.align_border = chosen(np, CGAL::internal_np::align_border, false);
   input.options = race_options(tmesh, numbering, data, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   input.vertex_name = [&](const std::size_t v) {

@@ -85,13 +85,12 @@ void write_layout(const TriangleMesh& tmesh, const Polygon_complex& cells, Polyg
                   const NamedParameters1& np1, const NamedParameters2& np2,
                   const LocationOf& location, const IsArc& is_arc, const PatchOf& patch)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   namespace np_tags = CGAL::internal_np;
-  const auto points = choose_parameter(get_parameter(np1, np_tags::vertex_point),
-                                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  auto new_points = choose_parameter(get_parameter(np2, np_tags::vertex_point),
-                                     CGAL::get_property_map(CGAL::vertex_point, output));
+  const auto points = chosen(np1, np_tags::vertex_point,
+                             CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  auto new_points = chosen(np2, np_tags::vertex_point,
+                           CGAL::get_property_map(CGAL::vertex_point, output));
   using Point = typename boost::property_traits<decltype(new_points)>::value_type;
   const auto locations = get_parameter(np2, np_tags::vertex_location);
   const auto arcs = get_parameter(np2, np_tags::edge_is_constrained);
@@ -321,9 +320,9 @@ bool write_layout(std::ostream& os, const Motorcycle_graph<TriangleMesh>& graph,
   if(!graph)
     return false;
   const internal::Protect_exact_arithmetic protect;
-  const auto points = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, graph.mesh()));
+  const auto points =
+    internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+                     CGAL::get_const_property_map(CGAL::vertex_point, graph.mesh()));
   using Point = typename boost::property_traits<decltype(points)>::value_type;
   const internal::Layout_data& data = graph.data();
   const internal::Refined_faces faces(data.domain.mesh, data.race->curves(), data.layout);

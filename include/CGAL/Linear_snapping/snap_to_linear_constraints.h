@@ -90,14 +90,12 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
                                          Values& values, const NamedParameters& np)
 {
   using Value = std::decay_t<decltype(*std::begin(values))>;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
 
   const Protect_exact_arithmetic protect;
   if(const auto refusal = inexact_arithmetic())
     return refused<Linear_report>(*refusal);
-  const bool verbose = choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false);
+  const bool verbose = chosen(np, CGAL::internal_np::verbose, false);
   Linear_report report;
   Step_timer timer(report, verbose);
 

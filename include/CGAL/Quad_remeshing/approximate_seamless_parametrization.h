@@ -127,36 +127,27 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
                                      const Flat_numbering<TriangleMesh>& numbering,
                                       const Triangle_surface& surface, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Parametrization_options options;
-  options.target_edge_length = static_cast<double>(
-    choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
-  options.curvature_alignment = static_cast<double>(
-    choose_parameter(get_parameter(np, internal_np::curvature_alignment), 0.));
-  options.curvature_adaptivity = static_cast<double>(
-    choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.));
-  options.number_of_stiffening_rounds = static_cast<long>(
-    choose_parameter(get_parameter(np, internal_np::number_of_iterations), 5));
-  options.number_of_untangling_iterations = static_cast<std::size_t>(choose_parameter(
-    get_parameter(np, internal_np::untangling_iterations),
-    options.number_of_untangling_iterations));
-  options.largest_cone_index = static_cast<int>(choose_parameter(
-    get_parameter(np, internal_np::largest_cone_index), options.largest_cone_index));
-  options.least_cone_distance = static_cast<double>(
-    choose_parameter(get_parameter(np, internal_np::least_cone_distance), 0.));
-  options.may_release =
-    choose_parameter(get_parameter(np, internal_np::release_alignment), false);
-  options.verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
-  options.random_seed = static_cast<unsigned int>(
-    choose_parameter(get_parameter(np, internal_np::random_seed), 0u));
+  options.target_edge_length = chosen(np, internal_np::target_edge_length, 1.);
+  options.curvature_alignment = chosen(np, internal_np::curvature_alignment, 0.);
+  options.curvature_adaptivity = chosen(np, internal_np::curvature_adaptivity, 1.);
+  options.number_of_stiffening_rounds = chosen(np, internal_np::number_of_iterations, 5L);
+  options.number_of_untangling_iterations =
+    chosen(np, internal_np::untangling_iterations, options.number_of_untangling_iterations);
+  options.largest_cone_index =
+    chosen(np, internal_np::largest_cone_index, options.largest_cone_index);
+  options.least_cone_distance = chosen(np, internal_np::least_cone_distance, 0.);
+  options.may_release = chosen(np, internal_np::release_alignment, false);
+  options.verbose = chosen(np, internal_np::verbose, false);
+  options.random_seed = chosen(np, internal_np::random_seed, 0u);
   if constexpr(is_given<NamedParameters, internal_np::cone_index_t>)
     options.cone_index = read_cones(numbering, surface, get_parameter(np, internal_np::cone_index));
   if constexpr(is_given<NamedParameters, internal_np::face_direction_t>)
     options.directions =
       read_directions(tmesh, numbering,
-                      choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, tmesh)),
+                      chosen(np, internal_np::vertex_point,
+                             get_const_property_map(CGAL::vertex_point, tmesh)),
                       get_parameter(np, internal_np::face_direction));
   if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
     read_sizes(numbering, surface, get_parameter(np, internal_np::vertex_sizing), options);
@@ -197,8 +188,6 @@ void write_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleM
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters, typename Report>
 void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters& np, Report& report)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
@@ -209,14 +198,12 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   Triangle_surface surface = read_connectivity(tmesh, numbering);
   find_components(surface);
   read_geometry(numbering,
-                choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                 get_const_property_map(CGAL::vertex_point, tmesh)),
-                surface);
+                chosen(np, internal_np::vertex_point,
+                       get_const_property_map(CGAL::vertex_point, tmesh)), surface);
   read_alignment(tmesh, numbering,
-                 choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                  CGAL::Static_boolean_property_map<Edge, false>()),
-                 choose_parameter(get_parameter(np, internal_np::align_border), false),
-                 surface);
+                 chosen(np, internal_np::edge_is_constrained,
+                        CGAL::Static_boolean_property_map<Edge, false>()),
+                 chosen(np, internal_np::align_border, false), surface);
   const Parametrization_options options = read_options(tmesh, numbering, surface, np);
   const Parametrization_result result = parametrize<Solver, FT>(surface, options, report);
   write_coordinates(numbering, result, uv_map);

@@ -138,16 +138,14 @@ template <typename QuadMesh, typename NamedParameters = CGAL::parameters::Defaul
 Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
   const auto& plain_np = internal::strip(np);
-  const auto features = choose_parameter(
-    get_parameter(plain_np, CGAL::internal_np::edge_is_constrained),
-    CGAL::Constant_property_map<Edge, bool>(false));
+  const auto features = internal::chosen(plain_np, CGAL::internal_np::edge_is_constrained,
+                                         CGAL::Constant_property_map<Edge, bool>(false));
   const auto patches = get_parameter(plain_np, CGAL::internal_np::face_patch);
-  const auto policy = choose_parameter(
-    get_parameter(plain_np, CGAL::internal_np::curve_stop_policy), Stop_at_curves());
+  const auto policy = internal::chosen(plain_np, CGAL::internal_np::curve_stop_policy,
+                                       Stop_at_curves());
   using Policy = std::decay_t<decltype(policy)>;
   constexpr bool may_cross = std::is_same_v<Policy, Run_to_nodes>;
   static_assert(may_cross || std::is_same_v<Policy, Stop_at_curves>,

@@ -128,19 +128,12 @@ template <typename TriangleMesh, typename NamedParameters>
 Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np,
                                     const bool has_single_precision)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Quantization_options quantization = quantization_options(tmesh, np);
   quantization.needs_face_graph = true;
-  return {quantization,
-          choose_parameter(get_parameter(np, internal_np::curvature_alignment),
-                           std::optional<double>()),
-          static_cast<double>(
-            choose_parameter(get_parameter(np, internal_np::curvature_adaptivity), 1.)),
-          static_cast<std::size_t>(
-            choose_parameter(get_parameter(np, internal_np::number_of_relaxation_steps), 5)),
-          choose_parameter(get_parameter(np, internal_np::verbose), false),
-          has_single_precision};
+  return {quantization, chosen(np, internal_np::curvature_alignment, std::optional<double>()),
+          chosen(np, internal_np::curvature_adaptivity, 1.),
+          chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
+          chosen(np, internal_np::verbose, false), has_single_precision};
 }
 
 template <typename Plane>
@@ -578,9 +571,8 @@ auto find_symmetry_plane(const TriangleMesh& tmesh,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+                                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   using FT = typename Kernel::FT;

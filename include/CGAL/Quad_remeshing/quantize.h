@@ -56,9 +56,8 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
           get(CGAL::parameters::get_parameter(np, internal_np::vertex_sizing), v)));
     return size;
   };
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
+                                CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   double area = 0;
   for(const auto f : faces(tmesh)) {
     const auto h = halfedge(f, tmesh);
@@ -87,31 +86,23 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
 template <typename TriangleMesh, typename NamedParameters>
 Quantization_options quantization_options(const TriangleMesh& tmesh, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Quantization_options options;
-  options.is_coarsest =
-    choose_parameter(get_parameter(np, internal_np::minimize_number_of_quads), false);
-  options.needs_face_graph =
-    choose_parameter(get_parameter(np, internal_np::needs_face_graph), false);
+  options.is_coarsest = chosen(np, internal_np::minimize_number_of_quads, false);
+  options.needs_face_graph = chosen(np, internal_np::needs_face_graph, false);
   if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t> ||
                (is_given<NamedParameters, internal_np::vertex_sizing_t> &&
                 !is_given<NamedParameters, internal_np::target_number_of_quads_t>)) {
-    const double length = static_cast<double>(
-      choose_parameter(get_parameter(np, internal_np::target_edge_length), 1.));
+    const double length = chosen(np, internal_np::target_edge_length, 1.);
     options.number_of_quads = length > 0 && std::isfinite(length)
                                 ? area_in_squares(tmesh, length, np)
                                 : std::numeric_limits<double>::quiet_NaN();
   } else {
-    options.number_of_quads = static_cast<double>(choose_parameter(
-      get_parameter(np, internal_np::target_number_of_quads), std::size_t(10000)));
+    options.number_of_quads = chosen(np, internal_np::target_number_of_quads, 10000.);
   }
   constexpr double least_maximum = 100000; // so many take no time
-  options.maximum_number = static_cast<double>(
-    choose_parameter(get_parameter(np, CGAL::internal_np::maximum_number),
-                     (std::max)(100 * options.number_of_quads, least_maximum)));
-  options.maximum_feature_loss = static_cast<double>(
-    choose_parameter(get_parameter(np, internal_np::maximum_feature_loss), 0.));
+  options.maximum_number = chosen(np, CGAL::internal_np::maximum_number,
+                                  (std::max)(100 * options.number_of_quads, least_maximum));
+  options.maximum_feature_loss = chosen(np, internal_np::maximum_feature_loss, 0.);
   return options;
 }
 
@@ -160,9 +151,8 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
       return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
     });
   const auto locate = [&] {
-    const auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
+                                  CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
     const auto locate_point = [&](const Lattice_point& p)
       { return surface.coarse->steps.inside(locator.locate(p)); };

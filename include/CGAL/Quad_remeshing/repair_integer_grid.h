@@ -158,8 +158,7 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, HalfedgeUVMap uv_
     const auto& plain_np = internal::strip(np);
     using Parameters = std::decay_t<decltype(plain_np)>;
     using Group = internal::Symmetry_group<Parameters>;
-    const double scale = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.);
+    const double scale = internal::chosen(plain_np, CGAL::internal_np::grid_scale, 1.);
     const auto features =
       CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::edge_is_constrained);
     using Features = std::decay_t<decltype(features)>;

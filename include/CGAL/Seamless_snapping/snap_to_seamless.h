@@ -285,9 +285,7 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     report = internal::snap_surface<Group>(tmesh, uv_map, plain_np);
   else
     report = internal::snap_scaled<Group>(
-      tmesh, uv_map, plain_np,
-      CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::grid_scale), 1.));
+      tmesh, uv_map, plain_np, internal::chosen(plain_np, CGAL::internal_np::grid_scale, 1.));
   internal::tell_of_faces(internal::chosen_flip_repair(plain_np),
                           internal::chosen_number_of_untangling_iterations(plain_np), report);
   return report;

@@ -168,6 +168,17 @@ template <typename Parameter>
 constexpr bool is_given<Parameter, void> =
   !std::is_same_v<std::decay_t<Parameter>, CGAL::internal_np::Param_not_found>;
 
+// The parameter, or what it is by default; numbers are of the type of the default.
+template <typename NP, typename Tag, typename Default>
+auto chosen(const NP& np, const Tag tag, const Default& by_default)
+{
+  using namespace CGAL::parameters;
+  if constexpr(std::is_arithmetic_v<Default>)
+    return static_cast<Default>(choose_parameter(get_parameter(np, tag), by_default));
+  else
+    return choose_parameter(get_parameter(np, tag), by_default);
+}
+
 // Whether `T` is a chain of named parameters, plain or wrapped: for functions whose last positional
 // argument is optional, so that `f(a, np)` is not taken for `f(a, b)`.
 template <typename T>

@@ -110,8 +110,7 @@ public:
                    const NamedParameters& np = CGAL::parameters::default_values())
   {
     const auto& plain_np = internal::strip(np);
-    m_is_welded = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(plain_np, CGAL::internal_np::weld_borders), false);
+    m_is_welded = internal::chosen(plain_np, CGAL::internal_np::weld_borders, false);
     return internal::status_of_reading([&] {
       const internal::Vertex_changes changes =
         m_is_ply ? build<internal::PLY_parser<double, UVNumber> >(tmesh, uv_map, plain_np)
@@ -144,9 +143,8 @@ public:
   File_status rewrite(std::string& result, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    const auto points = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(internal::strip(np), CGAL::internal_np::vertex_point),
-      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto points = internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+                                         CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     return internal::status_of_writing([&] {
       result = m_is_ply
         ? rewritten<internal::PLY_parser, internal::PLY_rewriter>(tmesh, uv_map, points)
@@ -245,9 +243,8 @@ private:
   static bool is_same(const ParsedSoup& soup, const TriangleMesh& tmesh,
                       const HalfedgeUVMap& uv_map, const NamedParameters& np)
   {
-    using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+    const auto points = internal::chosen(np, CGAL::internal_np::vertex_point,
                                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const auto numbers = CGAL::get_initialized_vertex_index_map(tmesh, np);
     const auto number = [&](const auto v) { return static_cast<std::size_t>(get(numbers, v)); };

@@ -146,9 +146,8 @@ private:
   template <typename Writer>
   void add_vertices(const Cell_vertices& vertices, Writer& writer)
   {
-    auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, CGAL::internal_np::vertex_point),
-      CGAL::get_property_map(CGAL::vertex_point, m_quads));
+    auto point_map = chosen(m_np, CGAL::internal_np::vertex_point,
+                            CGAL::get_property_map(CGAL::vertex_point, m_quads));
     using Point = typename boost::property_traits<decltype(point_map)>::value_type;
     const auto location_map = this->location_map();
     const auto cone_map = this->cone_map();

@@ -42,13 +42,10 @@ namespace internal {
 template <typename NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Extraction_options options;
-  options.scale = choose_parameter(get_parameter(np, CGAL::internal_np::grid_scale), options.scale);
-  options.maximum_number = static_cast<std::size_t>(choose_parameter(
-    get_parameter(np, CGAL::internal_np::maximum_number), options.maximum_number));
-  options.allow_holes = choose_parameter(get_parameter(np, CGAL::internal_np::allow_holes), false);
+  options.scale = chosen(np, CGAL::internal_np::grid_scale, options.scale);
+  options.maximum_number = chosen(np, CGAL::internal_np::maximum_number, options.maximum_number);
+  options.allow_holes = chosen(np, CGAL::internal_np::allow_holes, false);
   return options;
 }
 
@@ -83,9 +80,8 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
   Cell_extractor<Group> extractor(std::move(mesh), std::move(is_feature), options,
                                   [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
   const auto locate = [&] {
-    const auto point_map = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
+                                  CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     const auto locate_point = [&](const Lattice_point& p)
       { return Surface_location{extractor.original_face(face_of(p.corner)),
                                 weights(extractor.mesh(), p)}; };

@@ -45,7 +45,6 @@ template <typename TriangleMesh, typename NamedParameters>
 Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
                                     const std::optional<Mirror>& mirror)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   const auto read_direction = [&]([[maybe_unused]] const auto f) {
@@ -63,10 +62,9 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
   };
   return Surface_to_remesh(
     tmesh,
-    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                     CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
-    choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                     CGAL::Static_boolean_property_map<Edge, false>()),
+    chosen(np, CGAL::internal_np::vertex_point,
+           CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
+    chosen(np, internal_np::edge_is_constrained, CGAL::Static_boolean_property_map<Edge, false>()),
     read_direction, read_size, mirror);
 }
 
@@ -78,9 +76,8 @@ nearest_faces(const Surface_to_remesh& surface,
 template <typename QuadMesh, typename NamedParameters>
 auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
 {
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_property_map(CGAL::vertex_point, quads));
+  return chosen(np, CGAL::internal_np::vertex_point,
+                CGAL::get_property_map(CGAL::vertex_point, quads));
 }
 
 // Where points lie on the input.
@@ -92,9 +89,8 @@ auto locate_points(const std::vector<Surface_to_remesh::Kernel::Point_3>& points
   const std::vector<std::size_t> numbers =
     nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), points);
   const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
-  const auto point_map = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-    CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
+                                CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   std::vector<std::pair<Face, std::array<double, 3> > > result;
   for(std::size_t i = 0; i < points.size(); ++i)
     result.push_back(locate_in_face(points[i], all_faces[numbers[i]], tmesh, point_map));

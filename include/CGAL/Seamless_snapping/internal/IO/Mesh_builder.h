@@ -172,15 +172,14 @@ template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename
 Vertex_changes build_mesh(Soup& soup, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                           const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                              CGAL::get_property_map(CGAL::vertex_point, tmesh));
+  auto vpm = chosen(np, CGAL::internal_np::vertex_point,
+                    CGAL::get_property_map(CGAL::vertex_point, tmesh));
   constexpr bool wants_features =
     is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>;
 
   Vertex_changes changes;
-  const bool weld = choose_parameter(get_parameter(np, CGAL::internal_np::weld_borders), false);
+  const bool weld = chosen(np, CGAL::internal_np::weld_borders, false);
   const auto edges = connect_soup(weld, soup, changes);
   std::vector<Side_index> features;
   if(wants_features)

@@ -183,11 +183,10 @@ template <typename Text, typename TriangleMesh, typename HalfedgeUVMap, typename
 std::string text_of_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                             const std::string& comments, const NamedParameters& np)
 {
-  using CGAL::parameters::get_parameter;
   CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
   const auto points =
-    CGAL::parameters::choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    chosen(np, CGAL::internal_np::vertex_point,
+           CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh);
   Text text(vertices(tmesh).size());
   std::size_t number_of_vertices = 0;
@@ -207,7 +206,8 @@ std::string text_of_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_m
     text.add_face(corners);
   }
   if constexpr(is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>) {
-    const auto is_feature = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    const auto is_feature =
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
     for(const auto e : edges(tmesh))
       if(get(is_feature, e))
         text.add_edge(get(index, source(e, tmesh)), get(index, target(e, tmesh)));

@@ -109,14 +109,12 @@ template <template <typename, typename> class Parser, template <typename> class 
 std::string rewritten_text(const std::string_view text, const TriangleMesh& tmesh,
                            const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using VPM = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  const VPM vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                   CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const VPM vpm = chosen(np, CGAL::internal_np::vertex_point,
+                         CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
 
   auto soup = Parser<File_number<VPM>, double>(text).parse();
-  if(choose_parameter(get_parameter(np, CGAL::internal_np::weld_borders), false)) {
+  if(chosen(np, CGAL::internal_np::weld_borders, false)) {
     const Soup_edges edges(soup.triangles);
     const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
     replace_vertices(welded_vertices(soup, coinciding.seams), soup);

@@ -73,8 +73,7 @@ constexpr double default_tolerance = 1e-4;
 template <typename NamedParameters>
 double chosen_tolerance(const NamedParameters& np)
 {
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::tolerance), default_tolerance);
+  return chosen(np, CGAL::internal_np::tolerance, default_tolerance);
 }
 
 // The transitions, as the named parameters ask for.
@@ -93,14 +92,10 @@ auto read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
 template <typename TriangleMesh, typename NamedParameters, typename F>
 bool for_each_edge_to_align(const TriangleMesh& tmesh, const NamedParameters& np, const F& f)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
-  const auto is_constrained =
-    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), No_edges());
-  const bool align_border =
-    choose_parameter(get_parameter(np, CGAL::internal_np::align_border), false);
+  const auto is_constrained = chosen(np, CGAL::internal_np::edge_is_constrained, No_edges());
+  const bool align_border = chosen(np, CGAL::internal_np::align_border, false);
   if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
     return true;
   for(const Edge e : edges(tmesh)) {

@@ -83,18 +83,15 @@ template <typename Group, typename TriangleMesh, typename NamedParameters>
 Snapping_options<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
 snapping_options(const TriangleMesh& tmesh, const NamedParameters& np)
 {
-  const auto chosen = [&](const auto tag, const auto by_default) {
-    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), by_default);
-  };
   return {edges_to_align(tmesh, np),
           read_constraints<Group>(tmesh, np),
           chosen_tolerance(np),
-          double(chosen(CGAL::internal_np::connection_tolerance, default_connection_tolerance)),
-          double(chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance)),
-          bool(chosen(CGAL::internal_np::integer_grid, false)),
+          chosen(np, CGAL::internal_np::connection_tolerance, default_connection_tolerance),
+          chosen(np, CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
+          chosen(np, CGAL::internal_np::integer_grid, false),
           chosen_flip_repair(np),
           chosen_number_of_untangling_iterations(np),
-          bool(chosen(CGAL::internal_np::verbose, false))};
+          chosen(np, CGAL::internal_np::verbose, false)};
 }
 
 template <typename Group, typename Surface, bool may_untangle,

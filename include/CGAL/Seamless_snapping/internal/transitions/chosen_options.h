@@ -78,15 +78,13 @@ constexpr void check_that_parameters_are_used()
 template <typename NamedParameters>
 Flip_repair chosen_flip_repair(const NamedParameters& np)
 {
-  return static_cast<Flip_repair>(int(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::repair_flips), false)));
+  return static_cast<Flip_repair>(chosen(np, CGAL::internal_np::repair_flips, 0));
 }
 
 template <typename NamedParameters>
 std::size_t chosen_number_of_untangling_iterations(const NamedParameters& np)
 {
-  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::untangling_iterations), 400));
+  return chosen(np, CGAL::internal_np::untangling_iterations, std::size_t(400));
 }
 
 } // namespace internal

@@ -73,8 +73,6 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
                                    std::vector<std::int64_t> further_vertices = {},
                                    const Cells_to_read cells = Cells_to_read::AT_CONSTRAINTS)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
   if(auto refusal = read_vertices(range, tetrahedra))
     return refusal;
@@ -99,8 +97,7 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
     for(std::size_t v = 0; v < tetrahedra.number_of_vertices; ++v)
       further_vertices.push_back(tetrahedra.name(std::int32_t(v)));
   }
-  const bool align_boundary =
-    choose_parameter(get_parameter(np, CGAL::internal_np::align_boundary), true);
+  const bool align_boundary = chosen(np, CGAL::internal_np::align_boundary, true);
   return Volume_survey<CornerUVWMap>(tetrahedra, uvw_map)
     .run(align_boundary, features, further_vertices, volume);
 }
@@ -203,13 +200,10 @@ std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const Corne
 template <typename NamedParameters>
 Volume_options volume_options(const NamedParameters& np)
 {
-  const auto chosen = [&](const auto& tag, const auto value) {
-    return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, tag), value);
-  };
-  return {chosen(CGAL::internal_np::tolerance, default_volume_tolerance),
-          bool(chosen(CGAL::internal_np::integer_grid, false)),
-          chosen(CGAL::internal_np::grid_scale, 1.),
-          chosen(CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
+  return {chosen(np, CGAL::internal_np::tolerance, default_volume_tolerance),
+          chosen(np, CGAL::internal_np::integer_grid, false),
+          chosen(np, CGAL::internal_np::grid_scale, 1.),
+          chosen(np, CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
           chosen_flip_repair(np),
           chosen_number_of_untangling_iterations(np)};
 }
@@ -218,13 +212,10 @@ template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParame
 Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
                             const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   check_that_parameters_are_used<NamedParameters>();
   Snapping_report report;
   const Volume_options options = volume_options(np);
-  Step_timer timer(report,
-                   choose_parameter(get_parameter(np, CGAL::internal_np::verbose), false));
+  Step_timer timer(report, chosen(np, CGAL::internal_np::verbose, false));
   Flat_volume volume;
   std::vector<Uvw> snapped;
   std::optional<Refusal> refusal;
