@@ -28,13 +28,11 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -104,7 +104,8 @@ private:
       }
       patches[std::size_t(number)].cycles.push_back(std::move(m_layout.patches[p].cycles[0]));
     }
-    const auto new_number = [&](const Patch_index p) { return numbers[sets.find_set(std::size_t(p))]; };
+    const auto new_number = [&](const Patch_index p)
+      { return numbers[sets.find_set(std::size_t(p))]; };
     m_layout.patches = std::move(patches);
     for(Half_arc& half : m_layout.half_arcs)
       if(half.patch != no_index)

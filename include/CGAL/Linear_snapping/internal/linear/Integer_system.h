@@ -148,7 +148,8 @@ public:
 
   std::size_t number_of_columns() const { return m_number_of_columns; }
   std::size_t number_of_rows() const { return m_right_hand_side.size(); }
-  std::size_t number_of_entries() const { return m_rows.elements().size() + m_number_of_large_entries; }
+  std::size_t number_of_entries() const
+  { return m_rows.elements().size() + m_number_of_large_entries; }
 
   // Whether all rows are of 64-bit integers.
   bool is_small() const { return m_large_rows.empty(); }

@@ -38,7 +38,8 @@ public:
 
   Lists() : m_begin(1, 0) { }
 
-  // \param for_each(add) calls add(i, x) for each element x of each list i, those of a list in their
+  // Sorts by counting.
+  // \param for_each(add) calls add(i, x) for each element x of each list i, those of one in their
   //        order; it is called twice
   template <typename ForEach>
   Lists(const std::size_t number_of_lists, const ForEach& for_each)

@@ -29,7 +29,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cstddef>
 #include <iterator>
 #include <string>
 #include <utility>

@@ -104,12 +104,13 @@ private:
       const bool is_mixed = m_cuts.complex.find_mixed_sector(s) != nullptr;
       if(!is_mixed)
         measure(before, after, 1);
+      const double weight = 1. / static_cast<double>(m_cuts.corners[s].size());
       for(const Halfedge& h : m_cuts.corners[s]) {
         if(end - &h > lookahead)
           m_surface.prefetch((&h)[lookahead]);
         m_changes.push_back({h, m_surface.uv(h), after});
         if(is_mixed)
-          measure(m_changes.back().before, after, 1. / static_cast<double>(m_cuts.corners[s].size()));
+          measure(m_changes.back().before, after, weight);
       }
     }
   }

@@ -24,6 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Rounding_displacement.h>
 #include <CGAL/Seamless_snapping/internal/volume/moved_charts.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>
