@@ -51,12 +51,16 @@ struct Corner_soup
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;
   bool is_welded = false; // whether vertices are no longer all those of the file
+
+  const std::vector<Triangle>& faces() const { return triangles; }
 };
 
 // Without coordinates, and with faces of any number of corners: plain meshes.
 template <>
 struct Corner_soup<double, void> : IO::Polygon_soup
-{ };
+{
+  const auto& faces() const { return polygons; }
+};
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -81,8 +81,7 @@ private:
                             std::array<Number, n>& numbers)
   {
     std::size_t count = 0;
-    for(std::string_view token = m_scanner.next_token(); !token.empty();
-        token = m_scanner.next_token()) {
+    for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
       const Number number = parse_number<Number>(m_scanner, token);
       if(count < n)
         numbers[count] = number;
@@ -103,8 +102,7 @@ private:
       --triangle.vertices[count];
       --triangle.uvs[count++];
     }
-    for(std::string_view token = m_scanner.next_token(); !token.empty();
-        token = m_scanner.next_token()) {
+    for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
       if(count < 3)
         parse_corner(token, triangle.vertices[count], triangle.uvs[count]);
       ++count;
@@ -147,8 +145,7 @@ private:
   {
     typename Polygons::value_type polygon;
     polygon.line = m_scanner.line();
-    for(std::string_view token = m_scanner.next_token(); !token.empty();
-        token = m_scanner.next_token())
+    for(std::string_view token; !(token = m_scanner.next_token()).empty();)
       polygon.vertices.push_back(parse_index(token.substr(0, token.find('/')),
                                              m_soup.points.size(), "vertex"));
     polygons.push_back(std::move(polygon));
@@ -159,8 +156,7 @@ private:
     std::size_t count = 0;
     Segment segment{};
     segment.line = m_scanner.line();
-    for(std::string_view token = m_scanner.next_token(); !token.empty();
-        token = m_scanner.next_token()) {
+    for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
       const std::size_t slash = token.find('/'); // of an element v/vt
       if(slash != token.npos)
         parse_signed_index(token.substr(slash + 1), "texture coordinate");
@@ -206,7 +202,7 @@ private:
 
   void check_indices() const
   {
-    for(const auto& face : faces()) {
+    for(const auto& face : m_soup.faces()) {
       for(const std::size_t vertex : face.vertices)
         check_index(vertex, m_soup.points.size(), "vertex", face.line);
       if constexpr(has_uvs)
@@ -216,14 +212,6 @@ private:
     for(const Segment& segment : m_soup.segments)
       for(const std::size_t vertex : segment.vertices)
         check_index(vertex, m_soup.points.size(), "vertex", segment.line);
-  }
-
-  const auto& faces() const
-  {
-    if constexpr(has_uvs)
-      return m_soup.triangles;
-    else
-      return m_soup.polygons;
   }
 
   static void check_index(std::size_t index, std::size_t size, const char* of, std::size_t line)
@@ -244,8 +232,7 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
   // the fast path of `std::from_chars` multiplies in the current rounding mode
   const Protect_exact_arithmetic protect;
 
-  for(std::string_view keyword = m_scanner.next_statement(); !keyword.empty();
-      keyword = m_scanner.next_statement()) {
+  for(std::string_view keyword; !(keyword = m_scanner.next_statement()).empty();) {
     if(is_keyword(keyword, "v"))
       m_soup.points.push_back(parse_point());
     else if(is_keyword(keyword, "l"))
@@ -258,7 +245,7 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
     } else if(is_keyword(keyword, "f"))
       parse_polygon(m_soup.polygons);
   }
-  if(faces().empty())
+  if(m_soup.faces().empty())
     throw File_refusal(0, "the file has no face");
   check_indices();
   return std::move(m_soup);

@@ -21,6 +21,7 @@
 // one are to have different coordinates, further statements follow it; later ones then have higher
 // indices.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
@@ -46,7 +47,7 @@ public:
   // `for_each_uv(f)` calls `f()` with the new coordinates of all corners.
   template <typename Soup, typename For_each_uv>
   OBJ_uv_layout(const Soup& soup, const For_each_uv& for_each_uv)
-    : m_first(soup.uvs.size() + 1, 0)
+    : m_first(1, 0)
   {
     const std::size_t n = soup.uvs.size(); // old statements
     Distinct_uvs distinct(n);
@@ -62,19 +63,21 @@ public:
         old_index.push_back(old);
     });
 
-    std::vector<std::size_t> count(n, 0);
-    for(const std::size_t k : old_index)
-      ++count[k];
-    for(std::size_t k = 0; k < n; ++k) // one that no corner uses stays
-      m_first[k + 1] = m_first[k] + (count[k] == 0 ? 1 : count[k]);
-
-    m_uvs.resize(m_first[n]);
-    m_is_used.resize(m_first[n], false);
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1), place(old_index.size());
-    for(std::size_t i = 0; i < old_index.size(); ++i) {
-      place[i] = next[old_index[i]]++;
-      m_uvs[place[i]] = distinct.uvs()[i];
-      m_is_used[place[i]] = true;
+    const Lists<std::size_t> by_statement(n, [&](const auto& add) {
+      for(std::size_t i = 0; i < old_index.size(); ++i)
+        add(old_index[i], i);
+    });
+    std::vector<std::size_t> place(old_index.size());
+    for(std::size_t k = 0; k < n; ++k) {
+      for(const std::size_t i : by_statement[k]) {
+        place[i] = m_uvs.size();
+        m_uvs.push_back(distinct.uvs()[i]);
+      }
+      m_is_used.resize(m_uvs.size(), true);
+      if(by_statement[k].empty()) // one that no corner uses stays
+        m_uvs.emplace_back();
+      m_is_used.resize(m_uvs.size(), false);
+      m_first.push_back(m_uvs.size());
     }
     for(Soup_index& i : m_index)
       i = Soup_index(place[i]);
@@ -184,8 +187,7 @@ private:
   void rewrite_polyline()
   {
     bool is_first = true;
-    for(std::string_view token = m_scanner.next_token(); !token.empty();
-        token = m_scanner.next_token()) {
+    for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
       const std::size_t slash = token.find('/');
       // the first two vertices are of one segment
       const std::size_t end = is_first ? 0 : 1;

@@ -210,16 +210,8 @@ private:
                             + std::to_string(m_soup.points.size()) + " vertices");
           }
     };
-    check(faces(), "face");
+    check(m_soup.faces(), "face");
     check(m_soup.segments, "edge");
-  }
-
-  const auto& faces() const
-  {
-    if constexpr(has_uvs)
-      return m_soup.triangles;
-    else
-      return m_soup.polygons;
   }
 
   PLY_header m_header;
@@ -246,7 +238,7 @@ Corner_soup<PointNumber, UVNumber> PLY_parser<PointNumber, UVNumber>::parse()
     else
       for_each_row(element, [this](const PLY_property& p, std::size_t) { m_values.skip(p); });
   }
-  if(faces().empty())
+  if(m_soup.faces().empty())
     throw File_refusal(0, "the file has no face");
   check_indices();
   return std::move(m_soup);

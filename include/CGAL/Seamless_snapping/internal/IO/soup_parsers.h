@@ -110,8 +110,7 @@ inline Corner_soup<double, void> parse_STL_text(const std::string_view text)
   Corner_soup<double, void> soup;
   std::array<std::array<double, 3>, 3> points;
   std::size_t n = 0, line = 0;
-  for(std::string_view keyword = scanner.next_statement(); !keyword.empty();
-      keyword = scanner.next_statement()) {
+  for(std::string_view keyword; !(keyword = scanner.next_statement()).empty();) {
     if(keyword == "outer")
       line = scanner.line();
     else if(keyword == "endloop") {
