@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -114,11 +113,7 @@ public:
 
   // Rounds to the number type of the input.
   void set_uv(const Halfedge h, const Uv& uv)
-  {
-    const bool is_float = m_format.digits == std::numeric_limits<float>::digits;
-    for(std::size_t c = 0; c < 2; ++c)
-      m_uv[std::size_t(h)][c] = is_float ? double(float(uv[c])) : uv[c];
-  }
+  { m_uv[std::size_t(h)] = {rounded_to(m_format, uv[0]), rounded_to(m_format, uv[1])}; }
 
   bool have_same_uv(const Halfedge g, const Halfedge h) const { return uv(g) == uv(h); }
   void prefetch(Halfedge) const { }

@@ -52,6 +52,15 @@ inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t 
   return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
 }
 
+// Files may list corners in the other order.
+inline CGAL::Orientation orientation_of_most_cells(const std::vector<Uvw>& u)
+{
+  std::ptrdiff_t surplus = 0;
+  for(std::size_t c = 0; c < u.size() / 4; ++c)
+    surplus += int(orientation(uvw_of_cell(u, c)));
+  return surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
+}
+
 // Six times the volume of a cell, in floating point.
 inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
 {

@@ -52,15 +52,11 @@ public:
                 const Volume_sectors& sectors, const Volume_places& places,
                 const Place_solver& solver, std::vector<Uvw>& coordinates)
     : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
-      m_coordinates(coordinates)
+      m_orientation(orientation_of_most_cells(input.coordinates)), m_coordinates(coordinates)
   {
     int exponent = 0;
     std::frexp(input.extent, &exponent);
     m_scale = std::ldexp(1., -exponent); // keeps determinants in range
-    double surplus = 0; // of positive cells; files may list corners in the other order
-    for(std::size_t c = 0; c < input.number_of_cells(); ++c)
-      surplus += volume(input.coordinates, c) < 0 ? -1 : 1;
-    m_orientation = surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
   }
 
   // The cells that had the orientation of most cells in the input, and have lost it.
@@ -253,7 +249,7 @@ private:
   const Volume_places& m_places;
   const Place_solver& m_solver;
   double m_largest_change = 0;
-  CGAL::Orientation m_orientation = CGAL::POSITIVE; // that of most cells
+  CGAL::Orientation m_orientation; // that of most cells
   std::vector<Uvw>& m_coordinates; // per corner
   std::optional<Volume_members> m_members; // where some cell was lost
   double m_scale = 1;

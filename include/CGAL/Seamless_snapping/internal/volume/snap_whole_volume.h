@@ -86,9 +86,7 @@ private:
                      "larger one");
     for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
       for(double& x : m_volume.coordinates[i]) {
-        x *= m_options.grid_scale;
-        if(m_format.digits < std::numeric_limits<double>::digits)
-          x = static_cast<double>(static_cast<float>(x));
+        x = rounded_to(m_format, x * m_options.grid_scale);
         if(!(std::abs(x) <= largest))
           return Refusal(Outcome::NOT_REPRESENTABLE,
                          "grid_scale makes a coordinate of cell " + std::to_string(i / 4) +
@@ -96,15 +94,6 @@ private:
       }
     m_volume.extent *= m_options.grid_scale;
     return std::nullopt;
-  }
-
-  // Files may list corners in the other order.
-  static CGAL::Orientation orientation_of_most_cells(const std::vector<Uvw>& u)
-  {
-    std::ptrdiff_t surplus = 0;
-    for(std::size_t i = 0; i < u.size(); i += 4)
-      surplus += int(orientation(uvw_of_cell(u, i / 4)));
-    return surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
   }
 
   std::optional<Refusal> round_and_repair(const std::vector<Uvw>& input,
