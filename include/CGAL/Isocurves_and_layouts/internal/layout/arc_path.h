@@ -108,28 +108,21 @@ inline Face_point exit_point(const Chart_mesh& mesh, const Curve_set& curves, co
                                                         chord.level));
 }
 
-// Calls f(curve, segment) for the ends of segments between both points of an arc, in its order.
-template <typename Function>
-void for_each_end_on_arc(const Layout_arc& arc, const Function& f)
-{
-  for(const Curve_piece& piece : arc.pieces) {
-    if(!piece.is_reversed)
-      for(Segment_index s = piece.begin; s < piece.end; ++s)
-        f(piece.curve, s);
-    else
-      for(Segment_index s = piece.end; s-- > piece.begin;)
-        f(piece.curve, s);
-  }
-}
-
+// Through the ends of segments between both points.
 inline std::vector<Face_point> path_of_arc(const Chart_mesh& mesh, const Curve_set& curves,
                                            const Layout& layout, const std::size_t a)
 {
   const Layout_arc& arc = layout.arcs[a];
   std::vector<Face_point> path;
   path.push_back(face_point(mesh, layout.points[std::size_t(arc.points[0])].place));
-  for_each_end_on_arc(arc, [&](const Curve_index c, const Segment_index s)
-                      { path.push_back(exit_point(mesh, curves, c, s)); });
+  for(const Curve_piece& piece : arc.pieces) {
+    if(!piece.is_reversed)
+      for(Segment_index s = piece.begin; s < piece.end; ++s)
+        path.push_back(exit_point(mesh, curves, piece.curve, s));
+    else
+      for(Segment_index s = piece.end; s-- > piece.begin;)
+        path.push_back(exit_point(mesh, curves, piece.curve, s));
+  }
   path.push_back(face_point(mesh, layout.points[std::size_t(arc.points[1])].place));
   return path;
 }

@@ -181,29 +181,14 @@ public:
         result.base[c] = value.base;
         result.offset[c] = value.offset;
       }
-    if(!m_complex.mixed_sectors.empty())
-      add_deviation(s, k, result);
-    if(!m_shifts.empty())
-      add_shift(s, k, result);
+    if(const auto* const mixed = m_complex.find_mixed_sector(s))
+      add(mixed->deviation, k, result);
+    if(const auto found = m_shifts.find(s); found != m_shifts.end())
+      add(found->second, k, result);
     return result;
   }
 
 private:
-  void add_deviation(const Sector_index s, const Components<dimension>& k,
-                     Grid_point<dimension>& point) const
-  {
-    if(const auto* const mixed = m_complex.find_mixed_sector(s))
-      add(mixed->deviation, k, point);
-  }
-
-  void add_shift(const Sector_index s, const Components<dimension>& k,
-                 Grid_point<dimension>& point) const
-  {
-    const auto found = m_shifts.find(s);
-    if(found != m_shifts.end())
-      add(found->second, k, point);
-  }
-
   void add(const Vector& by, const Components<dimension>& k, Grid_point<dimension>& point) const
   {
     for(std::size_t c = 0; c < dimension; ++c)

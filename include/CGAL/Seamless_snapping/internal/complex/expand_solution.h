@@ -179,10 +179,7 @@ private:
 
   // By how much the real-valued optimum of an unknown differs from a value.
   double optimal_change(const Grid_value& from, const Column_index column) const
-  {
-    const Grid_value& optimum = m_solution.optimum[std::size_t(column)];
-    return static_cast<double>(optimum.base - from.base) + (optimum.offset - from.offset);
-  }
+  { return difference(m_solution.optimum[std::size_t(column)], from); }
 
   double optimal_level_change(const Functional<dimension>& f, const Grid_point<dimension>& u,
                               const std::size_t column) const

@@ -95,13 +95,11 @@ public:
 
   const Uv_state& start() const { return m_optimum; }
 
-  // The shift of the last solution, in units.
-  const Vectors& last_shift() const { return m_last_shift; }
-
-  // Lets further programs start from a solution: its faces are so many that they come in turns.
-  void start_from(const Vectors& shift, const Uv_state& solution)
+  // Lets further programs start from the last solution: its faces are so many that they come in
+  // turns.
+  void start_from(const Uv_state& solution)
   {
-    m_shift = shift;
+    m_shift = m_last_shift;
     m_optimum = solution;
   }
 
@@ -183,7 +181,7 @@ private:
   const Complex_solver<Group>& m_solver;
   Uv_state m_optimum; // that programs start from
   Vectors m_shift;    // its targets, in units
-  Vectors m_last_shift;
+  Vectors m_last_shift; // of the last solution
   double m_unit;
   Displacements<Group> m_displacements;
 };

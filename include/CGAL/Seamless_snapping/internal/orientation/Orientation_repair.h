@@ -218,7 +218,7 @@ private:
       if(has_changed) {
         best = attempt;
         if(is_crowd) { // the next program is for the others
-          program.start_from(program.last_shift(), next);
+          program.start_from(next);
           return;
         }
       }
