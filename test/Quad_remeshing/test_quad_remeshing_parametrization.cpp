@@ -32,6 +32,7 @@
 #include <iostream>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -494,6 +495,12 @@ void test_cone_distance()
   CHECK(cones(cube, any_distance.edge_is_constrained_map(creases)) ==
         cones(cube, parameters::edge_is_constrained_map(creases)));
   Mesh rough = perturbed(icosphere(3), 0.08, 0);
+  std::set<std::vector<int> > known; // no map is made of a field again
+  CHECK(!cones(rough, parameters::known_fields(&known)).empty());
+  CHECK(!cones(rough, any_distance.known_fields(&known)).empty() && known.size() == 2);
+  const Report again = QR::approximate_seamless_parametrization(
+    rough, new_uv_map(rough), parameters::least_cone_distance(1e8).known_fields(&known));
+  CHECK(again.status == Outcome::INVALID_ARGUMENT && again.message == "the field is known");
   const auto direction = rough.add_property_map<Mesh::Face_index, Kernel::Vector_3>(
     "f:direction", Kernel::Vector_3(1, 2, 3)).first;
   CHECK(cones(rough, any_distance.face_direction_map(direction)) ==

@@ -138,6 +138,7 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   options.largest_cone_index =
     chosen(np, internal_np::largest_cone_index, options.largest_cone_index);
   options.least_cone_distance = chosen(np, internal_np::least_cone_distance, 0.);
+  options.known_fields = chosen(np, internal_np::known_fields, options.known_fields);
   options.may_release = chosen(np, internal_np::release_alignment, false);
   options.verbose = chosen(np, internal_np::verbose, false);
   options.random_seed = chosen(np, internal_np::random_seed, 0u);

@@ -266,7 +266,8 @@ map, and 149 with `minimize_number_of_quads`, with up to 16 extractions of quads
 three ways; two more quantizations where there are far more quads than wanted, to tell how many the
 features force. Where there are more than 1.1 times as many as wanted, and features neither force
 these nor are released, further maps are made, with more or fewer cones: for each halving of the
-number four times, and for each doubling up to about 1.5 times the fewest quads that are known. The
+number four times, and for each doubling up to about 1.5 times the fewest quads that are known,
+unless they have the same field. The
 result has about as many quads as wanted, or as few as were found, which the message tells; and,
 unless features force quads or are released, at least 95 % of those that are made where fewer are
 wanted. The quad around a vertex of one edge is left out.

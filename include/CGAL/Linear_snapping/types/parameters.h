@@ -56,6 +56,7 @@
   F(halfedge_rotation_t, halfedge_rotation, halfedge_rotation_map)                                 \
   F(halfedge_uv_t, halfedge_uv, halfedge_uv_map)                                                   \
   F(integer_grid_t, integer_grid, integer_grid)                                                    \
+  F(known_fields_t, known_fields, known_fields) /* of callers within the packages */               \
   F(largest_cone_index_t, largest_cone_index, largest_cone_index)                                  \
   F(least_cone_distance_t, least_cone_distance, least_cone_distance)                               \
   F(maximum_feature_loss_t, maximum_feature_loss, maximum_feature_loss)                            \

@@ -47,6 +47,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -334,9 +335,13 @@ private:
   // No map of a torus has one cone of each sign alone, but cones cancel down to that.
   bool make_map(const double least_cone_distance)
   {
-    if(!parametrize(least_cone_distance) ||
-       (!m_report.remaining_flips.empty() && least_cone_distance > 0 && !parametrize(0)))
+    if(!parametrize(least_cone_distance))
       return false;
+    if(!m_report.remaining_flips.empty() && least_cone_distance > 0) {
+      m_known_fields.clear(); // repairs try more with all cones, also where the field is the same
+      if(!parametrize(0))
+        return false;
+    }
     return m_report.remaining_flips.empty() ||
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
@@ -355,7 +360,8 @@ private:
                                 .face_direction_map(m_surface.directions())
                                 .vertex_sizing_map(m_surface.sizes())
                                 .largest_cone_index(largest_cone_index)
-                                .least_cone_distance(least_cone_distance));
+                                .least_cone_distance(least_cone_distance)
+                                .known_fields(&m_known_fields));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
@@ -541,6 +547,7 @@ private:
   Feature_map m_is_feature;
   Remeshing_report m_report;
   Quantization m_quantization;
+  std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };

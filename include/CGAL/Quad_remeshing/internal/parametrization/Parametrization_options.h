@@ -20,6 +20,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +40,7 @@ struct Parametrization_options
   bool verbose = false;
   int largest_cone_index = 3;  // of the cones that the field decides
   double least_cone_distance = 0; // of opposite ones, in the size of the mesh
+  std::set<std::vector<int> >* known_fields = nullptr; // turns of matchings not to be taken again
   std::vector<int> cone_index; // per vertex; empty: the field decides
   Prescribed_field directions; // empty: no face has one
   std::vector<double> log_size; // per vertex, in units of `target_edge_length`; empty: all are 0

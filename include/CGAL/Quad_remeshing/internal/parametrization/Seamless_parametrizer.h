@@ -234,6 +234,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
                     singular.index, angles, matching, solver))
       singular = singularities(surface, topo, matching);
   }
+  if(options.known_fields && !options.known_fields->insert(matching.turns).second)
+    throw Refusal(Outcome::INVALID_ARGUMENT, "the field is known");
   check_index_theorem(surface, topo, matching, singular);
   if(!options.cone_index.empty() && singular.index != options.cone_index)
     throw Refusal(Outcome::INTERNAL_ERROR,
