@@ -1689,6 +1689,22 @@ void test_refinement()
   CHECK(copy(true) == copy(false));
 }
 
+// Few quads are shaped at more expense: without that, the mean here is 0.9526.
+void test_few_quads()
+{
+  double sum = 0;
+  const auto files = test_data::package_files();
+  for(const auto& file : files) {
+    const Parametrized_model model(file.string());
+    const auto report = QR::quad_remesh(model.mesh, *std::make_unique<Mesh>(),
+                                        parameters::target_number_of_quads(50));
+    CHECK_IN(file.filename().string(), report && report.number_of_inverted_quads == 0);
+    sum += report.mean_scaled_jacobian;
+  }
+  std::cout << "about 50 quads: mean scaled Jacobian " << sum / double(files.size()) << std::endl;
+  CHECK(sum > 0.9555 * double(files.size()));
+}
+
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
 void test_remeshing_of_long_triangles()
 {
@@ -2264,6 +2280,7 @@ int main()
     test_symmetry();
     test_locations();
     test_remeshing_of_long_triangles();
+    test_few_quads();
   }
   test_refinement();
   test_sizes_in_space();

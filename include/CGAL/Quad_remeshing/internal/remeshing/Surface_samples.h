@@ -99,7 +99,8 @@ public:
 
   // Per vertex of the quads: of the places whose nearest triangle of a quad has it as a corner. The
   // sum of all squares is that of distances in units of an edge, as a mean over each quad.
-  std::vector<Distance_form> distance_forms(const Mesh& quads) const
+  // \param far_ones_count_more by 1 plus their squared distance, in the same units
+  std::vector<Distance_form> distance_forms(const Mesh& quads, const bool far_ones_count_more) const
   {
     using Primitive = Triangle_primitive<std::vector<Triangle>::const_iterator>;
     std::vector<Distance_form> forms(quads.number_of_vertices());
@@ -119,7 +120,9 @@ public:
         CGAL::cross_product((*it)[1] - (*it)[0], (*it)[2] - (*it)[0]);
       if(normal * place.normal <= 0) // the other side of a thin part
         continue;
-      const Kernel::Vector_3 n = std::sqrt(scale) * place.normal;
+      const double distance = scale / quads_of_each * CGAL::squared_distance(place.point, p);
+      const double weight = scale * (far_ones_count_more ? 1 + distance : 1);
+      const Kernel::Vector_3 n = std::sqrt(weight) * place.normal;
       for(std::size_t i = 0; i < 3; ++i) {
         const Kernel::Vector_3 across = CGAL::cross_product((*it)[int(i + 1) % 3] - p,
                                                             (*it)[int(i + 2) % 3] - p);

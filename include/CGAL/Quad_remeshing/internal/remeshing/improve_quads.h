@@ -185,12 +185,8 @@ private:
   {
     std::vector<Space_vector> result;
     const Space_vector from = m_smoother.point(v);
-    for(int i = 0; i < 8; ++i) {
-      const double angle = i * std::acos(0.) / 2;
-      Space_vector p = from;
-      for(std::size_t c = 0; c < 3; ++c)
-        p[c] += step * m_longest_edge *
-                (std::cos(angle) * m_tangents[0][c] + std::sin(angle) * m_tangents[1][c]);
+    for(const Space_vector& d : directions_in_plane(m_normal, m_side, step * m_longest_edge)) {
+      const Space_vector p{from[0] + d[0], from[1] + d[1], from[2] + d[2]};
       m_smoother.set_point(v, p);
       if(badness() < far_worse * before)
         result.push_back(m_smoother.nearest(p, from));
@@ -233,12 +229,12 @@ private:
     m_star.clear();
     m_normals.clear();
     m_lines_at_vertex = lines_at_vertex(m_quads, m_is_feature, v);
-    Space_vector normal{}, side{};
+    m_normal = {};
     m_longest_edge = 0;
     const Space_vector p = m_smoother.point(v);
     for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
-      side = vector_to(p, m_smoother.point(source(h, m_quads)));
-      m_longest_edge = (std::max)(m_longest_edge, norm(side));
+      m_side = vector_to(p, m_smoother.point(source(h, m_quads)));
+      m_longest_edge = (std::max)(m_longest_edge, norm(m_side));
       if(CGAL::is_border(h, m_quads))
         continue;
       m_star.push_back(face(h, m_quads));
@@ -246,10 +242,8 @@ private:
       m_normals.push_back(upper_side(m_star.back(), q));
       const Space_vector n = quad_normal(q);
       for(std::size_t c = 0; c < 3; ++c)
-        normal[c] += n[c];
+        m_normal[c] += n[c];
     }
-    m_tangents[0] = scaled_to_one(outer_product(normal, side));
-    m_tangents[1] = scaled_to_one(outer_product(normal, m_tangents[0]));
   }
 
   // Where a quad is to face, with the surface as it was beside it before any of its vertices moved.
@@ -312,7 +306,7 @@ private:
   std::vector<Face> m_star;
   std::vector<Space_vector> m_normals; // where the faces are to face
   std::vector<Halfedge> m_lines_at_vertex;
-  std::array<Space_vector, 2> m_tangents;
+  Space_vector m_normal{}, m_side{}; // of all quads; one edge
   double m_longest_edge = 0;
 };
 

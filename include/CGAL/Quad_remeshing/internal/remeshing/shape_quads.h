@@ -17,7 +17,8 @@
 
 // Moves the vertices of a quad mesh along the surface that it was made from, or along the feature
 // or border that they lie on, toward where their quads are rectangles and near the surface.
-// Smoothing looks at neighbors only, which does for small quads.
+// Smoothing looks at neighbors only, which does for small quads. Where there are few quads, places
+// all around are tried, too, and parts of the surface that are cut off count more.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
@@ -84,6 +85,7 @@ public:
   Quad_shaper(const Mesh& quads, const Feature_map& is_feature, const Mesh& surface,
               const Feature_lines& lines, Quad_smoother& smoother)
     : m_quads(quads), m_is_feature(is_feature), m_lines(lines), m_smoother(smoother),
+      m_are_few(quads.number_of_faces() <= most_few),
       m_samples(surface, number_of_samples(quads.number_of_faces()))
   { }
 
@@ -103,9 +105,10 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_samples = 20000, most_quads = 50000;
+  static constexpr std::size_t most_samples = 20000, most_quads = 50000, most_few = 1000;
   static constexpr double weight_of_distance = 2, weight_of_lines = 4;
   static constexpr double turned_over = 1e100;
+  static constexpr double little = 0.01, enough = 0.001; // badness
 
   // None where they would be few for each quad.
   static std::size_t number_of_samples(const std::size_t number_of_quads)
@@ -116,7 +119,7 @@ private:
   // Returns whether more than a little was gained.
   bool move_all()
   {
-    m_forms = m_samples.distance_forms(m_quads);
+    m_forms = m_samples.distance_forms(m_quads, m_are_few);
     double gain = 0;
     for(const Vertex v : vertices(m_quads))
       gain += move(v);
@@ -135,10 +138,7 @@ private:
     const double before = badness() + badness_of_lines(old);
     double least = before;
     Space_vector best = old;
-    const auto attempt = [&](const double x, const double y) {
-      Space_vector d;
-      for(std::size_t c = 0; c < 3; ++c)
-        d[c] = x * to_rectangles[c] + y * to_surface[c];
+    const auto attempt = [&](const Space_vector& d) {
       const Space_vector p = place(old, d);
       m_smoother.set_point(v, p);
       const double now = badness() + badness_of_lines(p) +
@@ -148,13 +148,21 @@ private:
         best = p;
       }
     };
+    const auto attempt_both = [&](const double x, const double y) {
+      attempt({x * to_rectangles[0] + y * to_surface[0], x * to_rectangles[1] + y * to_surface[1],
+               x * to_rectangles[2] + y * to_surface[2]});
+    };
     for(double step = 1.5; step > 0.3 && best == old; step /= 2) {
-      attempt(step, 0);
+      attempt_both(step, 0);
       if(to_surface != Space_vector{}) {
-        attempt(step, step);
-        attempt(0, step);
+        attempt_both(step, step);
+        attempt_both(0, step);
       }
     }
+    if(m_are_few && m_lines_at_vertex.empty() && before - least < little)
+      for(double step = 0.4, goal = least - enough; step > 0.04 && least > goal; step /= 2)
+        for(const Space_vector& d : directions_in_plane(m_normal, m_side, step * m_longest_edge))
+          attempt({best[0] - old[0] + d[0], best[1] - old[1] + d[1], best[2] - old[2] + d[2]});
     m_smoother.set_point(v, best);
     return before - least;
   }
@@ -197,7 +205,11 @@ private:
     Space_vector result{};
     m_faces.clear();
     m_normals.clear();
+    m_normal = {};
+    m_longest_edge = 0;
     for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
+      m_side = vector_to(m_smoother.point(v), m_smoother.point(source(h, m_quads)));
+      m_longest_edge = (std::max)(m_longest_edge, norm(m_side));
       if(m_quads.is_border(h))
         continue;
       m_faces.push_back(face(h, m_quads));
@@ -205,8 +217,10 @@ private:
       m_normals.push_back(quad_normal(q));
       const auto corner = std::find(q.begin(), q.end(), m_smoother.point(v)) - q.begin();
       const Quad rectangle = fitted_rectangle(q);
-      for(std::size_t c = 0; c < 3; ++c)
+      for(std::size_t c = 0; c < 3; ++c) {
         result[c] += rectangle[std::size_t(corner)][c];
+        m_normal[c] += m_normals.back()[c];
+      }
     }
     for(double& x : result)
       x /= double(m_faces.size());
@@ -237,12 +251,15 @@ private:
   const Feature_lines& m_lines;
   Quad_smoother& m_smoother;
   bool m_all_corners_count = false;
+  bool m_are_few;
   Surface_samples m_samples;
   std::vector<Distance_form> m_forms; // per vertex
   // scratch: of the vertex that moves
   std::vector<Halfedge> m_lines_at_vertex;
   std::vector<Face> m_faces;
   std::vector<Space_vector> m_normals;
+  Space_vector m_normal{}, m_side{}; // the sum of these; one edge
+  double m_longest_edge = 0;
 };
 
 } // namespace internal

@@ -67,6 +67,22 @@ inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
   return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
 }
 
+// Eight vectors of a length perpendicular to a normal, the first one to a side, too.
+inline std::array<Space_vector, 8> directions_in_plane(const Space_vector& normal,
+                                                       const Space_vector& side,
+                                                       const double length)
+{
+  const Space_vector u = scaled_to_one(outer_product(normal, side));
+  const Space_vector v = scaled_to_one(outer_product(normal, u));
+  std::array<Space_vector, 8> result;
+  for(std::size_t i = 0; i < 8; ++i) {
+    const double angle = double(i) * std::acos(0.) / 2;
+    for(std::size_t c = 0; c < 3; ++c)
+      result[i][c] = length * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+  }
+  return result;
+}
+
 // The sines of the angles, as seen along `normal`; -1 where there is no angle.
 inline std::array<double, 4> sines_of_angles(const std::array<Space_vector, 4>& q,
                                              const Space_vector& normal)
