@@ -31,6 +31,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -72,7 +73,7 @@ public:
 
   void run()
   {
-    if(check_lengths() && check_mirror() && quantize_a_map() && make_quads())
+    if(check_lengths() && check_mirror() && quantize_a_map() && make_best_quads())
       change_points([&](const double x) { return m_surface.unscaled(x); });
   }
 
@@ -197,6 +198,52 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
+  // Of all quantizations that were kept; nearer to rectangles and to the surface is better, and so
+  // are fewer quads.
+  bool make_best_quads()
+  {
+    if(m_choices.size() < 2)
+      return make_quads();
+    const auto make = [&](const State& choice) {
+      set_state(choice);
+      m_quads.clear_without_removing_property_maps();
+      m_bad_places.clear();
+      return make_quads();
+    };
+    double least = std::numeric_limits<double>::infinity();
+    const State* best = &m_choices.front();
+    for(const State& choice : m_choices)
+      if(make(choice)) {
+        const double now = badness();
+        if(now < least) {
+          least = now;
+          best = &choice;
+        }
+      }
+    if(!make(*best))
+      return false;
+    const auto number = [](const State& s) { return s.quantization.number_of_quads; };
+    const std::size_t fewest = number(*std::min_element(
+      m_choices.begin(), m_choices.end(),
+      [&](const State& a, const State& b) { return number(a) < number(b); }));
+    if(!m_report.message.empty() && fewest < number(*best))
+      m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
+    return true;
+  }
+
+  double badness() const
+  {
+    const CGAL::Bbox_3 box = CGAL::bbox_3(surface_mesh().points().begin(),
+                                          surface_mesh().points().end());
+    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+    const double distance = (std::max)(
+      m_surface.scaled(m_report.largest_distance),
+      Surface_samples(surface_mesh(), 30 * m_quads.number_of_faces()).largest_distance(m_quads));
+    return 2 * distance / diagonal - m_report.mean_scaled_jacobian +
+           0.05 * double(m_report.number_of_inverted_quads) +
+           0.3 * double(m_report.number_of_quads) / m_options.quantization.number_of_quads;
+  }
+
   // From here on, it is no feature: no field can follow it without flips, or quads are inverted
   // next to it.
   void release(const Mesh::Halfedge_index h)
@@ -266,7 +313,8 @@ private:
 
   // Of the map for the wanted number. Where that has more quads, and features neither force these
   // nor are released, of other maps, too: four for fewer quads, and those for more that may have
-  // less than are known already. Sizes that vary need all cones.
+  // less than are known already. Of few quads, those of all maps with up to a quarter more than the
+  // fewest, or the wanted number, are kept to choose from. Sizes that vary need all cones.
   bool quantize_a_map()
   {
     constexpr int most_lower = 4;
@@ -280,6 +328,7 @@ private:
        (!quantize() && m_report.status != Outcome::TOO_LARGE))
       return false;
     State best = state();
+    m_choices = {best};
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
       return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
@@ -289,9 +338,11 @@ private:
     };
     const auto try_map = [&](const double least_cone_distance) {
       set_state(start);
-      if(parametrize(least_cone_distance) && m_report.remaining_flips.empty() && quantize() &&
-         double(m_quantization.number_of_quads) < least())
-        best = state();
+      if(!parametrize(least_cone_distance) || !m_report.remaining_flips.empty() || !quantize())
+        return;
+      m_choices.push_back(state());
+      if(double(m_quantization.number_of_quads) < least())
+        best = m_choices.back();
     };
     for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
       for(const int rung : {wanted + i, wanted - i})
@@ -300,6 +351,12 @@ private:
     if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0)
       try_map(0);
     set_state(best);
+    const bool may_choose = least() <= most_to_choose && !m_surface.mirror() &&
+                            !m_options.quantization.is_coarsest;
+    const double most = may_choose ? 1.25 * (std::max)(number, least()) : 0.;
+    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s) {
+      return !s.quantization || double(s.quantization.number_of_quads) > most;
+    }), m_choices.end());
     return bool(m_quantization);
   }
 
@@ -537,6 +594,7 @@ private:
   }
 
   static constexpr int lowest_rung = -12; // of about one quad
+  static constexpr double most_to_choose = 1000; // quads
   static constexpr int most_mending_rounds = 4;
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
@@ -548,6 +606,7 @@ private:
   Remeshing_report m_report;
   Quantization m_quantization;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
+  std::vector<State> m_choices; // quads are made of the best one
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };

@@ -24,9 +24,11 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -102,15 +104,13 @@ public:
   // \param far_ones_count_more by 1 plus their squared distance, in the same units
   std::vector<Distance_form> distance_forms(const Mesh& quads, const bool far_ones_count_more) const
   {
-    using Primitive = Triangle_primitive<std::vector<Triangle>::const_iterator>;
     std::vector<Distance_form> forms(quads.number_of_vertices());
     std::vector<Triangle> triangles;
     std::vector<std::array<Vertex, 3> > corners;
-    for(const auto f : faces(quads))
-      add_triangles(quads, f, triangles, corners);
+    add_triangles(quads, triangles, corners);
     if(triangles.empty() || m_places.empty())
       return forms;
-    Search_tree<Primitive> tree(triangles.begin(), triangles.end());
+    Tree tree(triangles.begin(), triangles.end());
     tree.accelerate_distance_queries();
     const double quads_of_each = double(quads.number_of_faces()) / double(m_places.size());
     const double scale = quads_of_each * double(quads.number_of_faces()) / m_area;
@@ -134,7 +134,26 @@ public:
     return forms;
   }
 
+  // Of a place from the quads.
+  double largest_distance(const Mesh& quads) const
+  {
+    std::vector<Triangle> triangles;
+    std::vector<std::array<Vertex, 3> > corners;
+    add_triangles(quads, triangles, corners);
+    if(triangles.empty())
+      return std::numeric_limits<double>::infinity();
+    Tree tree(triangles.begin(), triangles.end());
+    tree.accelerate_distance_queries();
+    double largest = 0;
+    for(const Place& place : m_places)
+      largest = (std::max)(largest, CGAL::squared_distance(place.point,
+                                                           tree.closest_point(place.point)));
+    return std::sqrt(largest);
+  }
+
 private:
+  using Tree = Search_tree<Triangle_primitive<std::vector<Triangle>::const_iterator> >;
+
   // The k-th place, in the triangle where it falls. Successive ones lie far apart in triangles.
   void add(const Triangle& t, const std::size_t k)
   {
@@ -150,20 +169,19 @@ private:
       m_places.push_back({t[0] + x * u + y * v, n / length});
   }
 
-  static void add_triangles(const Mesh& quads, const Mesh::Face_index f,
-                            std::vector<Triangle>& triangles,
+  static void add_triangles(const Mesh& quads, std::vector<Triangle>& triangles,
                             std::vector<std::array<Vertex, 3> >& corners)
   {
-    const auto h = halfedge(f, quads);
-    for(const auto g : {h, next(next(h, quads), quads)}) {
-      const std::array<Vertex, 3> v{source(g, quads), target(g, quads),
-                                    target(next(g, quads), quads)};
-      const Triangle t(quads.point(v[0]), quads.point(v[1]), quads.point(v[2]));
-      if(t.squared_area() > 0) {
-        triangles.push_back(t);
-        corners.push_back(v);
+    for(const auto f : faces(quads))
+      for(const auto h : {halfedge(f, quads), next(next(halfedge(f, quads), quads), quads)}) {
+        const std::array<Vertex, 3> v{source(h, quads), target(h, quads),
+                                      target(next(h, quads), quads)};
+        const Triangle t(quads.point(v[0]), quads.point(v[1]), quads.point(v[2]));
+        if(t.squared_area() > 0) {
+          triangles.push_back(t);
+          corners.push_back(v);
+        }
       }
-    }
   }
 
   struct Place
