@@ -87,8 +87,7 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
                       {"non_unit_pivots", r.linear_solver.number_of_non_unit_pivots},
                       {"multiprecision", r.linear_solver.multiprecision}};
-  result["change"] = {{"grid_step", r.grid_step > 0 ? nlohmann::json(r.grid_step)
-                                                    : nlohmann::json()},
+  result["change"] = {{"grid_step", if_known(r.grid_step > 0, r.grid_step)},
                       {"largest_of_a_coordinate", r.largest_change},
                       {"mean_at_seams", r.mean_change}, {"rms_at_seams", r.rms_change}};
   result["seconds"]["writing"] = s.writing_time;
@@ -167,8 +166,8 @@ void write_snap(std::ostream& os, const Summary& s)
      << CGAL::Linear_snapping::to_string(r.status) << ": largest change "
      << to_text(r.largest_change, r.extent) << " of a coordinate, mean "
      << to_text(r.mean_change, r.extent) << " of those at seams\n"
-     << "time: reading " << to_text(s.reading_time) << " s, snapping " << to_text(s.snapping_time) << " s, writing and reading back " << to_text(s.writing_time)
-     << " s" << std::endl;
+     << "time: reading " << to_text(s.reading_time) << " s, snapping " << to_text(s.snapping_time)
+     << " s, writing and reading back " << to_text(s.writing_time) << " s" << std::endl;
 }
 
 void write_check(std::ostream& os, const Summary& s)
@@ -182,8 +181,8 @@ void write_check(std::ostream& os, const Summary& s)
        << ", largest misalignment " << to_text(s.before.misalignment, s.before.extent) << "\n";
   os << counted(s.before.number_of_flipped_faces, "flipped face") << ", "
      << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n"
-     << (s.before.number_of_degenerate_faces == s.faces ? "note: no face has an area: this is no map\n"
-                                                        : "")
+     << (s.before.number_of_degenerate_faces == s.faces
+           ? "note: no face has an area: this is no map\n" : "")
      << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
      << (s.left_out_edges > 0 ? ", but not aligned along what is left out" : "")

@@ -21,6 +21,11 @@ json_of_steps(const std::vector<std::pair<std::string, double> >& step_times)
   return steps;
 }
 
+// What was not measured is null.
+template <typename T>
+nlohmann::json if_known(const bool is_known, const T& x)
+{ return is_known ? nlohmann::json(x) : nlohmann::json(); }
+
 // Names of files in messages may hold bytes that are not UTF-8; JSON cannot.
 inline void write_json(const std::string& filename, const nlohmann::json& json)
 {

@@ -134,7 +134,9 @@ struct Result
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::size_t number_of_displaced_vertices = 0; // off the surface or its border
   double largest_displacement = 0;
-  std::optional<Topologies> topologies; // where the result is a mesh
+  // where the result is a mesh
+  std::size_t number_of_irregular_vertices = 0;
+  std::optional<Topologies> topologies;
   std::optional<Patch_counts> patches;
 
   bool is_rounded() const { return snapped.run.number_of_faces > 0; }
@@ -376,8 +378,8 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
   const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
      << counted(report.number_of_vertices, "vertex");
-  if(!options.soup)
-    os << ", " << counted(number_of_irregular_vertices(result.mesh), "irregular vertex");
+  if(result.topologies)
+    os << ", " << counted(result.number_of_irregular_vertices, "irregular vertex");
   os << "\n";
   if(!result.integers.empty())
     os << "integers: " << result.integers << "\n";
@@ -418,8 +420,7 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
           {"number_of_vertices", report.number_of_vertices},
           {"number_of_irregular_vertices",
-           result.topologies ? nlohmann::json(number_of_irregular_vertices(result.mesh))
-                             : nlohmann::json()},
+           if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
           {"number_of_displaced_vertices", result.number_of_displaced_vertices},
@@ -433,8 +434,7 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
           {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
           {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
           {"part_of_domain_left_out", part_left_out(report)},
-          {"largest_rounding", result.is_rounded() ? nlohmann::json(result.snapped.largest_rounding)
-                                                   : nlohmann::json()},
+          {"largest_rounding", if_known(result.is_rounded(), result.snapped.largest_rounding)},
           {"steps", json_of_steps(result.repaired.step_times)}};
 }
 
@@ -461,8 +461,10 @@ void quads(const Arguments& arguments)
                                             : text_of_quads(result.mesh, options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
-    if(!options.soup)
+    if(!options.soup) {
+      result.number_of_irregular_vertices = number_of_irregular_vertices(result.mesh);
       result.topologies = {Topology(model.mesh), Topology(result.mesh)};
+    }
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result);
   };

@@ -36,6 +36,7 @@
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -212,21 +213,19 @@ private:
     };
     double least = std::numeric_limits<double>::infinity();
     const State* best = &m_choices.front();
-    for(const State& choice : m_choices)
-      if(make(choice)) {
-        const double now = badness();
-        if(now < least) {
-          least = now;
-          best = &choice;
-        }
+    std::size_t fewest = best->quantization.number_of_quads;
+    for(const State& choice : m_choices) {
+      fewest = (std::min)(fewest, choice.quantization.number_of_quads);
+      if(!make(choice))
+        continue;
+      if(const double now = badness(); now < least) {
+        least = now;
+        best = &choice;
       }
-    if(!make(*best))
+    }
+    if(best != &m_choices.back() && !make(*best)) // the last ones are there
       return false;
-    const auto number = [](const State& s) { return s.quantization.number_of_quads; };
-    const std::size_t fewest = number(*std::min_element(
-      m_choices.begin(), m_choices.end(),
-      [&](const State& a, const State& b) { return number(a) < number(b); }));
-    if(!m_report.message.empty() && fewest < number(*best))
+    if(!m_report.message.empty() && fewest < best->quantization.number_of_quads)
       m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
     return true;
   }
@@ -327,8 +326,11 @@ private:
     if(!make_map(least_cone_distance(wanted)) ||
        (!quantize() && m_report.status != Outcome::TOO_LARGE))
       return false;
+    const bool may_choose = 0.95 * number <= most_to_choose && !m_surface.mirror() &&
+                            !m_options.quantization.is_coarsest;
     State best = state();
-    m_choices = {best};
+    if(may_choose && m_quantization)
+      m_choices.push_back(best);
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
       return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
@@ -340,9 +342,11 @@ private:
       set_state(start);
       if(!parametrize(least_cone_distance) || !m_report.remaining_flips.empty() || !quantize())
         return;
-      m_choices.push_back(state());
+      const State tried = state();
+      if(may_choose)
+        m_choices.push_back(tried);
       if(double(m_quantization.number_of_quads) < least())
-        best = m_choices.back();
+        best = tried;
     };
     for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
       for(const int rung : {wanted + i, wanted - i})
@@ -351,12 +355,10 @@ private:
     if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0)
       try_map(0);
     set_state(best);
-    const bool may_choose = least() <= most_to_choose && !m_surface.mirror() &&
-                            !m_options.quantization.is_coarsest;
-    const double most = may_choose ? 1.25 * (std::max)(number, least()) : 0.;
-    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s) {
-      return !s.quantization || double(s.quantization.number_of_quads) > most;
-    }), m_choices.end());
+    const double most = least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.;
+    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s)
+                                   { return double(s.quantization.number_of_quads) > most; }),
+                    m_choices.end());
     return bool(m_quantization);
   }
 
