@@ -193,6 +193,7 @@ public:
     std::size_t n = 2;
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
+    const auto part = [&](const std::size_t i) { return double(i) / double(n); };
     double largest = 0;
     const auto measure = [&](const Space_vector& p)
       { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
@@ -200,12 +201,11 @@ public:
       const Quad q = quad(f);
       for(std::size_t i = 1; i < n; ++i)
         for(std::size_t j = 1; j < n; ++j)
-          measure(between(between(q[0], q[1], double(i) / n), between(q[3], q[2], double(i) / n),
-                          double(j) / n));
+          measure(between(between(q[0], q[1], part(i)), between(q[3], q[2], part(i)), part(j)));
     }
     for(const auto e : edges(m_quads))
       for(std::size_t i = 1; i < n; ++i)
-        measure(between(point(source(e, m_quads)), point(target(e, m_quads)), double(i) / n));
+        measure(between(point(source(e, m_quads)), point(target(e, m_quads)), part(i)));
     return largest;
   }
 
