@@ -185,7 +185,7 @@ private:
   {
     std::vector<Space_vector> result;
     const Space_vector from = m_smoother.point(v);
-    for(const Space_vector& d : directions_in_plane(m_normal, m_side, step * m_longest_edge)) {
+    for(const Space_vector& d : m_plane.directions(step)) {
       const Space_vector p{from[0] + d[0], from[1] + d[1], from[2] + d[2]};
       m_smoother.set_point(v, p);
       if(badness() < far_worse * before)
@@ -229,21 +229,10 @@ private:
     m_star.clear();
     m_normals.clear();
     m_lines_at_vertex = lines_at_vertex(m_quads, m_is_feature, v);
-    m_normal = {};
-    m_longest_edge = 0;
-    const Space_vector p = m_smoother.point(v);
-    for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
-      m_side = vector_to(p, m_smoother.point(source(h, m_quads)));
-      m_longest_edge = (std::max)(m_longest_edge, norm(m_side));
-      if(CGAL::is_border(h, m_quads))
-        continue;
-      m_star.push_back(face(h, m_quads));
-      const auto q = m_smoother.quad(m_star.back());
-      m_normals.push_back(upper_side(m_star.back(), q));
-      const Space_vector n = quad_normal(q);
-      for(std::size_t c = 0; c < 3; ++c)
-        m_normal[c] += n[c];
-    }
+    m_plane = m_smoother.visit_star(v, [&](const Face f, const Quad& q, const Space_vector&) {
+      m_star.push_back(f);
+      m_normals.push_back(upper_side(f, q));
+    });
   }
 
   // Where a quad is to face, with the surface as it was beside it before any of its vertices moved.
@@ -306,8 +295,7 @@ private:
   std::vector<Face> m_star;
   std::vector<Space_vector> m_normals; // where the faces are to face
   std::vector<Halfedge> m_lines_at_vertex;
-  Space_vector m_normal{}, m_side{}; // of all quads; one edge
-  double m_longest_edge = 0;
+  Star_plane m_plane;
 };
 
 } // namespace internal

@@ -161,7 +161,7 @@ private:
     }
     if(m_are_few && m_lines_at_vertex.empty() && before - least < little)
       for(double step = 0.4, goal = least - enough; step > 0.04 && least > goal; step /= 2)
-        for(const Space_vector& d : directions_in_plane(m_normal, m_side, step * m_longest_edge))
+        for(const Space_vector& d : m_plane.directions(step))
           attempt({best[0] - old[0] + d[0], best[1] - old[1] + d[1], best[2] - old[2] + d[2]});
     m_smoother.set_point(v, best);
     return before - least;
@@ -205,23 +205,14 @@ private:
     Space_vector result{};
     m_faces.clear();
     m_normals.clear();
-    m_normal = {};
-    m_longest_edge = 0;
-    for(const Halfedge h : CGAL::halfedges_around_target(v, m_quads)) {
-      m_side = vector_to(m_smoother.point(v), m_smoother.point(source(h, m_quads)));
-      m_longest_edge = (std::max)(m_longest_edge, norm(m_side));
-      if(m_quads.is_border(h))
-        continue;
-      m_faces.push_back(face(h, m_quads));
-      const Quad q = m_smoother.quad(m_faces.back());
-      m_normals.push_back(quad_normal(q));
+    m_plane = m_smoother.visit_star(v, [&](const Face f, const Quad& q, const Space_vector& n) {
+      m_faces.push_back(f);
+      m_normals.push_back(n);
       const auto corner = std::find(q.begin(), q.end(), m_smoother.point(v)) - q.begin();
       const Quad rectangle = fitted_rectangle(q);
-      for(std::size_t c = 0; c < 3; ++c) {
+      for(std::size_t c = 0; c < 3; ++c)
         result[c] += rectangle[std::size_t(corner)][c];
-        m_normal[c] += m_normals.back()[c];
-      }
-    }
+    });
     for(double& x : result)
       x /= double(m_faces.size());
     return result;
@@ -258,8 +249,7 @@ private:
   std::vector<Halfedge> m_lines_at_vertex;
   std::vector<Face> m_faces;
   std::vector<Space_vector> m_normals;
-  Space_vector m_normal{}, m_side{}; // the sum of these; one edge
-  double m_longest_edge = 0;
+  Star_plane m_plane;
 };
 
 } // namespace internal

@@ -67,21 +67,26 @@ inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
   return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
 }
 
-// Eight vectors of a length perpendicular to a normal, the first one to a side, too.
-inline std::array<Space_vector, 8> directions_in_plane(const Space_vector& normal,
-                                                       const Space_vector& side,
-                                                       const double length)
+// Of the quads around a vertex: the sum of their normals; one edge from it, and the longest length.
+struct Star_plane
 {
-  const Space_vector u = scaled_to_one(outer_product(normal, side));
-  const Space_vector v = scaled_to_one(outer_product(normal, u));
-  std::array<Space_vector, 8> result;
-  for(std::size_t i = 0; i < 8; ++i) {
-    const double angle = double(i) * std::acos(0.) / 2;
-    for(std::size_t c = 0; c < 3; ++c)
-      result[i][c] = length * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+  Space_vector normal{}, side{};
+  double longest_edge = 0;
+
+  // Eight vectors perpendicular to the normal, the first one to the side, too; by the longest edge.
+  std::array<Space_vector, 8> directions(const double step) const
+  {
+    const Space_vector u = scaled_to_one(outer_product(normal, side));
+    const Space_vector v = scaled_to_one(outer_product(normal, u));
+    std::array<Space_vector, 8> result;
+    for(std::size_t i = 0; i < 8; ++i) {
+      const double angle = double(i) * std::acos(0.) / 2;
+      for(std::size_t c = 0; c < 3; ++c)
+        result[i][c] = step * longest_edge * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+    }
+    return result;
   }
-  return result;
-}
+};
 
 // The sines of the angles, as seen along `normal`; -1 where there is no angle.
 inline std::array<double, 4> sines_of_angles(const std::array<Space_vector, 4>& q,
@@ -185,6 +190,13 @@ public:
     return {least, sum / static_cast<double>(faces(m_quads).size())};
   }
 
+  std::size_t number_of_inverted_quads() const
+  {
+    const auto all = faces(m_quads);
+    return std::size_t(std::count_if(all.begin(), all.end(),
+                                     [&](const Face f) { return is_inverted(quad(f)); }));
+  }
+
   // The largest distance from the surface of a grid of points in each quad: of its middle and those
   // of its edges, and of more where quads are few.
   double measure_distance() const
@@ -224,6 +236,25 @@ public:
     std::size_t i = 0;
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
       result[i++] = point(v);
+    return result;
+  }
+
+  // Calls visit(face, quad, normal) for the quads around a vertex.
+  template <typename Visit>
+  Star_plane visit_star(const Vertex v, const Visit& visit) const
+  {
+    Star_plane result;
+    for(const auto h : CGAL::halfedges_around_target(v, m_quads)) {
+      result.side = vector_to(point(v), point(source(h, m_quads)));
+      result.longest_edge = (std::max)(result.longest_edge, norm(result.side));
+      if(m_quads.is_border(h))
+        continue;
+      const Quad q = quad(face(h, m_quads));
+      const Space_vector normal = quad_normal(q);
+      for(std::size_t c = 0; c < 3; ++c)
+        result.normal[c] += normal[c];
+      visit(face(h, m_quads), q, normal);
+    }
     return result;
   }
 
@@ -277,13 +308,6 @@ public:
 
 private:
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
-
-  std::size_t number_of_inverted_quads() const
-  {
-    const auto all = faces(m_quads);
-    return std::size_t(std::count_if(all.begin(), all.end(),
-                                     [&](const Face f) { return is_inverted(quad(f)); }));
-  }
 
   Space_vector middle_of_neighbors(const Vertex v) const
   {
