@@ -1705,6 +1705,20 @@ void test_few_quads()
   CHECK(sum > 0.9555 * double(files.size()));
 }
 
+// Of the maps that are tried, the one whose quads are best is taken: the fewest ones have a mean of
+// 0.947.
+void test_choice_of_map()
+{
+  const Parametrized_model model((test_data::data_folder() / "genus2_border.obj").string());
+  Mesh quads;
+  const auto report = QR::quad_remesh(model.mesh, quads,
+                                      parameters::target_number_of_quads(100));
+  std::cout << "choice of a map: " << report.number_of_quads << " quads, mean scaled Jacobian "
+            << report.mean_scaled_jacobian << ", " << report.message << std::endl;
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.955);
+  CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
+}
+
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
 void test_remeshing_of_long_triangles()
 {
@@ -2281,6 +2295,7 @@ int main()
     test_locations();
     test_remeshing_of_long_triangles();
     test_few_quads();
+    test_choice_of_map();
   }
   test_refinement();
   test_sizes_in_space();

@@ -199,48 +199,49 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
-  // Of all quantizations that were kept; nearer to rectangles and to the surface is better, and so
-  // are fewer quads.
+  // Of the quantizations that were kept, the one whose quads are best before they are mended.
   bool make_best_quads()
   {
     if(m_choices.size() < 2)
       return make_quads();
-    const auto make = [&](const State& choice) {
-      set_state(choice);
-      m_quads.clear_without_removing_property_maps();
-      m_bad_places.clear();
-      return make_quads();
-    };
+    const Surface_samples samples(surface_mesh(), number_of_samples);
     double least = std::numeric_limits<double>::infinity();
     const State* best = &m_choices.front();
-    std::size_t fewest = best->quantization.number_of_quads;
     for(const State& choice : m_choices) {
-      fewest = (std::min)(fewest, choice.quantization.number_of_quads);
-      if(!make(choice))
+      set_state(choice);
+      m_quads.clear_without_removing_property_maps();
+      if(!extract())
         continue;
-      if(const double now = badness(); now < least) {
+      Quad_smoother smoother(m_quads, surface_mesh());
+      shape(Feature_lines(m_surface), smoother, rounds_to_choose);
+      m_timer.finish("smoothing");
+      if(const double now = badness(smoother, samples); now < least) {
         least = now;
         best = &choice;
       }
+      m_timer.finish("measurement");
     }
-    if(best != &m_choices.back() && !make(*best)) // the last ones are there
+    set_state(*best);
+    m_quads.clear_without_removing_property_maps();
+    const std::size_t fewest = m_choices.front().quantization.number_of_quads;
+    if(!make_quads())
       return false;
     if(!m_report.message.empty() && fewest < best->quantization.number_of_quads)
       m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
     return true;
   }
 
-  double badness() const
+  // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
+  double badness(const Quad_smoother& smoother, const Surface_samples& samples) const
   {
     const CGAL::Bbox_3 box = CGAL::bbox_3(surface_mesh().points().begin(),
                                           surface_mesh().points().end());
     const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    const double distance = (std::max)(
-      m_surface.scaled(m_report.largest_distance),
-      Surface_samples(surface_mesh(), 30 * m_quads.number_of_faces()).largest_distance(m_quads));
-    return 2 * distance / diagonal - m_report.mean_scaled_jacobian +
-           0.05 * double(m_report.number_of_inverted_quads) +
-           0.3 * double(m_report.number_of_quads) / m_options.quantization.number_of_quads;
+    const double distance = (std::max)(smoother.measure_distance(),
+                                       samples.largest_distance(m_quads));
+    return 2 * distance / diagonal - smoother.measure_shape()[1] +
+           0.05 * double(smoother.number_of_inverted_quads()) +
+           0.3 * double(m_quads.number_of_faces()) / m_options.quantization.number_of_quads;
   }
 
   // From here on, it is no feature: no field can follow it without flips, or quads are inverted
@@ -312,7 +313,7 @@ private:
 
   // Of the map for the wanted number. Where that has more quads, and features neither force these
   // nor are released, of other maps, too: four for fewer quads, and those for more that may have
-  // less than are known already. Of few quads, those of all maps with up to a quarter more than the
+  // less than are known already. Of few quads, those of maps with up to a quarter more than the
   // fewest, or the wanted number, are kept to choose from. Sizes that vary need all cones.
   bool quantize_a_map()
   {
@@ -355,11 +356,20 @@ private:
     if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0)
       try_map(0);
     set_state(best);
-    const double most = least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.;
-    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s)
-                                   { return double(s.quantization.number_of_quads) > most; }),
-                    m_choices.end());
+    keep_choices(least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.);
     return bool(m_quantization);
+  }
+
+  // Those with at most so many quads; of these, the fewest.
+  void keep_choices(const double most_quads)
+  {
+    const auto number = [](const State& s) { return s.quantization.number_of_quads; };
+    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s)
+                                   { return double(number(s)) > most_quads; }), m_choices.end());
+    std::stable_sort(m_choices.begin(), m_choices.end(), [&](const State& a, const State& b)
+                     { return number(a) < number(b); });
+    if(m_choices.size() > most_choices)
+      m_choices.erase(m_choices.begin() + most_choices, m_choices.end());
   }
 
   // What the steps up to a quantization change, but for the map.
@@ -502,35 +512,15 @@ private:
   // mirror image where they are to have one.
   bool smooth()
   {
-    const auto is_held = [&](const Mesh::Vertex_index v)
-    { return !lines_at_vertex(m_quads, m_is_feature, v).empty(); };
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
-    if(m_options.number_of_smoothing_rounds > 0)
-      smoother.unfold(is_held);
-    smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
-    if(m_options.number_of_smoothing_rounds > 0) {
-      const Feature_lines lines(m_surface);
-      Quad_shaper(m_quads, m_is_feature, surface_mesh(), lines, smoother)
-        .run(shaping_rounds * m_options.number_of_smoothing_rounds);
-      Quad_improver improver(m_quads, m_is_feature, lines, smoother);
-      improver.move_vertices();
-      if(improver.remove_vertices_of_two_edges() > 0)
-        improver.move_vertices();
-      improver.move_vertices_of_flat_quads();
-      if(Quad_collapser(m_quads, m_is_feature, smoother, false).run() > 0) {
-        improver.move_vertices();
-        improver.move_vertices_of_flat_quads();
-      }
-      Quad_divider divider(m_quads, m_is_feature, smoother);
-      for(int i = 0; i < 3 && divider.run() > 0; ++i) {
-        improver.move_vertices();
-        improver.move_vertices_of_flat_quads();
-      }
-      improver.remove_vertices_of_two_edges(); // whose quads may be flat by now
-    }
-    if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
+    const std::size_t rounds = m_options.number_of_smoothing_rounds;
+    const Feature_lines lines(m_surface);
+    shape(lines, smoother, shaping_rounds * rounds);
+    if(rounds > 0)
+      improve(lines, smoother);
+    if(rounds > 0 && !m_surface.mirror())
       mend(upper_sides, smoother);
     m_timer.finish("smoothing");
     m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
@@ -558,6 +548,38 @@ private:
     m_report.mean_scaled_jacobian = shape[1];
     m_timer.finish("measurement");
     return true;
+  }
+
+  // Vertices move; see `Quad_smoother` and `Quad_shaper`.
+  void shape(const Feature_lines& lines, Quad_smoother& smoother, const std::size_t most_rounds)
+  {
+    const auto is_held = [&](const Mesh::Vertex_index v)
+    { return !lines_at_vertex(m_quads, m_is_feature, v).empty(); };
+    if(m_options.number_of_smoothing_rounds > 0)
+      smoother.unfold(is_held);
+    smoother.smooth(m_options.number_of_smoothing_rounds, is_held);
+    if(m_options.number_of_smoothing_rounds > 0)
+      Quad_shaper(m_quads, m_is_feature, surface_mesh(), lines, smoother).run(most_rounds);
+  }
+
+  // Quads that are inverted or thin.
+  void improve(const Feature_lines& lines, Quad_smoother& smoother)
+  {
+    Quad_improver improver(m_quads, m_is_feature, lines, smoother);
+    improver.move_vertices();
+    if(improver.remove_vertices_of_two_edges() > 0)
+      improver.move_vertices();
+    improver.move_vertices_of_flat_quads();
+    if(Quad_collapser(m_quads, m_is_feature, smoother, false).run() > 0) {
+      improver.move_vertices();
+      improver.move_vertices_of_flat_quads();
+    }
+    Quad_divider divider(m_quads, m_is_feature, smoother);
+    for(int i = 0; i < 3 && divider.run() > 0; ++i) {
+      improver.move_vertices();
+      improver.move_vertices_of_flat_quads();
+    }
+    improver.remove_vertices_of_two_edges(); // whose quads may be flat by now
   }
 
   // Not where there is to be a mirror image: vertices on the plane have to stay there.
@@ -597,6 +619,7 @@ private:
 
   static constexpr int lowest_rung = -12; // of about one quad
   static constexpr double most_to_choose = 1000; // quads
+  static constexpr std::size_t most_choices = 8, number_of_samples = 5000, rounds_to_choose = 4;
   static constexpr int most_mending_rounds = 4;
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
