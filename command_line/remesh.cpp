@@ -18,9 +18,7 @@
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <nlohmann/json.hpp>
 
@@ -222,58 +220,6 @@ std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mes
                          "mesh as a whole is mirrored, not one half of it\n";
 }
 
-// The largest distances of the quads from the input, and of the input from them.
-struct Distances
-{
-  double of_quads, of_input, diagonal;
-};
-
-// The vertices, and points of a grid on each edge and face: at most about 20,000, or one for each
-// face, on the edges, and as many on the faces.
-std::vector<Kernel::Point_3> samples(const Mesh& mesh)
-{
-  const double number = (std::max)(20000., double(mesh.number_of_faces()));
-  double lengths = 0, squares = 0; // a grid has as many points as on its longest sides a square has
-  for(const Edge e : mesh.edges())
-    lengths += PMP::edge_length(e, mesh);
-  for(const auto f : mesh.faces()) {
-    double longest = 0;
-    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      longest = (std::max)(longest, PMP::edge_length(h, mesh));
-    squares += longest * longest;
-  }
-  const double spacing = (std::max)(lengths / number, std::sqrt(squares / (2 * number)));
-  std::vector<Kernel::Point_3> result;
-  PMP::sample_triangle_mesh(mesh, std::back_inserter(result),
-                            CGAL::parameters::use_grid_sampling(true).grid_spacing(spacing));
-  return result;
-}
-
-// \param is_mirrored whether the report is of one half of the input
-Distances measure_distances(const Mesh& input, const Mesh& quads, const bool is_mirrored,
-                            const QR::Remeshing_report& report)
-{
-  const double size = diagonal(input);
-  const int exponent = size > 0 ? -std::ilogb(size) : 0; // no square is too large or small then
-  const auto scaled = [&](const Mesh& mesh) {
-    Mesh result(mesh);
-    for(const auto v : result.vertices()) {
-      const Kernel::Point_3& p = mesh.point(v);
-      result.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
-                                        std::ldexp(p.z(), exponent));
-    }
-    return result;
-  };
-  const auto distance = [&](const Mesh& from, const Mesh& to) {
-    return std::ldexp(PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(samples(from), to),
-                      -exponent);
-  };
-  const Mesh from = scaled(input);
-  Mesh to = scaled(quads);
-  PMP::triangulate_faces(to);
-  return {is_mirrored ? distance(to, from) : report.largest_distance, distance(from, to), size};
-}
-
 nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 {
   nlohmann::json result = nlohmann::json::array();
@@ -288,7 +234,7 @@ struct Remesh_outcome
   Repairs repairs;
   double length_of_features = 0;
   QR::Remeshing_report report;
-  Distances distances{};
+  double diagonal = 0; // of the input
   std::optional<Topologies> topologies;
   std::optional<Patch_counts> patches;
 
@@ -300,10 +246,10 @@ struct Remesh_outcome
        << (report.message.empty() ? "" : "note: " + report.message + "\n")
        << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
        << report.mean_scaled_jacobian << "\n"
-       << "largest distance from the input: " << distances.of_quads << ", that is "
-       << distances.of_quads / distances.diagonal << " of its diagonal; of the input from the "
-       << "quads: " << distances.of_input << ", that is " << distances.of_input / distances.diagonal
-       << "\n";
+       << "largest distance from the input: " << report.largest_distance << ", that is "
+       << report.largest_distance / diagonal << " of its diagonal; of the input from the quads: "
+       << report.largest_distance_of_input << ", that is "
+       << report.largest_distance_of_input / diagonal << "\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
@@ -334,11 +280,11 @@ struct Remesh_outcome
       {"largest_displacement", report.largest_displacement},
       {"least_scaled_jacobian", report.least_scaled_jacobian},
       {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-      {"largest_distance", distances.of_quads},
-      {"relative_largest_distance", distances.of_quads / distances.diagonal},
-      {"largest_distance_of_input", distances.of_input},
-      {"relative_largest_distance_of_input", distances.of_input / distances.diagonal},
-      {"diagonal", distances.diagonal},
+      {"largest_distance", report.largest_distance},
+      {"relative_largest_distance", report.largest_distance / diagonal},
+      {"largest_distance_of_input", report.largest_distance_of_input},
+      {"relative_largest_distance_of_input", report.largest_distance_of_input / diagonal},
+      {"diagonal", diagonal},
       {"topology", json_of(topologies)},
       {"patches", json_of(patches)},
       {"length_of_features", length_of_features},
@@ -382,7 +328,7 @@ void remesh(const Arguments& arguments)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
     os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
-    outcome.distances = measure_distances(model.mesh, quads.mesh, plane.has_value(), report);
+    outcome.diagonal = diagonal(model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
       if(!quads.written.empty())

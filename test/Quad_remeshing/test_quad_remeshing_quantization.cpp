@@ -1717,6 +1717,20 @@ void test_choice_of_map()
             << report.mean_scaled_jacobian << ", " << report.message << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.955);
   CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
+  // the vertices of the input, from the triangles of three corners of a quad, by either diagonal
+  double largest = 0;
+  for(const auto v : model.mesh.vertices()) {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto h : quads.halfedges())
+      if(!quads.is_border(h))
+        least = (std::min)(least, CGAL::squared_distance(
+          model.mesh.point(v), Kernel::Triangle_3(quads.point(quads.source(h)),
+                                                  quads.point(quads.target(h)),
+                                                  quads.point(quads.target(quads.next(h))))));
+    largest = (std::max)(largest, std::sqrt(least));
+  }
+  CHECK(report.largest_distance_of_input >= (1 - 1e-9) * largest);
+  CHECK(report.largest_distance_of_input < 1.3 * largest);
 }
 
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.

@@ -90,11 +90,13 @@ struct Remeshing_report
   std::size_t number_of_displaced_vertices = 0;
   double largest_displacement = 0; ///< the largest distance by which these were moved
   /// the largest distance from the input that was found: at the middles of faces and edges, and
-  /// where quads are few at more points of the bilinear patches over them, up to about 20,000; with
-  /// `symmetry_plane`, of the quads of one half from this half. The vertices lie on the input, up
-  /// to rounding, but for those that were displaced, and images of what is not symmetric.
-  /// Parts of the input can be farther from the quads, such as corners that they cut off.
+  /// where quads are few at more points of the bilinear patches over them, up to about 20,000. The
+  /// vertices lie on the input, up to rounding, but for those that were displaced, and images of
+  /// what is not symmetric.
   double largest_distance = 0;
+  /// the largest distance of the input from the quads, each of them two triangles, that was found:
+  /// at its vertices, and at 20,000 points spread over its area, or one for each face
+  double largest_distance_of_input = 0;
   /// @}
 
   /// \name Steps
@@ -168,6 +170,10 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
 
+// The largest distances of quads, as large as the input, from all of it, and of it from them.
+void measure_distances(const Surface_to_remesh& input, Surface_to_remesh::Mesh quads,
+                       Remeshing_report& report);
+
 // The edges on features of a quantization and on the border.
 template <typename TriangleMesh>
 auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
@@ -197,11 +203,12 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const Protect_exact_arithmetic protect;
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
-  const Remeshing_report report =
-    make_quads(result, is_feature, std::is_same<FT, float>::value);
-  if(report)
-    Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
-      .write(result, is_feature, quads);
+  Remeshing_report report = make_quads(result, is_feature, std::is_same<FT, float>::value);
+  if(!report)
+    return report;
+  measure_distances(surface_to_remesh(tmesh, np1, std::nullopt), result, report);
+  Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
+    .write(result, is_feature, quads);
   return report;
 }
 

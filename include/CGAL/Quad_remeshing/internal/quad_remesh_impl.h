@@ -523,7 +523,6 @@ private:
     if(rounds > 0 && !m_surface.mirror())
       mend(upper_sides, smoother);
     m_timer.finish("smoothing");
-    m_report.largest_distance = m_surface.unscaled(smoother.measure_distance());
     if(m_surface.mirror())
       m_quads.collect_garbage();
     std::vector<bool> is_folded; // the image has the same order
@@ -682,6 +681,19 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 { return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization); }
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+void measure_distances(const Surface_to_remesh& input, Surface_to_remesh::Mesh quads,
+                       Remeshing_report& report)
+{
+  for(auto& p : quads.points())
+    p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
+  const Quad_smoother smoother(quads, input.mesh());
+  const std::size_t number = (std::max)(20000u, input.mesh().number_of_faces());
+  const Surface_samples samples(input.mesh(), number);
+  report.largest_distance = input.unscaled(smoother.measure_distance());
+  report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
+}
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::vector<std::size_t>

@@ -79,7 +79,7 @@ class Surface_samples
 
 public:
   // Spread evenly over the area.
-  Surface_samples(const Mesh& surface, const std::size_t number)
+  Surface_samples(const Mesh& surface, const std::size_t number) : m_surface(surface)
   {
     std::vector<Triangle> triangles;
     for(const auto f : faces(surface)) {
@@ -134,7 +134,7 @@ public:
     return forms;
   }
 
-  // Of a place from the quads.
+  // Of a place, or of a vertex of the surface, from the quads.
   double largest_distance(const Mesh& quads) const
   {
     std::vector<Triangle> triangles;
@@ -145,9 +145,13 @@ public:
     Tree tree(triangles.begin(), triangles.end());
     tree.accelerate_distance_queries();
     double largest = 0;
+    const auto measure = [&](const Kernel::Point_3& p)
+    { largest = (std::max)(largest, CGAL::squared_distance(p, tree.closest_point(p))); };
     for(const Place& place : m_places)
-      largest = (std::max)(largest, CGAL::squared_distance(place.point,
-                                                           tree.closest_point(place.point)));
+      measure(place.point);
+    for(const Vertex v : vertices(m_surface))
+      if(!m_surface.is_isolated(v))
+        measure(m_surface.point(v));
     return std::sqrt(largest);
   }
 
@@ -190,6 +194,7 @@ private:
     Kernel::Vector_3 normal; // of length 1
   };
 
+  const Mesh& m_surface;
   std::vector<Place> m_places;
   double m_area = 0;
 };
