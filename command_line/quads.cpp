@@ -287,10 +287,18 @@ void extract_quantized(const Quad_options& options, const Model& model,
                        " inverted";
 }
 
+// Of the area in the domain.
+double part_left_out(const QR::Extraction_report& report)
+{
+  return report.number_of_cut_cells == 0 ? 0
+                                         : 1 - double(report.number_of_faces) / report.area;
+}
+
 // By the integers that are near in the map itself, if there are and make about the number; or by a
 // quantization, also where that can't make so few, so that it never makes more than for a larger
 // number; or, where faces are flipped, by integers at any distance. Where the border is not meant
-// to be aligned, a quantization comes last, as it follows the border edge by edge.
+// to be aligned, a quantization comes last, as it follows the border edge by edge: where there are
+// no quads otherwise, or they leave out more than half of the area.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
 {
   constexpr double tolerance = 0.05;
@@ -326,10 +334,9 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
     is_aligned ? "there is no quantization: " + in_words_of_user(quantization.message, model)
                : "most of the border lies on no isocurve";
   result.integers = "at any distance, as " + why;
-  if(result.report)
-    return;
-  result.report.message += "; and " + why;
-  if(is_aligned)
+  if(!result.report)
+    result.report.message += "; and " + why;
+  if(is_aligned || (result.report && part_left_out(result.report) <= 0.5))
     return;
   restore();
   Result last;
@@ -352,13 +359,6 @@ void write_flip_repairs(std::ostream& os, const QR::Snapping_report& report)
     os << ", and the angle at " << counted(run.number_of_changed_cones, "vertex")
        << " by a full turn or more";
   os << "\n";
-}
-
-// Of the area in the domain.
-double part_left_out(const QR::Extraction_report& report)
-{
-  return report.number_of_cut_cells == 0 ? 0
-                                         : 1 - double(report.number_of_faces) / report.area;
 }
 
 // What the result lacks of the surface.
