@@ -394,7 +394,7 @@ inline void test_wanted_angles()
       continue;
     const auto is_repaired = [&](const std::size_t iterations) {
       internal::Untangler<double> untangler(map);
-      untangler.run(iterations, internal::Untangling::NEAR_BY_FIRST);
+      untangler.run(double(iterations), internal::Untangling::NEAR_BY_FIRST);
       return map.not_positive(untangler.unknowns()).empty();
     };
     map.angle[0] = internal::full_turn;
@@ -407,6 +407,31 @@ inline void test_wanted_angles()
   CHECK(tested > 20);
 }
 
+// An iteration over triangles with hundreds of unknowns counts for as many as take as long.
+inline void test_cost_of_iterations()
+{
+  const auto used_iterations = [](const unsigned int seed, const std::size_t terms) {
+    Numbers numbers(seed);
+    auto map = fan(numbers, 0.2, 3);
+    map.number_of_unknowns = 2 * terms;
+    for(std::size_t c = 0; c < 2; ++c) {
+      map.rows[0][c].clear(); // the coordinate of the middle is a mean
+      for(std::size_t i = 0; i < terms; ++i)
+        map.rows[0][c].emplace_back(c * terms + i, 1 / double(terms));
+    }
+    internal::Untangler<double> untangler(map);
+    return untangler.run(100, internal::Untangling::NEAR_BY_FIRST);
+  };
+  std::size_t tested = 0;
+  for(unsigned int seed = 1; seed <= 10; ++seed) {
+    const double one = used_iterations(seed, 1), many = used_iterations(seed, 100);
+    CHECK_IN("costs of a fan, seed " + std::to_string(seed), one == 0 ? many == 0
+                                                                      : many > 20 * one);
+    tested += one > 0;
+  }
+  CHECK(tested > 5);
+}
+
 inline void test_untangling_parts()
 {
   test_derivatives();
@@ -415,6 +440,7 @@ inline void test_untangling_parts()
   test_angle_sums();
   test_fans();
   test_wanted_angles();
+  test_cost_of_iterations();
 }
 
 } // namespace untangling_checks

@@ -32,6 +32,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -133,8 +134,11 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   options.curvature_alignment = chosen(np, internal_np::curvature_alignment, 0.);
   options.curvature_adaptivity = chosen(np, internal_np::curvature_adaptivity, 1.);
   options.number_of_stiffening_rounds = chosen(np, internal_np::number_of_iterations, 5L);
+  const std::size_t in_a_minute =
+    untangling_iterations_in_a_minute(std::size_t(surface.number_of_faces()));
   options.number_of_untangling_iterations =
-    chosen(np, internal_np::untangling_iterations, options.number_of_untangling_iterations);
+    chosen(np, internal_np::untangling_iterations,
+           (std::min)(options.number_of_untangling_iterations, in_a_minute));
   options.largest_cone_index =
     chosen(np, internal_np::largest_cone_index, options.largest_cone_index);
   options.least_cone_distance = chosen(np, internal_np::least_cone_distance, 0.);
@@ -365,10 +369,13 @@ report.
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{about the largest number of iterations that are spent on untangling, over
                           as many faces as the mesh has; each costs about as much as a stiffening
-                          round. Those after a release of features that has not helped count
-                          threefold. 0 for no untangling}
+                          round. Where the factorization of a Newton step takes longer than the
+                          faces, as with the translations of many cuts, an iteration counts as so
+                          many that take as long. Those after a release of features that has not
+                          helped count threefold. 0 for no untangling}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{`500`}
+    \cgalParamDefault{`500`, or, of large meshes, as many as make 16 million iterations over a
+                      face: about a minute}
   \cgalParamNEnd
   \cgalParamNBegin{release_alignment}
     \cgalParamDescription{whether features need not be aligned where triangles would be flipped

@@ -69,6 +69,8 @@ public:
   Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
                 const Feature_map& is_feature)
     : m_surface(surface), m_options(options), m_quads(quads), m_is_feature(is_feature),
+      m_untangling_iterations(
+        parametrization::untangling_iterations_in_a_minute(surface.mesh().number_of_faces())),
       m_timer(m_report, options.verbose)
   { }
 
@@ -428,12 +430,14 @@ private:
                                 .curvature_adaptivity(m_options.curvature_adaptivity)
                                 .face_direction_map(m_surface.directions())
                                 .vertex_sizing_map(m_surface.sizes())
+                                .number_of_untangling_iterations(untangling_iterations(500))
                                 .largest_cone_index(largest_cone_index)
                                 .least_cone_distance(least_cone_distance)
                                 .known_fields(&m_known_fields));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made);
+    count_untangling(made.number_of_untangling_iterations);
     move_map_from_origin();
     for(const auto& [v, w] : made.released_edges)
       release(surface_mesh().halfedge(v, w));
@@ -444,11 +448,13 @@ private:
       snap_to_seamless(surface_mesh(), m_surface.uv_map(),
                        features_and_transitions()
                          .align_border(true)
+                         .number_of_untangling_iterations(untangling_iterations(400))
                          .repair_flips(is_hopeless ? Flip_repair::NEAR_BY
                                                    : Flip_repair::UNTANGLE));
     m_timer.finish("snapping");
     if(!snapped)
       return refuse(m_report, snapped);
+    count_untangling(snapped.run.number_of_untangling_iterations);
     m_report.remaining_flips = snapped.remaining_flips;
     m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
                                     snapped.lost_faces.end());
@@ -456,6 +462,13 @@ private:
       face = m_surface.original(face);
     return true;
   }
+
+  // Those that may be spent on one map: all maps together have so many as take a minute.
+  std::size_t untangling_iterations(const std::size_t most) const
+  { return (std::min)(most, m_untangling_iterations); }
+
+  void count_untangling(const std::size_t iterations)
+  { m_untangling_iterations -= untangling_iterations(iterations); }
 
   // To where all coordinates have bits of the same size, but for one. Near the origin, translations
   // may have finer bits than integers of 64 bits can hold beside the largest coordinate.
@@ -631,6 +644,7 @@ private:
   Quantization m_quantization;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
   std::vector<State> m_choices; // quads are made of the best one
+  std::size_t m_untangling_iterations; // that are left, over all faces
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };

@@ -33,7 +33,8 @@ tried again without this condition; and, but for integer-grid maps, before large
 are changed. No face that is positive loses its orientation for another one.
 
 The search is bounded by the named parameter `number_of_untangling_iterations`, 400 by default: that
-many iterations of Newton's method over all faces. Maps of common producers, and small maps that
+many iterations of Newton's method over all faces. Where the factorization of one takes longer than
+the faces, it counts for as many as take as long. Maps of common producers, and small maps that
 were tangled at random, took at most 92 in the tests. What remains flipped is told by the status
 `Outcome::FLIPS_REMAIN`; the result is exact nevertheless. A face that seams and alignments
 leave no area, whatever the coordinates are, is not searched for.

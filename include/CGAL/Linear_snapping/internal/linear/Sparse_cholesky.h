@@ -137,6 +137,9 @@ public:
     Base::factorize(matrix);
   }
 
+  // What a factorization takes of the pattern that was analyzed last.
+  double number_of_multiplications() { return this->cholmod().fl; }
+
   template <typename Right_hand_side>
   typename Right_hand_side::PlainObject solve(const Right_hand_side& b) const
   {
@@ -148,7 +151,12 @@ public:
 #else
 
 template <typename Matrix>
-using Sparse_cholesky = Eigen::SimplicialLDLT<Matrix>;
+class Sparse_cholesky : public Eigen::SimplicialLDLT<Matrix>
+{
+public:
+  double number_of_multiplications()
+  { return this->m_nonZerosPerCol.template cast<double>().squaredNorm(); }
+};
 
 #endif
 

@@ -181,7 +181,7 @@ public:
 
   void run(const std::size_t number_of_untangling_iterations)
   {
-    m_iterations_left = number_of_untangling_iterations;
+    m_iterations_left = double(number_of_untangling_iterations);
     Release_size number_of_edges; // per stuck face
     for(std::size_t round = 0; ; ++round) {
       make_complex_of_faces_with_area();
@@ -203,7 +203,7 @@ public:
       else if(!is_untangled)
         keep_better(reached, *system, unknowns);
       std::vector<std::size_t> stuck;
-      const std::size_t iterations_before = m_iterations_left;
+      const double iterations_before = m_iterations_left;
       m_uv = m_rows->evaluate(unknowns);
       m_solver.solver = Solver(); // frees memory
       system.reset();
@@ -292,11 +292,11 @@ private:
     const Map_part part(m_surface, m_index, *m_complex, *m_table, unknowns.size(),
                         m_rows->evaluate(unknowns), faces);
     Untangler<double> untangler(part.map());
-    const double iterations_on_all = double(untangler.run(m_iterations_left, how)) *
-                                     double(faces.size()) / double(m_surface.number_of_faces());
-    const std::size_t iterations = std::size_t(std::ceil(iterations_on_all));
+    const double iterations = untangler.run(m_iterations_left, how) * double(faces.size()) /
+                              double(m_surface.number_of_faces());
     m_iterations_left -= (std::min)(iterations, m_iterations_left);
-    m_report.number_of_untangling_iterations += iterations;
+    m_iterations += iterations;
+    m_report.number_of_untangling_iterations = std::size_t(std::ceil(m_iterations));
     part.add(untangler.unknowns(), unknowns);
     m_uv = m_rows->evaluate(unknowns);
     std::vector<std::size_t> stuck = part.map().not_positive(untangler.unknowns());
@@ -361,7 +361,7 @@ private:
   const Parametrization_options& m_options;
   Timed_solver<Solver> m_solver;
   Report& m_report;
-  std::size_t m_iterations_left = 0;
+  double m_iterations_left = 0, m_iterations = 0; // of untangling, over all faces
   std::optional<Surface_complex> m_complex;
   std::optional<Coordinate_rows> m_rows;
   std::optional<Coordinate_table> m_table; // of these

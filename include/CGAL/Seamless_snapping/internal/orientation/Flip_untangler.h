@@ -79,7 +79,8 @@ public:
     Untangler<double> untangler(map);
     if(iterations == 0 || map.not_positive(untangler.unknowns()).empty())
       return false;
-    iterations -= (std::min)(iterations, untangler.run(iterations, how));
+    const double used = std::ceil(untangler.run(double(iterations), how));
+    iterations -= std::size_t((std::min)(double(iterations), used));
     const std::vector<double>& unknowns = untangler.unknowns();
 
     Uv_state solution;

@@ -157,6 +157,17 @@ public:
     return largest_number_of_iterations;
   }
 
+  // In units of an iteration over one triangle whose points are free. That takes the time of a few
+  // thousand multiplications, as many as the factor of 50,000 such triangles has for each.
+  double cost_of_iteration()
+  {
+    constexpr double multiplications = 8000;
+    const double triangles = double(m_terms.size());
+    return !m_dense_solver ? triangles
+                           : (std::max)(triangles, (m_dense_solver->number_of_multiplications() +
+                                                    8 * double(m_places.size())) / multiplications);
+  }
+
   // What the unknowns that may change have changed by.
   const Vector& change() const { return m_sum; }
 

@@ -72,8 +72,9 @@ public:
       });
   }
 
-  // Returns the number of iterations over as many triangles as there are, rounded up.
-  std::size_t run(const std::size_t largest_number_of_iterations, const Untangling how)
+  // Returns the number of iterations, over as many triangles as there are, that would have cost as
+  // much. A search that has begun is allowed 1e6 iterations over a triangle in any case.
+  double run(const double largest_number_of_iterations, const Untangling how)
   {
     const std::size_t any = has_long_rows() ? 150 : static_cast<std::size_t>(-1);
     std::vector<Attempt> attempts{{4, 40, 30, false}};
@@ -84,13 +85,13 @@ public:
     if(how == Untangling::NEAR_BY_FIRST || how == Untangling::ANGLES_FIRST)
       attempts.push_back({40, any, 100, true});
     const double all = static_cast<double>(m_map.triangles.size());
-    const double allowed = all * static_cast<double>(largest_number_of_iterations);
+    const double allowed = all * largest_number_of_iterations;
     double work = 0;
     for(const Attempt& attempt : attempts)
       for(const std::vector<std::size_t>& patch : patches(m_map.not_positive(m_unknowns), attempt))
         if(work < allowed)
-          work += improve(patch, attempt);
-    return static_cast<std::size_t>(std::ceil(work / all));
+          work += improve(patch, attempt, (std::max)(allowed - work, 1e6));
+    return work / all;
   }
 
   const std::vector<FT>& unknowns() const { return m_unknowns; }
@@ -229,8 +230,10 @@ private:
     }
   };
 
-  // Returns the number of iterations times that of triangles.
-  double improve(const std::vector<std::size_t>& patch, const Attempt& attempt)
+  // Returns what it cost, in iterations over a triangle.
+  // \param allowed for each start
+  double improve(const std::vector<std::size_t>& patch, const Attempt& attempt,
+                 const double allowed)
   {
     const std::vector<std::size_t> triangles = triangles_of(patch);
     if(attempt.may_change_angles)
@@ -245,10 +248,12 @@ private:
       start.values.push_back(m_unknowns[patch[k]]);
     }
     Candidate best = start, best_with_any_angles = start, next = start;
-    double iterations = 0;
+    double cost = 0;
     for(const FT regularization : regularizations) {
       Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
-      iterations += static_cast<double>(minimizer.run(attempt.iterations, regularization));
+      const double of_iteration = minimizer.cost_of_iteration();
+      const double iterations = (std::min)(double(attempt.iterations), allowed / of_iteration);
+      cost += of_iteration * double(minimizer.run(std::size_t(iterations), regularization));
       for(std::size_t k = 0; k < patch.size(); ++k)
         next.values[k] = start.values[k] + minimizer.change()[Eigen::Index(k)];
       move(patch, triangles, next.values);
@@ -266,7 +271,7 @@ private:
       m_found.push_back({attempt.iterations, patch, best_with_any_angles.values});
     for(const std::size_t i : patch)
       m_number_of[i] = -1;
-    return iterations * static_cast<double>(triangles.size());
+    return cost;
   }
 
   // To start with. From 1 on, triangles can collapse; but what comes out mostly changes less.
