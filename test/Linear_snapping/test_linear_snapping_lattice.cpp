@@ -493,8 +493,7 @@ void test_growth(const unsigned int seed, const std::size_t m, const std::size_t
 // ---- reduction of a given basis ----
 
 // The basis vectors (e_i, a_i) tell afterwards by which matrix they were combined: that of their
-// first components. It must be of determinant +-1, and explain the last ones. (Where fplll is
-// there, it reduces the multiprecision bases, and numbers that are long from the start.)
+// first components. It must be of determinant +-1, and explain the last ones.
 template <typename Integer>
 void test_basis(const std::size_t size,
                 const int bits,
@@ -542,10 +541,8 @@ void test_bases(unsigned int seed)
     test_basis<std::int64_t>(20, 40, is_weighted, ++seed);
     test_basis<Exact_integer>(20, 40, is_weighted, ++seed);
     test_basis<std::int64_t>(80, 40, is_weighted, ++seed);
-#ifdef CGAL_USE_FPLLL
     test_basis<Exact_integer>(20, 200, is_weighted, ++seed);
     test_basis<Exact_integer>(80, 200, is_weighted, ++seed);
-#endif
   }
 }
 
