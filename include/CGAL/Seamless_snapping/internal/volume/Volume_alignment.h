@@ -20,11 +20,11 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_transitions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,7 +61,12 @@ public:
         undecided.push_back(i);
     for(const std::size_t i : undecided)
       m_is_decided[i] = 0;
-    decide_by_surroundings(undecided);
+    decide_by_surroundings( // where nothing tells, what fits best stays
+      std::move(undecided), [&](const std::size_t i) { return most_wanted_coordinate(i); },
+      [&](const std::size_t i, const int k) {
+        m_result.coordinate[i] = k;
+        m_is_decided[i] = 1;
+      });
     for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
       measure(spread(m_volume.aligned_facets[i])[std::size_t(m_result.coordinate[i])], [&] {
         return m_volume.name_of_facet(m_volume.aligned_facets[i]);
@@ -117,40 +122,13 @@ private:
     return std::count_if(s.begin(), s.end(), [&](const double x) { return x <= largest; }) <= 1;
   }
 
-  // Layer by layer, as for transitions.
-  void decide_by_surroundings(std::vector<std::size_t> undecided)
+  std::optional<int> most_wanted_coordinate(const std::size_t i) const
   {
-    while(!undecided.empty()) {
-      std::vector<std::size_t> waiting, decided;
-      for(const std::size_t i : undecided)
-        if(const auto k = most_wanted(m_volume.aligned_facets[i])) {
-          m_result.coordinate[i] = *k;
-          decided.push_back(i);
-        } else {
-          waiting.push_back(i);
-        }
-      for(const std::size_t i : decided)
-        m_is_decided[i] = 1;
-      if(decided.empty()) // nothing tells: what fits best
-        return;
-      undecided.swap(waiting);
-    }
-  }
-
-  std::optional<int> most_wanted(const Corner_index facet) const
-  {
-    std::array<int, 3> votes{};
-    for(const Corner_index third : corners_of_facet(facet))
-      if(const auto k = wanted_at_edge(facet, third))
-        ++votes[std::size_t(*k)];
+    const Corner_index facet = m_volume.aligned_facets[i];
     const Uvw s = spread(facet);
-    std::optional<int> best;
-    for(std::size_t k = 0; k < 3; ++k)
-      if(votes[k] > 0 && s[k] <= largest_spread(facet) &&
-         (!best || votes[k] > votes[std::size_t(*best)] ||
-          (votes[k] == votes[std::size_t(*best)] && s[k] < s[std::size_t(*best)])))
-        best = int(k);
-    return best;
+    return most_wanted<3>(
+      facet, [&](const Corner_index third) { return wanted_at_edge(facet, third); },
+      [&](const int k) { return s[std::size_t(k)]; }, largest_spread(facet));
   }
 
   // The coordinate of the next aligned facet around the edge opposite to `third`, in the chart of

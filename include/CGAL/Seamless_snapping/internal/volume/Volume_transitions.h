@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +66,50 @@ inline std::vector<signed char> elements_of_facets(const Flat_volume& volume,
   return result;
 }
 
+// Decides for facets by what is around them, layer by layer: all of a layer are decided before the
+// next, so that their order does not matter. Returns those that have nothing decided around them.
+// \param wanted(i) what the surroundings of facet i ask for, if they do
+template <typename Wanted, typename Decide>
+std::vector<std::size_t> decide_by_surroundings(std::vector<std::size_t> undecided,
+                                                const Wanted& wanted, const Decide& decide)
+{
+  for(;;) {
+    std::vector<std::size_t> waiting;
+    std::vector<std::pair<std::size_t, int> > decided;
+    for(const std::size_t i : undecided)
+      if(const std::optional<int> choice = wanted(i))
+        decided.emplace_back(i, *choice);
+      else
+        waiting.push_back(i);
+    if(decided.empty())
+      return waiting;
+    for(const auto& [i, choice] : decided)
+      decide(i, choice);
+    undecided.swap(waiting);
+  }
+}
+
+// Of the choices whose misfit is allowed, the one that most edges of a facet ask for, and of such
+// ones that which fits best; none if no edge tells.
+// \param wanted_at_edge(third) what the edge opposite to a corner asks for, if it does
+template <int number_of_choices, typename Wanted_at_edge, typename Misfit>
+std::optional<int> most_wanted(const Corner_index facet, const Wanted_at_edge& wanted_at_edge,
+                               const Misfit& misfit, const double largest_misfit)
+{
+  std::array<int, number_of_choices> votes{};
+  for(const Corner_index third : corners_of_facet(facet))
+    if(const std::optional<int> choice = wanted_at_edge(third))
+      ++votes[std::size_t(*choice)];
+  std::optional<int> best;
+  for(int k = 0; k < number_of_choices; ++k) {
+    const int lead = best ? votes[std::size_t(k)] - votes[std::size_t(*best)] : 1;
+    if(votes[std::size_t(k)] > 0 && misfit(k) <= largest_misfit &&
+       (lead > 0 || (lead == 0 && misfit(k) < misfit(*best))))
+      best = k;
+  }
+  return best;
+}
+
 // Reads rotations off the coordinates of each facet. Where a facet is so thin that several fit, the
 // facets around its edges decide: around a regular edge, rotations multiply to the identity.
 class Facet_transition_reader
@@ -90,7 +135,11 @@ public:
       if(!decide_alone(i))
         undecided.push_back(i);
     m_result.number_decided_by_surroundings = undecided.size();
-    decide_by_surroundings(undecided);
+    undecided = decide_by_surroundings(
+      std::move(undecided), [&](const std::size_t i) { return most_wanted_rotation(i); },
+      [&](const std::size_t i, const int g) { decide(i, g); });
+    for(const std::size_t i : undecided)
+      decide(i, may_be_no_cut(i) ? Group::identity() : m_result.element[i]);
     measure();
     return std::move(m_result);
   }
@@ -129,81 +178,41 @@ private:
     return result;
   }
 
-  bool may_be_no_cut(const Facet_sides& sides, const double noise) const
+  bool may_be_no_cut(const std::size_t i) const
   {
-    return sides.difference() <= largest_gap_in_residuals * noise;
+    const Corner_index facet = m_volume.open_facets[i];
+    return m_volume.sides(facet).difference() <= largest_gap_in_residuals * noise_at(facet);
   }
 
   // Returns false if several rotations fit.
   bool decide_alone(const std::size_t i)
   {
-    const Facet_sides sides = m_volume.sides(m_volume.open_facets[i]);
-    const double noise = noise_at(m_volume.open_facets[i]);
-    const Facet_vectors vectors(sides);
+    const Corner_index facet = m_volume.open_facets[i];
+    const double largest = largest_noise_in_residuals * noise_at(facet);
+    const Facet_vectors vectors(m_volume.sides(facet));
     for(int g = 0; g < Group::order; ++g)
-      if(g != m_result.element[i] && vectors.residual(g) <= largest_noise_in_residuals * noise)
+      if(g != m_result.element[i] && vectors.residual(g) <= largest)
         return false;
-    decide(i, m_result.element[i], sides, noise);
+    decide(i, m_result.element[i]);
     return true;
   }
 
-  void decide(const std::size_t i, const int g, const Facet_sides& sides, const double noise)
+  void decide(const std::size_t i, const int g)
   {
     m_result.element[i] = g;
-    m_result.is_cut[i] = g != Group::identity() || !may_be_no_cut(sides, noise);
+    m_result.is_cut[i] = g != Group::identity() || !may_be_no_cut(i);
     m_is_decided[i] = 1;
   }
 
-  // Layer by layer, from facets that are decided; where none is near, each for itself. All facets
-  // of a layer are decided before the next, so that their order does not matter.
-  void decide_by_surroundings(std::vector<std::size_t> undecided)
-  {
-    while(!undecided.empty()) {
-      std::vector<std::size_t> waiting, decided;
-      std::vector<int> elements;
-      for(const std::size_t i : undecided)
-        if(const auto g = most_wanted(m_volume.open_facets[i])) {
-          decided.push_back(i);
-          elements.push_back(*g);
-        } else {
-          waiting.push_back(i);
-        }
-      if(decided.empty()) {
-        decided.swap(waiting);
-        for(const std::size_t i : decided)
-          elements.push_back(fit_without_surroundings(i));
-      }
-      for(std::size_t k = 0; k < decided.size(); ++k)
-        decide(decided[k], elements[k], m_volume.sides(m_volume.open_facets[decided[k]]),
-               noise_at(m_volume.open_facets[decided[k]]));
-      undecided.swap(waiting);
-    }
-  }
-
-  int fit_without_surroundings(const std::size_t i) const
+  // The one that makes most edges regular.
+  std::optional<int> most_wanted_rotation(const std::size_t i) const
   {
     const Corner_index facet = m_volume.open_facets[i];
-    return may_be_no_cut(m_volume.sides(facet), noise_at(facet)) ? Group::identity()
-                                                                 : m_result.element[i];
-  }
-
-  // Of the rotations that fit, the one that makes most edges regular; none if no edge tells.
-  std::optional<int> most_wanted(const Corner_index facet) const
-  {
-    std::array<int, Group::order> votes{};
-    for(const Corner_index third : corners_of_facet(facet))
-      if(const auto g = wanted_at_edge(facet, third))
-        ++votes[std::size_t(*g)];
     const Facet_vectors vectors(m_volume.sides(facet));
-    const double largest = largest_noise_in_residuals * noise_at(facet);
-    std::optional<int> best;
-    for(int g = 0; g < Group::order; ++g)
-      if(votes[std::size_t(g)] > 0 && vectors.residual(g) <= largest &&
-         (!best || votes[std::size_t(g)] > votes[std::size_t(*best)] ||
-          (votes[std::size_t(g)] == votes[std::size_t(*best)] &&
-           vectors.residual(g) < vectors.residual(*best))))
-        best = g;
-    return best;
+    return most_wanted<Group::order>(
+      facet, [&](const Corner_index third) { return wanted_at_edge(facet, third); },
+      [&](const int g) { return vectors.residual(g); },
+      largest_noise_in_residuals * noise_at(facet));
   }
 
   // The rotation that makes the edge opposite to `third` regular, if all its other facets are
