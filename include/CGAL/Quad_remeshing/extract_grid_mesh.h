@@ -257,40 +257,21 @@ order 6 or 3: its vertices are the points of the surface with integer coordinate
 pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. Where the map
 preserves angles, the triangles are nearly equilateral.
 
-If the map is exactly seamless with integer translations, all cones have integer coordinates, border
-edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
-result is a mesh of triangles only, homeomorphic to the surface, whose number of triangles is twice
-the area of the map, in lattice coordinates, and in which a vertex has valence \f$ 6 - i \f$ at a
-cone of index \f$ i \f$, in sixths of a turn, and 6 elsewhere inside. All these conditions are
-checked before, and all these results are checked after the extraction, exactly; on success they
-hold. All decisions in between are comparisons and orientation tests that are exact. There is no
-tolerance, and nothing is repaired: `repair_integer_grid()` does so.
+What `extract_quad_mesh()` asks of a map, checks, and allows beyond that, holds here with triangles
+and the lattice in place of quads and the grid. The number of triangles is twice the area of the
+map, in lattice coordinates, and a vertex has valence \f$ 6 - i \f$ at a cone of index \f$ i \f$,
+in sixths of a turn, and 6 elsewhere inside.
+- Only angles of 720 degrees and other multiples of 360 degrees can have a cone between the lines of
+  the lattice; the cell around it has 6 or more corners.
+- Loops and double edges come from cones of 60 and 120 degrees, too; `extract_triangle_soup()` gives
+  them.
 
-Beyond that:
-- A cone between the lines of the lattice, which only angles of 720 degrees and other multiples of
-  360 degrees can have, is surrounded by a cell with 6 or more corners.
-  `Extraction_report::number_of_other_polygons` counts such cells.
-- Where the border does not lie on lines of the lattice, the result consists of the triangles that
-  the border leaves whole; the others are counted.
-- Connected parts of the surface do not concern each other.
-- A result with loops or double edges, as coarse lattices have them, and cones of 60 and 120
-  degrees, is no face graph, and refused; `extract_triangle_soup()` gives it.
+Template parameters that are not listed are as there.
 
-The result is added to what is in `triangles`. It is the same, to the bit, for any number of
-threads. Nothing is written unless the extraction succeeds.
-
-\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
-        `CGAL::Parallel_tag`, which does not compile unless TBB is linked
-\tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
-        `VertexListGraph`
-\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam OutputMesh a model of `MutableFaceGraph`
-\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
-\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are not read.
+\param uv_map the coordinates of each corner, as for `extract_quad_mesh()`
 \param triangles the mesh that the triangles are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the one listed
        below, and those of `extract_quad_mesh()`
