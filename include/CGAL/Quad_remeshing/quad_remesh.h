@@ -281,9 +281,9 @@ result has about as many quads as wanted, or as few as were found, which the mes
 unless features force quads or are released, at least 95 % of those that are made where fewer are
 wanted. Of at most 1,000, those of up to eight of these maps are compared, the fewest first, that
 have at most a quarter more than the fewest, or than the wanted number: in a rough shape, after four
-rounds at most, and before quads are improved. The best ones are taken, by their shape, distance
-from the surface, and number: so there may be down to three quarters of those that are made where
-fewer are wanted. The quad around a vertex of one edge is left out.
+rounds at most, and two of them once they are improved. The best ones are taken, by their shape,
+distance from the surface, and number: so there may be down to three quarters of those that are made
+where fewer are wanted. The quad around a vertex of one edge is left out.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

@@ -201,36 +201,50 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
-  // Of the quantizations that were kept, the one whose quads are best before they are mended.
+  // Of the quantizations that were kept, the one whose quads are best before they are mended: all
+  // are shaped roughly, and the best two as usual.
   bool make_best_quads()
   {
     if(m_choices.size() < 2)
       return make_quads();
+    const std::size_t fewest = m_choices.front().quantization.number_of_quads;
     const Surface_samples samples(surface_mesh(), number_of_samples);
-    double least = std::numeric_limits<double>::infinity();
-    const State* best = &m_choices.front();
-    for(const State& choice : m_choices) {
-      set_state(choice);
+    keep_best_choices(samples, rounds_to_choose, 2);
+    keep_best_choices(samples, shaping_rounds * m_options.number_of_smoothing_rounds, 1);
+    set_state(m_choices.front());
+    m_quads.clear_without_removing_property_maps();
+    if(!make_quads())
+      return false;
+    if(!m_report.message.empty() && fewest < m_choices.front().quantization.number_of_quads)
+      m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
+    return true;
+  }
+
+  // So many, after so many rounds of shaping.
+  void keep_best_choices(const Surface_samples& samples, const std::size_t most_rounds,
+                         const std::size_t number)
+  {
+    std::vector<std::pair<double, std::size_t> > order;
+    for(std::size_t i = 0; i < m_choices.size(); ++i) {
+      set_state(m_choices[i]);
       m_quads.clear_without_removing_property_maps();
+      m_quads.set_recycle_garbage(false);
       if(!extract())
         continue;
       Quad_smoother smoother(m_quads, surface_mesh());
-      shape(Feature_lines(m_surface), smoother, rounds_to_choose);
+      const Feature_lines lines(m_surface);
+      shape(lines, smoother, most_rounds);
+      if(number == 1 && m_options.number_of_smoothing_rounds > 0)
+        improve(lines, smoother);
+      order.emplace_back(badness(smoother, samples), i);
       m_timer.finish("smoothing");
-      if(const double now = badness(smoother, samples); now < least) {
-        least = now;
-        best = &choice;
-      }
-      m_timer.finish("measurement");
     }
-    set_state(*best);
-    m_quads.clear_without_removing_property_maps();
-    const std::size_t fewest = m_choices.front().quantization.number_of_quads;
-    if(!make_quads())
-      return false;
-    if(!m_report.message.empty() && fewest < best->quantization.number_of_quads)
-      m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
-    return true;
+    std::sort(order.begin(), order.end());
+    std::vector<State> best;
+    for(std::size_t k = 0; k < number && k < order.size(); ++k)
+      best.push_back(std::move(m_choices[order[k].second]));
+    if(!best.empty())
+      m_choices = std::move(best);
   }
 
   // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
