@@ -69,10 +69,11 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
         surface,
         [&](const Corner_index h) { return wanted_difference(surface, angles, h); },
         complex, table, weights, system);
-    } catch(const Refusal&) {
-      if(round == 0)
-        throw;
-      return best;
+    } catch(Refusal& refusal) {
+      if(round > 0)
+        return best;
+      refusal.message += "; mark fewer features if there are any, or remesh the input";
+      throw;
     }
     const Coordinates uv = coordinates.evaluate(unknowns);
     const std::size_t flips = number_of_flips(surface, complex, uv);
