@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -20,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -164,6 +166,51 @@ std::size_t count_faces_without_area(const Mesh& mesh)
     }));
 }
 
+// Counts points of the border that are off those of another piece by no more than a millionth of
+// the diagonal. Of the points that follow along a line, a hundred are looked at.
+void find_near_points(Mesh& mesh, Repairs& repairs)
+{
+  struct Border_point
+  {
+    double place;
+    Kernel::Point_3 point;
+    std::size_t piece;
+    double nearest;
+  };
+  constexpr double relative_distance = 1e-6, none = std::numeric_limits<double>::infinity();
+  constexpr std::size_t most_looked_at = 100;
+  if(repairs.pieces == 1)
+    return;
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double most = relative_distance * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  auto piece = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece").first;
+  PMP::connected_components(mesh, piece);
+  std::vector<Border_point> points;
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h)) {
+      const Kernel::Point_3& p = mesh.point(mesh.target(h));
+      points.push_back({0.48 * p.x() + 0.6 * p.y() + 0.64 * p.z(), p,
+                        piece[mesh.face(mesh.opposite(h))], none});
+    }
+  mesh.remove_property_map(piece);
+  std::sort(points.begin(), points.end(),
+            [](const Border_point& a, const Border_point& b) { return a.place < b.place; });
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(std::size_t j = i + 1; j < (std::min)(points.size(), i + most_looked_at) &&
+                               points[j].place - points[i].place <= most; ++j) {
+      const Kernel::Vector_3 v = points[j].point - points[i].point;
+      const double distance = std::hypot(v.x(), v.y(), v.z());
+      if(points[i].piece != points[j].piece && distance > 0 && distance <= most)
+        for(const std::size_t k : {i, j})
+          points[k].nearest = (std::min)(points[k].nearest, distance);
+    }
+  for(const Border_point& p : points)
+    if(p.nearest < none) {
+      ++repairs.near_points;
+      repairs.distance_of_near_points = (std::max)(repairs.distance_of_near_points, p.nearest);
+    }
+}
+
 Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
 {
   Repairs repairs;
@@ -179,6 +226,7 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);
+  find_near_points(model.mesh, repairs);
   if(repairs.faces_without_area == repairs.faces)
     throw Failure(UNREADABLE, "the faces have no area: the corners of each lie on a line");
   if(with_features)
@@ -248,6 +296,11 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
   if(repairs.faces_without_area > 0)
     os << "note: among them without area: " << counted(repairs.faces_without_area, "triangle")
        << "\n";
+  if(repairs.near_points > 0)
+    os << "note: near others of other pieces, at up to " << repairs.distance_of_near_points
+       << ", but not in the same place: " << counted(repairs.near_points, "border point")
+       << ". Each piece is meshed by itself; merge such points before, by their distance, if the "
+          "surface is to go on there\n";
 }
 
 nlohmann::json json_of(const Repairs& r)
@@ -264,5 +317,7 @@ nlohmann::json json_of(const Repairs& r)
                        {"triangulated_faces", r.triangulated_faces}}},
           {"repaired", r.in_words()},
           {"mesh", {{"faces", r.faces}, {"vertices", r.vertices}, {"pieces", r.pieces},
-                    {"faces_without_area", r.faces_without_area}}}};
+                    {"faces_without_area", r.faces_without_area},
+                    {"near_border_points", r.near_points},
+                    {"distance_of_near_border_points", r.distance_of_near_points}}}};
 }

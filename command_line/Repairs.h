@@ -29,6 +29,8 @@ struct Repairs
 
   std::size_t vertices = 0, faces = 0, pieces = 0;
   std::size_t faces_without_area = 0; // that are kept
+  std::size_t near_points = 0;        // of the border, almost in the place of another piece's
+  double distance_of_near_points = 0; // the largest of these
 
   // In words, separated by commas; empty if nothing was repaired. Points of no face are no fault.
   std::string in_words() const;
