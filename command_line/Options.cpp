@@ -54,6 +54,31 @@ po::typed_value<Number>* value_in_range(const std::string& name, const std::stri
 
 } // namespace
 
+void check_number_of_faces(const std::string& option, const double number, const std::string& noun,
+                           const std::string& remedy, const double most)
+{
+  constexpr double most_written_out = 1e15;
+  if(!(number > most))
+    return;
+  std::ostringstream os;
+  os << "--" << option << " makes ";
+  if(number > most_written_out)
+    os << "more than 1e15";
+  else
+    os << "about " << std::llround(number);
+  os << " " << noun << ", at most " << most / 1e6 << " million are made" << remedy;
+  throw Failure(USAGE, os.str());
+}
+
+std::string by_edge_length(const double number_at_one, const double most)
+{
+  constexpr double slightly_longer = 1.001; // than rounding makes it
+  std::ostringstream os;
+  os << std::setprecision(4) << ", by --edge-length "
+     << slightly_longer * std::sqrt(number_at_one / most);
+  return os.str();
+}
+
 struct Options::Declarations
 {
   std::string usage, purpose;

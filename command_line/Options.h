@@ -32,6 +32,19 @@ struct Range
 inline Range whole_numbers(const double low, const double high)
 { return {low, high, false, true}; }
 
+// The largest number of faces that is made where no other one is asked for: more are mostly a
+// mistake of units.
+constexpr double most_faces = 1e7;
+
+// Throws `Failure` if an option makes more faces than `most`, which are `noun` in the plural.
+// \param remedy what makes no more, or allows more
+void check_number_of_faces(const std::string& option, double number, const std::string& noun,
+                           const std::string& remedy, double most = most_faces);
+
+// Such a remedy.
+// \param number_at_one how many faces an edge length of 1 makes
+std::string by_edge_length(double number_at_one, double most = most_faces);
+
 class Options
 {
 public:

@@ -10,6 +10,7 @@ namespace IO = CGAL::Seamless_snapping::IO;
 
 Polygon_soup read_polygon_soup(const std::string& filename)
 {
+  check_no_tetrahedra(filename);
   std::istringstream text(read_file(filename));
   Polygon_soup soup;
   const IO::File_status status = is_special_file(filename)

@@ -53,17 +53,35 @@ void for_each_corner(const Model& model, const Location& location, const Visit& 
 
 // --- PLY -----------------------------------------------------------------------------------------
 
-// The names of lists besides that of the vertices of faces; CGAL reads none of them.
-std::string further_lists(const std::string& filename)
+// Each name of a property with its element before it.
+std::vector<std::string> properties(std::istream& file)
 {
-  std::ifstream file(filename, std::ios::binary);
-  std::string result, property, list, count, type, name;
+  std::vector<std::string> result;
+  std::string element;
   for(std::string line; std::getline(file, line) && line.find("end_header") != 0; ) {
     std::istringstream words(line);
-    if(words >> property >> list >> count >> type >> name && property == "property" &&
-       list == "list" && name != "vertex_indices" && name != "vertex_index")
-      result += (result.empty() ? "'" : ", '") + name + "'";
+    std::string word, name;
+    words >> word;
+    for(std::string next; words >> next; name = next)
+      if(word == "element" && name.empty())
+        element = next;
+    if(word == "property")
+      result.push_back(element + " " + (name == "vertex_index" ? "vertex_indices" : name));
   }
+  return result;
+}
+
+// Those of the file that the text of another one lacks: lists, which CGAL does not read, normals,
+// and parts of colors.
+std::string missing_properties(const std::string& filename, const std::string& text)
+{
+  std::ifstream file(filename, std::ios::binary);
+  std::istringstream other(text);
+  const std::vector<std::string> kept = properties(other);
+  std::string result;
+  for(const std::string& name : properties(file))
+    if(std::find(kept.begin(), kept.end(), name) == kept.end())
+      result += (result.empty() ? "'" : ", '") + name + "'";
   return result;
 }
 
@@ -477,10 +495,12 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
     carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
                    std::uint32_t, float, double>(model, file, quads);
     carry_over_colors(model, file, quads);
-    if(const std::string lists = further_lists(input); !lists.empty())
-      std::cerr << "note: not carried over, as these are lists: " << lists << std::endl;
   }
-  return text_of_quads(quads.mesh, filename);
+  const std::string text = text_of_quads(quads.mesh, filename);
+  if(has_properties)
+    if(const std::string missing = missing_properties(input, text); !missing.empty())
+      std::cerr << "note: not carried over: " << missing << std::endl;
+  return text;
 }
 
 namespace {
@@ -502,8 +522,8 @@ bool read_property_of_any(const Mesh& file, const std::string& name, std::vector
 } // namespace
 
 Mesh::Property_map<Vertex, double>
-read_sizes(const std::string& property_or_file, const std::string& input,
-           const std::size_t file_points, Model& model)
+read_sizes(const std::string& property_or_file, const std::string& input, const Repairs& repairs,
+           Model& model)
 {
   const auto sizes = model.mesh.add_property_map<Vertex, double>("v:size", 1).first;
   if(property_or_file.empty())
@@ -518,13 +538,13 @@ read_sizes(const std::string& property_or_file, const std::string& input,
     if(suffix_of(input) == "ply" && !std::filesystem::exists(property_or_file))
       throw Failure(UNREADABLE, "'" + property_or_file + "' is neither a number at each vertex of " +
                                   input + " nor a file");
-    std::istringstream stream(read_file(property_or_file));
-    stream.imbue(std::locale::classic());
-    for(double x; stream >> x; )
-      values.push_back(x);
-    if(!stream.eof() || values.size() != file_points)
-      throw Failure(UNREADABLE, property_or_file + ": the file is not a number for each of " +
-                                  counted(file_points, "vertex") + " of the mesh");
+    values = read_numbers(property_or_file);
+    if(values.size() != repairs.file_points)
+      throw Failure(UNREADABLE, property_or_file + ": the file has " +
+                                  counted(values.size(), "number") + ", not one for each of " +
+                                  counted(repairs.file_points, "vertex") + " of the mesh" +
+                                  (values.size() == repairs.file_faces
+                                     ? "; sizes are those of vertices, not of faces" : ""));
   }
   for(const double& x : values)
     if(!(x > 0) || std::isinf(x))

@@ -6,6 +6,7 @@
 #define SEAMLESS_SNAPPING_COMMAND_LINE_ATTRIBUTES_H
 
 #include "Model.h"
+#include "Repairs.h"
 
 #include <array>
 #include <cstddef>
@@ -35,7 +36,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
 // A number for each vertex of the model: that of a property of its .ply file, or of a text file with a
 // number for each vertex of its file; 1 where no name is given. Throws `Failure`.
 Mesh::Property_map<Mesh::Vertex_index, double>
-read_sizes(const std::string& property_or_file, const std::string& input, std::size_t file_points,
+read_sizes(const std::string& property_or_file, const std::string& input, const Repairs& repairs,
            Model& model);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_ATTRIBUTES_H

@@ -41,13 +41,11 @@ void make_body(const Arguments& arguments)
   if(suffix != "off" && suffix != "obj")
     throw Failure(USAGE, "'" + output + "': surfaces are written to .off and .obj files");
   check_outputs({}, {output});
-  const double number = expected_number_of_faces(body), most = 1e7;
-  const std::string about = "about " + std::to_string(std::llround(number)) + " triangles";
-  if(number > most)
-    throw Failure(USAGE, "--edge-length makes " + about + ", at most 10 million are made: by " +
-                           std::to_string(1.001 * body.edge_length * std::sqrt(number / most)));
+  const double number = expected_number_of_faces(body);
+  check_number_of_faces("edge-length", number, "triangles",
+                        by_edge_length(number * body.edge_length * body.edge_length));
 
-  const Progress progress("making " + about);
+  const Progress progress("making about " + std::to_string(std::llround(number)) + " triangles");
   Mesh mesh;
   make_handle_body(body, mesh);
   std::ostringstream os;

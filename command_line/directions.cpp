@@ -4,37 +4,50 @@
 #include "files.h"
 #include "words.h"
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <locale>
-#include <sstream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-// The numbers of a text, one after another.
-class Numbers
+// Throws `Failure` unless these are the two numbers that come first, and those of the faces.
+void check_numbers(const std::string& filename, const std::vector<double>& numbers,
+                   const bool is_raw, const std::size_t number_of_faces)
 {
-public:
-  Numbers(const std::string& filename, const std::string& text)
-    : m_filename(filename), m_stream(text)
-  { m_stream.imbue(std::locale::classic()); }
+  const std::string faces = counted(number_of_faces, "face");
+  const auto count = [&](const bool raw) { return 2 + (raw ? 12 : 3) * number_of_faces; };
+  std::string why;
+  if(numbers.size() < 2 || numbers[is_raw ? 0 : 1] != 4 ||
+     numbers[is_raw ? 1 : 0] != double(number_of_faces))
+    why = is_raw ? "a .rawfield file of this mesh begins with 4 and the number of faces, "
+                 : "a .rosy file of this mesh begins with the number of faces and 4, ";
+  if(!why.empty())
+    why += is_raw ? "4 " + std::to_string(number_of_faces) : std::to_string(number_of_faces) + " 4";
+  else if(numbers.size() != count(is_raw))
+    why = "after the first two, there are " + counted(numbers.size() - 2, "number") + ", not " +
+          (is_raw ? "12" : "3") + " for each of " + faces;
+  if(!why.empty())
+    throw Failure(UNREADABLE, filename + ": " + why +
+                                (numbers.size() == count(!is_raw)
+                                   ? std::string("; there are as many numbers as in a .") +
+                                       (is_raw ? "rosy" : "rawfield") + " file" : ""));
+}
 
-  double next()
-  {
-    double result;
-    if(!(m_stream >> result))
-      refuse("has fewer numbers than it says, or something else than a number");
-    return result;
-  }
-
-  bool is_at_end() { return (m_stream >> std::ws).eof(); }
-
-  [[noreturn]] void refuse(const std::string& reason) const
-  { throw Failure(UNREADABLE, m_filename + ": the file " + reason); }
-
-private:
-  std::string m_filename;
-  std::istringstream m_stream;
-};
+// Whether it has a part along its face that is more than rounding.
+bool has_effect(const Kernel::Vector_3& direction, const Mesh::Face_index f, const Mesh& mesh)
+{
+  constexpr double least_part = 1e-6;
+  const Kernel::Vector_3 part = CGAL::cross_product(PMP::compute_face_normal(f, mesh), direction);
+  return std::hypot(part.x(), part.y(), part.z()) >
+         least_part * std::hypot(direction.x(), direction.y(), direction.z());
+}
 
 } // namespace
 
@@ -47,7 +60,8 @@ void check_direction_file(const std::string& filename)
 
 // A .rosy file has the number of faces, 4, and a direction for each face; a .rawfield file has 4, the
 // number of faces, and four directions for each face, of which the first is read.
-Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh)
+Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh,
+                              std::ostream& os)
 {
   const Direction_map result =
     mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction",
@@ -58,20 +72,15 @@ Direction_map read_directions(const std::string& filename, const Repairs& repair
     throw Failure(UNREADABLE, filename + ": the directions are those of other faces, as the mesh had "
                               "to be repaired: " + repairs.in_words());
   const bool is_raw = suffix_of(filename) == "rawfield";
-  Numbers numbers(filename, read_file(filename));
-  const double first = numbers.next(), second = numbers.next();
-  const double degree = is_raw ? first : second, number = is_raw ? second : first;
-  if(degree != 4)
-    numbers.refuse("has no crosses, which are of degree 4");
-  if(number != double(mesh.number_of_faces()))
-    numbers.refuse("is not for " + counted(mesh.number_of_faces(), "face"));
+  const std::vector<double> numbers = read_numbers(filename);
+  check_numbers(filename, numbers, is_raw, mesh.number_of_faces());
+  std::size_t i = 2;
   for(const Mesh::Face_index f : mesh.faces()) {
-    const double x = numbers.next(), y = numbers.next(), z = numbers.next();
-    result[f] = Kernel::Vector_3(x, y, z);
-    for(int i = 0; i < (is_raw ? 9 : 0); ++i)
-      numbers.next();
+    result[f] = Kernel::Vector_3(numbers[i], numbers[i + 1], numbers[i + 2]);
+    i += is_raw ? 12 : 3;
   }
-  if(!numbers.is_at_end())
-    numbers.refuse("has more numbers than it says");
+  if(std::none_of(mesh.faces_begin(), mesh.faces_end(),
+                  [&](const Mesh::Face_index f) { return has_effect(result[f], f, mesh); }))
+    os << "note: " << filename << " has no effect: each direction is 0 or that of the normal\n";
   return result;
 }

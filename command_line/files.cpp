@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -158,6 +161,29 @@ std::string read_file(const std::string& filename)
   return text;
 }
 
+std::vector<double> read_numbers(const std::string& filename)
+{
+  const std::string text = read_file(filename), blanks = " \t\r\n\f\v";
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  std::vector<double> result;
+  while(!(stream >> std::ws).eof()) {
+    const auto at = std::size_t(stream.tellg());
+    double x = 0;
+    if(!(stream >> x) || !std::isfinite(x)) {
+      const std::size_t begin = text.find_last_of(blanks, at) + 1; // also of "1,5", at its comma
+      const std::string word = text.substr(begin, text.find_first_of(blanks, at) - begin);
+      throw Failure(UNREADABLE, filename + ": line " +
+                                  std::to_string(1 + std::count(text.begin(),
+                                                                text.begin() + std::ptrdiff_t(at),
+                                                                '\n')) +
+                                  ": '" + word + "' is no number");
+    }
+    result.push_back(x);
+  }
+  return result;
+}
+
 void write_file(const std::string& filename, const std::string& text)
 {
   if(filename == standard_stream) {
@@ -206,6 +232,13 @@ std::string suffix_of(const std::string& filename)
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+void check_no_tetrahedra(const std::string& filename)
+{
+  if(suffix_of(filename) == "hexex")
+    throw Failure(USAGE, "'" + filename + "': tetrahedra are for 'seamless snap' and 'seamless "
+                         "check' only");
 }
 
 void check_picture(const std::string& filename)

@@ -12,12 +12,18 @@
 std::string read_file(const std::string& filename);
 void write_file(const std::string& filename, const std::string& text);
 
+// Numbers with blanks or line ends between them. Throws `Failure` with the line of what is none.
+std::vector<double> read_numbers(const std::string& filename);
+
 // A standard stream, a device, a pipe, or the like: what is written to it goes through it, and its name
 // does not tell a format.
 bool is_special_file(const std::string& filename);
 
 // What is behind the last point of a name, in lower case: "obj".
 std::string suffix_of(const std::string& filename);
+
+// Throws `Failure` if it is the name of a file that only two commands read.
+void check_no_tetrahedra(const std::string& filename);
 
 // Throws `Failure` if it is the name of a picture that cannot be written.
 void check_picture(const std::string& filename);

@@ -136,7 +136,7 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
     outcome.made = QR::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
       transitions.curvature_alignment(options.curvature).release_alignment(true)
-        .face_direction_map(read_directions(options.field, outcome.repairs, model.mesh)));
+        .face_direction_map(read_directions(options.field, outcome.repairs, model.mesh, os)));
   }
   const auto& made = outcome.made;
   if(!made)

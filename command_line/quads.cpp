@@ -88,6 +88,7 @@ struct Quad_options
     has_rounding = options.is_given("rounding");
     if(options.is_given("number") && !has_rounding)
       rounding = 0.5;
+    check_number_of_faces("number", number, "quads", "; --grid-scale makes more");
     check_quad_file(output);
     check_picture(picture);
     check_patch_file(patches);

@@ -84,36 +84,41 @@ struct Remesh_options
                     "input; OUT is a .obj, .off, or .ply file, or - for the standard output, in the\n"
                     "OBJ format. What has to be repaired in IN is told. From .obj to .obj, texture\n"
                     "coordinates, colors, groups, and materials are carried over, from .ply to .ply\n"
-                    "all properties that are numbers, but normals.\n");
+                    "all properties that are numbers, but normals. A .ply OUT is ASCII, also where\n"
+                    "IN is binary.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, whole_numbers(1, largest_number),
                 "about how many quads to make (default: 10000)");
     options.add("edge-length", "L", edge_length, {0, infinity, true},
                 "instead, how long to make their edges");
-    options.add("coarsest", coarsest, "instead, make as few quads as are found");
+    options.add("coarsest", coarsest, "instead, make as few quads as the search finds");
     options.add("maximum-number", "N", maximum_number, whole_numbers(1, largest_number),
                 "refuse to make more quads, where features force them\n"
-                "(default: 100 times the number wanted, and at least 100000)");
+                "(default: 100 times the number wanted, and at least 100000);\n"
+                "only this allows --number and --edge-length more than 10 million");
     options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
                 "keep edges that are sharper (default: 0, which keeps none)");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
-                "the part of the length of these that may be released where they force quads:\n"
-                "those that force most for their length go first (default: 0)");
+                "the part of the length of these, from 0 to 1, that may be released where they\n"
+                "force quads: those that force most for their length go first (default: 0)");
     double strength = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
-                "how strongly to follow the curvature (default: 0.002, for the directions of edges\n"
-                "and of round parts, unless sizes vary; 0: the smoothest field)");
+                "how strongly to follow the curvature (0: the smoothest field; 0.002, the default\n"
+                "unless sizes vary: where this costs little, along edges and around round parts;\n"
+                "0.1: for more irregular vertices; 1: as much as smoothness where the radius of\n"
+                "curvature is the length of a triangle's edge)");
     options.add("field", "FILE", field,
                 "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
-                "file; where it is 0, the field is smooth, and features go first");
+                "file; where it is 0, the field is smooth, and features go first. Equal sizes\n"
+                "compete with it: quads can lie 5 to 10 degrees off, unless --sizes fit it");
     options.add("sizes", "FILE", sizes,
                 "how long to make the edges at each vertex of IN: a text file with a number for\n"
                 "each, or the name of a property of IN, a .ply file. With --number, only ratios\n"
                 "count; with --edge-length, these are multiples of it");
     options.add("adaptivity", "R", adaptivity, {1, (std::numeric_limits<double>::max)()},
                 "make quads up to R times larger where the surface is flat than where it is\n"
-                "curved");
+                "curved: by the root of the curvature, smoothed, often no more than 2 to 4 times");
     options.add("symmetry", "PLANE", symmetry,
                 "mirror one half: by x, y, or z for a coordinate plane, A,B,C,D for the plane\n"
                 "Ax + By + Cz + D = 0, whose positive side is kept, or auto to find a plane by\n"
@@ -130,6 +135,8 @@ struct Remesh_options
       return false;
     if(options.is_given("curvature"))
       curvature = strength;
+    check_number_of_faces("number", number, "quads", "; --maximum-number allows more",
+                          most_quads());
     check_quad_file(output);
     if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
        !coarsest)
@@ -142,6 +149,8 @@ struct Remesh_options
     check_outputs({input, field, sizes}, {output, picture, patches, report});
     return true;
   }
+
+  double most_quads() const { return (std::max)(most_faces, maximum_number); }
 };
 
 // Nothing without a name. Throws `Failure`.
@@ -154,6 +163,23 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
     throw Failure(NOT_SOLVED, options.input + ": the vertices are not symmetric, exactly, by a "
                               "plane across a coordinate axis; name a plane");
   return plane;
+}
+
+// Throws `Failure` if the quads are too many.
+void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Sizing_map& sizes)
+{
+  double number = 0; // where the edge length is 1
+  for(const auto f : mesh.faces()) {
+    double size = 1;
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      size *= std::cbrt(sizes[v]);
+    number += PMP::face_area(f, mesh) / size / size;
+  }
+  const double most = options.most_quads();
+  if(options.edge_length > 0 && std::isfinite(number))
+    check_number_of_faces(options.sizes.empty() ? "edge-length" : "sizes",
+                          number / options.edge_length / options.edge_length, "quads",
+                          by_edge_length(number, most) + "; --maximum-number allows more", most);
 }
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
@@ -317,11 +343,12 @@ void remesh(const Arguments& arguments)
   Located_quads quads;
   const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   const auto work = [&] {
-    const Direction_map directions = read_directions(options.field, outcome.repairs, model.mesh);
-    const Sizing_map sizes =
-      read_sizes(options.sizes, options.input, outcome.repairs.file_points, model);
+    const Direction_map directions =
+      read_directions(options.field, outcome.repairs, model.mesh, os);
+    const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(plane, model.mesh);
+    check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;
     report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
     if(!report)
