@@ -46,6 +46,7 @@ std::string with_options(const std::string& message)
     {"than maximum_feature_loss", "than --feature-loss"},
     {"symmetry_plane", "--symmetry"},
     {"curvature_alignment", "--curvature"},
+    {"vertex_sizing_map and curvature_adaptivity", "--sizes and --adaptivity"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
   return with_words(message, words);
@@ -59,6 +60,7 @@ const char* const ply = "ply";
 std::string format_of(const std::string& filename, const std::string& standard_format)
 {
   const std::string suffix = is_special_file(filename) ? standard_format : suffix_of(filename);
+  check_no_tetrahedra(filename);
   if(suffix != obj && suffix != ply)
     throw Failure(USAGE, "'" + filename + "': files with coordinates per corner are .obj and .ply "
                          "files");

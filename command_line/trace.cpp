@@ -57,7 +57,8 @@ struct Trace_options
                     "Traces the isocurves from the singular vertices of a parametrization, in\n"
                     "floating point and, after snapping, exactly, and tells how they end. With NAME,\n"
                     "writes pictures (.svg) and the curves (.obj, .ply) to files whose names begin\n"
-                    "with it, as NAME_overview.svg; or into NAME, if it is a folder.\n");
+                    "with it, as NAME_overview.svg; or into NAME, if it is a folder. The overview\n"
+                    "shows the first crossings of each curve, about 2000 in all.\n");
     options.add_file("input", input);
     options.add_file("output", output, true);
     options.add("exact", "EXACT", exact_input,
@@ -191,12 +192,25 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
   std::cout << std::flush;
 }
 
+// Of so many crossings that a picture remains.
+Overview overview_of(const Mesh& mesh, const Uv_map uv_map, const std::vector<Curve>& curves)
+{
+  constexpr std::size_t most = 2000, few = 500;
+  std::size_t number = 0;
+  for(const Curve& curve : curves)
+    number += curve.points.size();
+  return {mesh, uv_map, curves, number > few ? 0.7 : 1.6,
+          number > most ? most / curves.size() + 1 : number};
+}
+
 void write_overview(std::ostream& os, const Overview& before, const Overview& after)
 {
   write_head(os, 1240, 1300);
   const std::string heading = "font-size=\"22\" text-anchor=\"middle\"";
   write_text(os, 320, 44, "inexact, traced in floating point", heading);
   write_text(os, 920, 44, "exactly seamless, traced exactly", heading);
+  write_text(os, 320, 68, before.what_is_drawn(), "text-anchor=\"middle\"");
+  write_text(os, 920, 68, after.what_is_drawn(), "text-anchor=\"middle\"");
   before.write_domain(os, 320, 350, 540);
   after.write_domain(os, 920, 350, 540);
   before.write_projection(os, 320, 950, 540);
@@ -222,14 +236,18 @@ void write_results(const Trace_options& options, const Pair_of_maps& maps,
                    const Tracer& inexact_tracer, const Tracer& exact_tracer,
                    const std::vector<Curve>& before, const std::vector<Curve>& after)
 {
-  const Overview overview_before(maps.mesh, maps.inexact, before);
-  const Overview overview_after(maps.mesh, maps.exact, after);
+  const Overview overview_before = overview_of(maps.mesh, maps.inexact, before);
+  const Overview overview_after = overview_of(maps.mesh, maps.exact, after);
   write_and_tell(options.filename(names[overview]), [&](std::ostream& os) {
     write_overview(os, overview_before, overview_after);
   });
-  write_and_tell(options.filename(names[failures]), [&](std::ostream& os) {
-    write_failures(os, maps, before, exact_tracer);
-  });
+  if(std::any_of(before.begin(), before.end(),
+                 [](const Curve& curve) { return IL::is_failure(curve.status); }))
+    write_and_tell(options.filename(names[failures]), [&](std::ostream& os) {
+      write_failures(os, maps, before, exact_tracer);
+    });
+  else
+    std::cout << "not written, as no curve fails: " << options.filename(names[failures]) << "\n";
   if(options.constrain)
     write_and_tell(options.filename(names[constraints]), [&](std::ostream& os) {
       Constraint_figure(os, maps, inexact_tracer, exact_tracer).write(before);

@@ -181,7 +181,7 @@ private:
   {
     const auto& points = curve.points;
     const std::vector<Curve> none;
-    const Overview view(m_maps.mesh, m_maps.inexact, none);
+    const Overview view(m_maps.mesh, m_maps.inexact, none, 0);
     if(!view.is_visible(points.front().halfedge()) || !view.is_visible(points.back().halfedge()))
       return 0;
     std::size_t result = 0, at_vertex = 0;

@@ -15,7 +15,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,10 +31,21 @@ class Tracing_overview
   using Vector = Uv_vector;
 
 public:
+  // \param most_points of each curve that are drawn
   Tracing_overview(const Mesh& mesh, UVMap uv_map, const std::vector<Curve>& curves,
-                   const double line_width = 1.6)
-    : m_mesh(mesh), m_uv_map(uv_map), m_curves(curves), m_line_width(line_width)
+                   const double line_width,
+                   const std::size_t most_points = (std::numeric_limits<std::size_t>::max)())
+    : m_mesh(mesh), m_uv_map(uv_map), m_curves(curves), m_line_width(line_width),
+      m_most_points(most_points)
   { }
+
+  // For a legend; nothing where all is drawn.
+  std::string what_is_drawn() const
+  {
+    const bool is_all = std::all_of(m_curves.begin(), m_curves.end(), [&](const Curve& curve)
+                                    { return curve.points.size() <= m_most_points; });
+    return is_all ? "" : "the first " + std::to_string(m_most_points) + " points of each curve";
+  }
 
   // The triangles of the domain, and the pieces of the curves in each.
   void write_domain(std::ostream& os, double x, double y, double size) const
@@ -190,14 +203,18 @@ private:
     };
   }
 
+  std::size_t number_drawn(const Curve& curve) const
+  { return (std::min)(curve.points.size(), m_most_points); }
+
   static const char* color(bool failed) { return failed ? "#d55e00" : "#0072b2"; }
 
   template <typename Place>
   void write_curve_in_domain(std::ostream& os, const Curve& curve, bool failed,
                              const Place& place) const
   {
-    os << "<path fill=\"none\" stroke-width=\"1.4\" stroke=\"" << color(failed) << "\" d=\"";
-    for(std::size_t i = 1; i < curve.points.size(); ++i) {
+    os << "<path fill=\"none\" stroke-width=\"" << m_line_width << "\" stroke=\"" << color(failed)
+       << "\" d=\"";
+    for(std::size_t i = 1; i < number_drawn(curve); ++i) {
       const Uv_segment piece = curve_piece(curve.points[i - 1], curve.points[i], m_mesh, m_uv_map);
       const Vector p = place(piece.first), q = place(piece.second);
       os << 'M' << p[0] << ' ' << p[1] << 'L' << q[0] << ' ' << q[1];
@@ -242,7 +259,7 @@ private:
     os << "<path fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\""
        << m_line_width << "\" stroke=\"" << color(failed) << "\" d=\"";
     bool is_drawn = false;
-    for(std::size_t i = 1; i < curve.points.size(); ++i) {
+    for(std::size_t i = 1; i < number_drawn(curve); ++i) {
       const auto a = space(curve.points[i - 1]), b = space(curve.points[i]);
       const std::size_t n = 4; // parts of a piece that are hidden or seen by themselves
       for(std::size_t k = 0; k < n; ++k) {
@@ -265,6 +282,7 @@ private:
   UVMap m_uv_map;
   const std::vector<Curve>& m_curves;
   double m_line_width;
+  std::size_t m_most_points;
 };
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_TRACING_OVERVIEW_H

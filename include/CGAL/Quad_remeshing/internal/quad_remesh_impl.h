@@ -430,6 +430,8 @@ private:
     return m_report.remaining_flips.empty() ||
            refuse(m_report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_report.remaining_flips, "flipped in the parametrization") +
+                    (sizes_vary() ? "; let vertex_sizing_map and curvature_adaptivity vary sizes "
+                                    "less" : "") +
                     "; mark fewer features if there are any, or remesh the input there, or its "
                     "border, or leave out that part");
   }
