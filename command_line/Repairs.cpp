@@ -31,11 +31,12 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
+using Piece_map = Mesh::Property_map<Mesh::Face_index, std::size_t>;
+
 // Turns the pieces back of which most faces were turned: the file tells which side is outside.
-void turn_back(Mesh& mesh, const std::vector<char>& is_turned, Repairs& repairs)
+void turn_back(Mesh& mesh, const Piece_map piece, const std::vector<char>& is_turned,
+               Repairs& repairs)
 {
-  auto piece = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece").first;
-  repairs.pieces = PMP::connected_components(mesh, piece);
   std::vector<std::ptrdiff_t> turned(repairs.pieces, 0), faces(repairs.pieces, 0);
   for(const auto f : mesh.faces()) {
     turned[piece[f]] += is_turned[f] ? 1 : 0;
@@ -48,7 +49,6 @@ void turn_back(Mesh& mesh, const std::vector<char>& is_turned, Repairs& repairs)
   PMP::reverse_face_orientations(back, mesh);
   for(std::size_t p = 0; p < repairs.pieces; ++p)
     repairs.turned_faces += std::size_t((std::min)(turned[p], faces[p] - turned[p]));
-  mesh.remove_property_map(piece);
 }
 
 struct Triangulation_visitor : public PMP::Triangulate_faces::Default_visitor<Mesh>
@@ -168,7 +168,7 @@ std::size_t count_faces_without_area(const Mesh& mesh)
 
 // Counts points of the border that are off those of another piece by no more than a millionth of
 // the diagonal. Of the points that follow along a line, a hundred are looked at.
-void find_near_points(Mesh& mesh, Repairs& repairs)
+void find_near_points(const Mesh& mesh, const Piece_map piece, Repairs& repairs)
 {
   struct Border_point
   {
@@ -183,8 +183,6 @@ void find_near_points(Mesh& mesh, Repairs& repairs)
     return;
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double most = relative_distance * std::hypot(box.x_span(), box.y_span(), box.z_span());
-  auto piece = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece").first;
-  PMP::connected_components(mesh, piece);
   std::vector<Border_point> points;
   for(const Halfedge h : mesh.halfedges())
     if(mesh.is_border(h)) {
@@ -192,7 +190,6 @@ void find_near_points(Mesh& mesh, Repairs& repairs)
       points.push_back({0.48 * p.x() + 0.6 * p.y() + 0.64 * p.z(), p,
                         piece[mesh.face(mesh.opposite(h))], none});
     }
-  mesh.remove_property_map(piece);
   std::sort(points.begin(), points.end(),
             [](const Border_point& a, const Border_point& b) { return a.place < b.place; });
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -221,12 +218,15 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   model.file_vertices = surface.file_points;
   model.file_faces = surface.file_faces;
   model.first_number = soup.first_number;
-  turn_back(model.mesh, surface.is_turned, repairs);
+  auto piece = model.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece").first;
+  repairs.pieces = PMP::connected_components(model.mesh, piece);
+  turn_back(model.mesh, piece, surface.is_turned, repairs);
+  find_near_points(model.mesh, piece, repairs);
+  model.mesh.remove_property_map(piece);
   triangulate(soup, model, repairs);
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);
-  find_near_points(model.mesh, repairs);
   if(repairs.faces_without_area == repairs.faces)
     throw Failure(UNREADABLE, "the faces have no area: the corners of each lie on a line");
   if(with_features)

@@ -209,8 +209,10 @@ private:
       return make_quads();
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
     const Surface_samples samples(surface_mesh(), number_of_samples);
-    keep_best_choices(samples, rounds_to_choose, 2);
-    keep_best_choices(samples, shaping_rounds * m_options.number_of_smoothing_rounds, 1);
+    keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
+                                  { shape(lines, smoother, rounds_to_choose); });
+    keep_best_choices(samples, 1, [&](const Feature_lines& lines, Quad_smoother& smoother)
+                                  { shape_and_improve(lines, smoother); });
     set_state(m_choices.front());
     m_quads.clear_without_removing_property_maps();
     if(!make_quads())
@@ -220,9 +222,10 @@ private:
     return true;
   }
 
-  // So many, after so many rounds of shaping.
-  void keep_best_choices(const Surface_samples& samples, const std::size_t most_rounds,
-                         const std::size_t number)
+  // So many, by the quads that `move(lines, smoother)` gives their shape.
+  template <typename Move>
+  void keep_best_choices(const Surface_samples& samples, const std::size_t number,
+                         const Move& move)
   {
     std::vector<std::pair<double, std::size_t> > order;
     for(std::size_t i = 0; i < m_choices.size(); ++i) {
@@ -232,10 +235,7 @@ private:
       if(!extract())
         continue;
       Quad_smoother smoother(m_quads, surface_mesh());
-      const Feature_lines lines(m_surface);
-      shape(lines, smoother, most_rounds);
-      if(number == 1 && m_options.number_of_smoothing_rounds > 0)
-        improve(lines, smoother);
+      move(Feature_lines(m_surface), smoother);
       order.emplace_back(badness(smoother, samples), i);
       m_timer.finish("smoothing");
     }
@@ -544,12 +544,8 @@ private:
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, surface_mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_surface, smoother);
-    const std::size_t rounds = m_options.number_of_smoothing_rounds;
-    const Feature_lines lines(m_surface);
-    shape(lines, smoother, shaping_rounds * rounds);
-    if(rounds > 0)
-      improve(lines, smoother);
-    if(rounds > 0 && !m_surface.mirror())
+    shape_and_improve(Feature_lines(m_surface), smoother);
+    if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
       mend(upper_sides, smoother);
     m_timer.finish("smoothing");
     if(m_surface.mirror())
@@ -576,6 +572,14 @@ private:
     m_report.mean_scaled_jacobian = shape[1];
     m_timer.finish("measurement");
     return true;
+  }
+
+  // All but what is left to mend.
+  void shape_and_improve(const Feature_lines& lines, Quad_smoother& smoother)
+  {
+    shape(lines, smoother, shaping_rounds * m_options.number_of_smoothing_rounds);
+    if(m_options.number_of_smoothing_rounds > 0)
+      improve(lines, smoother);
   }
 
   // Vertices move; see `Quad_smoother` and `Quad_shaper`.
