@@ -652,6 +652,8 @@ string(REGEX MATCH "from the input: ([0-9.e-]+),.*from the quads: ([0-9.e-]+)," 
 expect("${out}" CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
 file(READ "${WORK_DIR}/block.json" json)
 expect_message("${json}" "\"largest_distance_of_input\"")
+expect_message("${out}" " % off the wanted length in the median")
+expect_message("${json}" "\"median_size_deviation\": 0")
 
 # a torus has no map with one cone of each sign: other cones are taken then
 set(torus "OFF\n48 96 0\n")

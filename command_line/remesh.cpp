@@ -276,6 +276,7 @@ struct Remesh_outcome
        << report.largest_distance / diagonal << " of its diagonal; of the input from the quads: "
        << report.largest_distance_of_input << ", that is "
        << report.largest_distance_of_input / diagonal << "\n";
+    write_edges(os);
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
@@ -283,6 +284,16 @@ struct Remesh_outcome
          << counted(report.number_of_released_edges, "feature edge") << ", of length "
          << report.length_of_released_edges << " in sum\n";
     ::write_summary(os, patches);
+  }
+
+  void write_edges(std::ostream& os) const
+  {
+    const auto& [shortest, median, longest] = report.edge_lengths;
+    os << "edges: " << median << " long in the median, and eight of ten " << shortest << " to "
+       << longest;
+    if(report.median_size_deviation)
+      os << "; " << 100 * *report.median_size_deviation << " % off the wanted length in the median";
+    os << "\n";
   }
 
   nlohmann::json json(const bool is_written, const std::string& message) const
@@ -311,6 +322,9 @@ struct Remesh_outcome
       {"largest_distance_of_input", report.largest_distance_of_input},
       {"relative_largest_distance_of_input", report.largest_distance_of_input / diagonal},
       {"diagonal", diagonal},
+      {"edge_lengths", report.edge_lengths},
+      {"median_size_deviation", report.median_size_deviation
+                                  ? nlohmann::json(*report.median_size_deviation) : nullptr},
       {"topology", json_of(topologies)},
       {"patches", json_of(patches)},
       {"length_of_features", length_of_features},

@@ -1733,6 +1733,46 @@ void test_choice_of_map()
   CHECK(report.largest_distance_of_input < 1.3 * largest);
 }
 
+// Sizes that grow by 3 along the x-axis, linearly: a place of a face has the size at its x.
+void test_edge_lengths()
+{
+  const Parametrized_model model((test_data::data_folder() / "genus2_border.obj").string());
+  Mesh mesh(model.mesh);
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const auto size_at = [&](const double x)
+    { return 1 + 2 * (x - box.xmin()) / (box.xmax() - box.xmin()); };
+  const auto size = mesh.add_property_map<Mesh::Vertex_index, double>("v:size").first;
+  for(const auto v : mesh.vertices())
+    size[v] = size_at(mesh.point(v).x());
+  Mesh quads;
+  const auto report = QR::quad_remesh(
+    mesh, quads, parameters::vertex_sizing_map(size).target_edge_length(0.05));
+  CHECK_IN(report.message, report && report.median_size_deviation);
+  if(!report.median_size_deviation)
+    return;
+  std::vector<double> lengths, deviations;
+  for(const auto e : quads.edges()) {
+    const auto &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
+    lengths.push_back(std::sqrt(CGAL::squared_distance(p, q)));
+    const double ratio = lengths.back() / (0.05 * size_at((p.x() + q.x()) / 2));
+    deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  std::sort(deviations.begin(), deviations.end());
+  const std::size_t n = lengths.size();
+  const double parts[] = {0.1, 0.5, 0.9};
+  for(std::size_t i = 0; i < 3; ++i)
+    CHECK(std::abs(report.edge_lengths[i] - lengths[std::size_t(parts[i] * double(n))]) <
+          0.01 * lengths[n / 2]);
+  std::cout << n << " edges, " << *report.median_size_deviation << " off their sizes, by the test "
+            << deviations[n / 2] << std::endl;
+  CHECK(std::abs(*report.median_size_deviation - deviations[n / 2]) < 0.02);
+  // what is wanted is not known
+  Mesh few;
+  CHECK(!QR::quad_remesh(mesh, few, parameters::minimize_number_of_quads(true))
+           .median_size_deviation);
+}
+
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
 void test_remeshing_of_long_triangles()
 {
@@ -2310,6 +2350,7 @@ int main()
     test_remeshing_of_long_triangles();
     test_few_quads();
     test_choice_of_map();
+    test_edge_lengths();
   }
   test_refinement();
   test_sizes_in_space();

@@ -97,6 +97,14 @@ struct Remeshing_report
   /// the largest distance of the input from the quads, each of them two triangles, that was found:
   /// at its vertices, and at 20,000 points spread over its area, or one for each face
   double largest_distance_of_input = 0;
+  /// lengths of edges: a tenth of the edges is shorter than the first one, a half than the second
+  /// one, and a tenth is longer than the third one
+  std::array<double, 3> edge_lengths{};
+  /// by which part the lengths differ from those that are wanted at their middles, in the median:
+  /// 0.5 where they are half as long again, or the wanted length is. Without wanted lengths, as
+  /// with `minimize_number_of_quads`, with those of `curvature_adaptivity`, and for the quads of a
+  /// quantization, there is no value.
+  std::optional<double> median_size_deviation;
   /// @}
 
   /// \name Steps
@@ -170,9 +178,11 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
 
-// The largest distances of quads, as large as the input, from all of it, and of it from them.
-void measure_distances(const Surface_to_remesh& input, Surface_to_remesh::Mesh quads,
-                       Remeshing_report& report);
+// The largest distances of quads, as large as the input, from all of it, and of it from them; the
+// lengths of their edges.
+// \param number_wanted of quads, which tells the unit of sizes; 0 where these are not known
+void measure_quads(const Surface_to_remesh& input, double number_wanted,
+                   Surface_to_remesh::Mesh quads, Remeshing_report& report);
 
 // The edges on features of a quantization and on the border.
 template <typename TriangleMesh>
@@ -189,12 +199,13 @@ auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
   return result;
 }
 
-// Writes the quads that `make_quads(quads, is_feature, has_single_precision)` makes.
+// Writes the quads that `make_quads(quads, is_feature, options)` makes.
+// \param has_wanted_number whether the options tell how many quads are wanted
 template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
           typename NamedParameters2, typename MakeQuads>
 Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1, const NamedParameters2& np2,
-                             const MakeQuads& make_quads)
+                             const bool has_wanted_number, const MakeQuads& make_quads)
 {
   using Mesh = Surface_to_remesh::Mesh;
   using Point =
@@ -203,10 +214,15 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const Protect_exact_arithmetic protect;
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
-  Remeshing_report report = make_quads(result, is_feature, std::is_same<FT, float>::value);
+  const Remeshing_options options =
+    remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
+  Remeshing_report report = make_quads(result, is_feature, options);
   if(!report)
     return report;
-  measure_distances(surface_to_remesh(tmesh, np1, std::nullopt), result, report);
+  const double number_wanted = has_wanted_number && !options.quantization.is_coarsest &&
+                               options.curvature_adaptivity == 1
+                                 ? options.quantization.number_of_quads : 0;
+  measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result, report);
   Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
     .write(result, is_feature, quads);
   return report;
@@ -477,8 +493,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   const auto& parameters = strip(np1);
-  const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
-    const Remeshing_options options = remeshing_options(tmesh, parameters, is_single);
+  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
     Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
     const bool is_refined = surface.refine();
     const Remeshing_report report = remesh(surface, options, result, is_feature);
@@ -488,7 +503,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
     result.clear_without_removing_property_maps();
     return remesh(input, options, result, is_feature);
   };
-  return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
+  return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }
 
 /*!
@@ -533,7 +548,7 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
 {
   using namespace internal;
   const auto& parameters = strip(np1);
-  const auto make_quads = [&](auto& result, const auto& is_feature, const bool is_single) {
+  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
     const Extraction_report extracted =
       extract_quad_mesh(quantization, tmesh, result, parameters,
                         CGAL::parameters::edge_is_constrained_map(is_feature));
@@ -541,10 +556,9 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
       return refused<Remeshing_report>(extracted.status, extracted.message);
     Surface_to_remesh surface = surface_to_remesh(
       tmesh, parameters.edge_is_constrained_map(walls(quantization, tmesh)), std::nullopt);
-    return smooth(surface, quantization, remeshing_options(tmesh, parameters, is_single), result,
-                  is_feature);
+    return smooth(surface, quantization, options, result, is_feature);
   };
-  return write_quads(tmesh, quads, parameters, strip(np2), make_quads);
+  return write_quads(tmesh, quads, parameters, strip(np2), false, make_quads);
 }
 
 /*!

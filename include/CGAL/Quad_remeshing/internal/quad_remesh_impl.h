@@ -28,6 +28,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
@@ -716,9 +717,49 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Surface_to_remesh::Feature_map& is_feature)
 { return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization); }
 
+// The wanted length of an edge at a place.
+inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
+                      const Quad_smoother& smoother)
+{
+  const auto& mesh = input.mesh();
+  const auto face = smoother.nearest_face(place);
+  const auto part = locate_in_face(Surface_to_remesh::Kernel::Point_3(place[0], place[1], place[2]),
+                                   face, mesh, mesh.points()).second;
+  const auto h = mesh.halfedge(face);
+  return part[0] * input.sizes()[mesh.source(h)] + part[1] * input.sizes()[mesh.target(h)] +
+         part[2] * input.sizes()[mesh.target(mesh.next(h))];
+}
+
+// \param unit of sizes; 0 where these are not known
+inline void measure_edges(const Surface_to_remesh& input, const double unit,
+                          const Surface_to_remesh::Mesh& quads, const Quad_smoother& smoother,
+                          Remeshing_report& report)
+{
+  std::vector<double> lengths, deviations;
+  for(const auto e : quads.edges()) {
+    const Space_vector p = smoother.point(quads.vertex(e, 0));
+    const Space_vector q = smoother.point(quads.vertex(e, 1));
+    lengths.push_back(norm(vector_to(p, q)));
+    if(unit > 0) {
+      const double ratio = lengths.back() / (unit * size_at(input, between(p, q, 0.5), smoother));
+      deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
+    }
+  }
+  std::sort(lengths.begin(), lengths.end());
+  const std::size_t n = lengths.size();
+  if(n > 0)
+    report.edge_lengths = {input.unscaled(lengths[n / 10]), input.unscaled(lengths[n / 2]),
+                           input.unscaled(lengths[n - 1 - n / 10])};
+  if(!deviations.empty()) {
+    std::nth_element(deviations.begin(), deviations.begin() + std::ptrdiff_t(n / 2),
+                     deviations.end());
+    report.median_size_deviation = deviations[n / 2];
+  }
+}
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-void measure_distances(const Surface_to_remesh& input, Surface_to_remesh::Mesh quads,
-                       Remeshing_report& report)
+void measure_quads(const Surface_to_remesh& input, const double number_wanted,
+                   Surface_to_remesh::Mesh quads, Remeshing_report& report)
 {
   for(auto& p : quads.points())
     p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
@@ -727,6 +768,10 @@ void measure_distances(const Surface_to_remesh& input, Surface_to_remesh::Mesh q
   const Surface_samples samples(input.mesh(), number);
   report.largest_distance = input.unscaled(smoother.measure_distance());
   report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
+  const double unit = number_wanted > 0
+    ? std::sqrt(area_in_squares(input.mesh(), 1, parameters::vertex_sizing_map(input.sizes())) /
+                number_wanted) : 0;
+  measure_edges(input, unit, quads, smoother, report);
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
