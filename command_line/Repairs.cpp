@@ -239,6 +239,8 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
 void Plain_reading_options::add_to(Options& options)
 {
   options.add("features", features, "take the edges of 'l' elements for features");
+  options.add("merge", "DISTANCE", merge, {0, std::numeric_limits<double>::infinity(), true},
+              "merge points no farther apart than this, for surfaces whose parts don't quite meet");
   options.add("strict", strict, "refuse a mesh that has to be repaired or triangulated on reading");
 }
 
@@ -250,6 +252,7 @@ std::string Repairs::in_words() const
       result += (result.empty() ? "" : ", ") + counted(n, what) + (n == 1 ? " was " : " were ") +
                 done;
   };
+  add(merged_points, "point", "moved to others by --merge");
   if(is_indexed)
     add(welded_points, "point", "welded to others in the same place");
   add(degenerate_faces, "face", "removed that had less than three different corners");
@@ -266,10 +269,12 @@ Repairs read_plain_model(const std::string& filename, const Plain_reading_option
                          Model& model)
 {
   model.filename = filename;
-  const Polygon_soup soup = read_polygon_soup(filename);
+  Polygon_soup soup = read_polygon_soup(filename);
+  const std::size_t merged_points = options.merge > 0 ? merge_points(options.merge, soup) : 0;
   Repairs repairs;
   try {
     repairs = build(soup, options.features, model);
+    repairs.merged_points = merged_points;
   } catch(const Failure& failure) {
     throw Failure(failure.status, filename + ": " + failure.what());
   }
@@ -299,14 +304,15 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
   if(repairs.near_points > 0)
     os << "note: near others of other pieces, at up to " << repairs.distance_of_near_points
        << ", but not in the same place: " << counted(repairs.near_points, "border point")
-       << ". Each piece is meshed by itself; merge such points before, by their distance, if the "
-          "surface is to go on there\n";
+       << ". Each piece is meshed by itself; --merge " << 2 * repairs.distance_of_near_points
+       << " merges them, if the surface is to go on there\n";
 }
 
 nlohmann::json json_of(const Repairs& r)
 {
   return {{"file", {{"faces", r.file_faces}, {"points", r.file_points}}},
-          {"repairs", {{"welded_points", r.welded_points},
+          {"repairs", {{"merged_points", r.merged_points},
+                       {"welded_points", r.welded_points},
                        {"removed_degenerate_faces", r.degenerate_faces},
                        {"removed_duplicate_faces", r.duplicate_faces},
                        {"unused_points", r.unused_points},

@@ -18,6 +18,7 @@ struct Repairs
   std::size_t file_points = 0, file_faces = 0;
   bool is_indexed = true;             // faces share points; if not, welding is no repair
   std::size_t degenerate_faces = 0;   // removed: fewer than three different corners
+  std::size_t merged_points = 0;      // moved to the place of another one, as was asked
   std::size_t welded_points = 0;      // which became one with another in the same place
   std::size_t duplicate_faces = 0;    // removed: the corners of another face
   std::size_t unused_points = 0;      // of no face
@@ -40,6 +41,7 @@ struct Plain_reading_options
 {
   bool features = false; // 'l' elements are features
   bool strict = false;
+  double merge = 0; // points no farther apart than this
 
   void add_to(Options& options);
 };

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -353,6 +356,47 @@ void refuse(const Polygon_soup& soup, const std::size_t face, const std::string&
   const std::size_t line = soup.polygons[face].line;
   throw Failure(UNREADABLE, (line == 0 ? "face " + std::to_string(face + soup.first_number)
                                        : "line " + std::to_string(line)) + ": " + why);
+}
+
+std::size_t merge_points(const double distance, Polygon_soup& soup)
+{
+  using Cell = std::array<double, 3>; // of a grid, whose neighbors are the next numbers
+  std::map<Cell, std::vector<std::size_t> > kept;
+  double side = distance;
+  for(const auto& point : soup.points)
+    for(const double x : point)
+      side = (std::max)(side, 1e-12 * std::abs(x)); // so that numbers of cells are exact
+  std::size_t number = 0;
+  for(std::size_t v = 0; v < soup.points.size(); ++v) {
+    auto& point = soup.points[v];
+    const auto cell = [&](const std::size_t neighbor) {
+      Cell result;
+      for(std::size_t c = 0, n = neighbor; c < 3; ++c, n /= 3)
+        result[c] = std::floor(point[c] / side) + double(n % 3) - 1;
+      return result;
+    };
+    constexpr std::size_t own = 13, number_of_cells = 27;
+    std::optional<std::size_t> nearest;
+    double least = distance;
+    for(std::size_t i = 0; i < number_of_cells; ++i)
+      if(const auto it = kept.find(cell(i)); it != kept.end())
+        for(const std::size_t w : it->second) {
+          const auto& other = soup.points[w];
+          const double d =
+            std::hypot(point[0] - other[0], point[1] - other[1], point[2] - other[2]);
+          if(d <= least) {
+            least = d;
+            nearest = w;
+          }
+        }
+    if(!nearest)
+      kept[cell(own)].push_back(v);
+    else if(point != soup.points[*nearest]) {
+      point = soup.points[*nearest];
+      ++number;
+    }
+  }
+  return number;
 }
 
 // A surface of one side is made once more: only then is it known that it is one, and few are.

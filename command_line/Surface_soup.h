@@ -25,6 +25,10 @@ struct Surface_soup
 // Throws `Failure` that names a face of the file.
 [[noreturn]] void refuse(const Polygon_soup& soup, std::size_t face, const std::string& why);
 
+// Moves points to the place of the nearest one of those before that stay, if there is one that is
+// no farther away. Returns how many have moved.
+std::size_t merge_points(double distance, Polygon_soup& soup);
+
 // Removes, welds, turns, and cuts, and counts all that. Throws `Failure`.
 Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs);
 
