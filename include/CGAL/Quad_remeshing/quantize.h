@@ -150,18 +150,10 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
     [&](const Corner_index h) {
       return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
     });
-  const auto locate = [&] {
-    const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
-                                  CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
-    const auto locate_point = [&](const Lattice_point& p)
-      { return surface.coarse->steps.inside(locator.locate(p)); };
-    output.template locate<ConcurrencyTag>(
-      extractor, make_embedding(tmesh, point_map, locate_point));
-  };
-  if(extractor.template run<ConcurrencyTag>(locate))
-    output.template write<ConcurrencyTag>(extractor);
-  return extractor.report();
+  const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
+  const auto locate_point = [&](const Lattice_point& p)
+    { return surface.coarse->steps.inside(locator.locate(p)); };
+  return run_and_write<ConcurrencyTag>(extractor, tmesh, np, locate_point, output);
 }
 
 // Makes one edge of the two around each hole that a quad around a vertex of one edge has left.

@@ -92,13 +92,6 @@ private:
   const Locate& m_locate;
 };
 
-template <typename TriangleMesh, typename VertexPointMap, typename Locate>
-auto make_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                    const Locate& locate)
-{
-  return Grid_embedding<TriangleMesh, VertexPointMap, Locate>(tmesh, point_map, locate);
-}
-
 // The index of the cone at a point, in turns of the group; 0 where there is none.
 template <typename Group>
 int cone_index(const Basic_chart_mesh<Group>& mesh, const Cell_complex& complex,

@@ -59,39 +59,27 @@ std::string vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, co
     get(CGAL::get_initialized_vertex_index_map(tmesh, np), target(corner, tmesh)));
 }
 
-// Reads the map, makes the cells, and has them written: by output.locate(extractor, embedding) and
+// Makes the cells, and has them written: by output.locate(extractor, embedding) and
 // output.write(extractor), which may refuse that in the extractor's report.
-template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters, typename Output>
-Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                                const NamedParameters& np, const Extraction_options& options,
+// \param locate_point gives the Surface_location of a point, once the points are known
+template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename NamedParameters,
+          typename LocatePoint, typename Output>
+Extraction_report run_and_write(Cell_extractor<Group>& extractor, const TriangleMesh& tmesh,
+                                const NamedParameters& np, const LocatePoint& locate_point,
                                 Output& output)
 {
-  const Protect_exact_arithmetic protect;
-  Basic_chart_mesh<Group> mesh;
-  std::vector<char> is_feature;
-  {
-    const Flat_numbering<TriangleMesh> numbering(tmesh, ConcurrencyTag());
-    if(const auto refusal = read_exact_map<ConcurrencyTag>(tmesh, numbering, uv_map, np, mesh))
-      return refused<Extraction_report>(*refusal);
-    is_feature = feature_corners(tmesh, numbering, np);
-  }
-  Cell_extractor<Group> extractor(std::move(mesh), std::move(is_feature), options,
-                                  [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
   const auto locate = [&] {
     const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
                                   CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-    const auto locate_point = [&](const Lattice_point& p)
-      { return Surface_location{extractor.original_face(face_of(p.corner)),
-                                weights(extractor.mesh(), p)}; };
     output.template locate<ConcurrencyTag>(extractor,
-                                           make_embedding(tmesh, point_map, locate_point));
+                                           Grid_embedding(tmesh, point_map, locate_point));
   };
   if(extractor.template run<ConcurrencyTag>(locate))
     output.template write<ConcurrencyTag>(extractor);
   return extractor.report();
 }
 
+// Reads the map first.
 // \tparam Group that of the directions of the grid's lines
 template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters, typename Output>
@@ -99,7 +87,22 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
                                 const NamedParameters& np, Output&& output)
 {
   if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
-    return extract_cells<ConcurrencyTag, Group>(tmesh, uv_map, np, extraction_options(np), output);
+    const Protect_exact_arithmetic protect;
+    Basic_chart_mesh<Group> mesh;
+    std::vector<char> is_feature;
+    {
+      const Flat_numbering<TriangleMesh> numbering(tmesh, ConcurrencyTag());
+      if(const auto refusal = read_exact_map<ConcurrencyTag>(tmesh, numbering, uv_map, np, mesh))
+        return refused<Extraction_report>(*refusal);
+      is_feature = feature_corners(tmesh, numbering, np);
+    }
+    Cell_extractor<Group> extractor(
+      std::move(mesh), std::move(is_feature), extraction_options(np),
+      [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
+    const auto locate_point = [&](const Lattice_point& p)
+      { return Surface_location{extractor.original_face(face_of(p.corner)),
+                                weights(extractor.mesh(), p)}; };
+    return run_and_write<ConcurrencyTag>(extractor, tmesh, np, locate_point, output);
   }
 }
 
