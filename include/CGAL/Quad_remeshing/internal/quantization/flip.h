@@ -20,6 +20,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL {
@@ -110,16 +111,26 @@ std::size_t flip_all(const Integer_mesh& input, Intrinsic_complex& complex,
   return number;
 }
 
-// Makes the complex intrinsically Delaunay, up to rounding and to what walls allow.
-inline std::size_t make_delaunay(const Integer_mesh& input, Intrinsic_complex& complex)
+// Flips edges whose flip makes the triangles rounder in these sizes together.
+inline std::size_t make_rounder(const Integer_mesh& input, Intrinsic_complex& complex,
+                                const std::initializer_list<Edge_vector> sizes)
 {
   return flip_all(input, complex, [&](const Corner_index h) {
-    if(!is_flippable(complex, h, &Intrinsic_corner::vector))
-      return false;
-    const Edge_diamond diamond(complex, h, &Intrinsic_corner::vector);
-    return diamond.index_after() < (1 - least_gain_of_flip) * diamond.index_before();
+    double before = 0, after = 0;
+    for(const Edge_vector size : sizes) {
+      if(!is_flippable(complex, h, size))
+        return false;
+      const Edge_diamond diamond(complex, h, size);
+      before += diamond.index_before();
+      after += diamond.index_after();
+    }
+    return after < (1 - least_gain_of_flip) * before;
   });
 }
+
+// Makes the complex intrinsically Delaunay, up to rounding and to what walls allow.
+inline std::size_t make_delaunay(const Integer_mesh& input, Intrinsic_complex& complex)
+{ return make_rounder(input, complex, {&Intrinsic_corner::vector}); }
 
 } // namespace internal
 } // namespace Quad_remeshing

@@ -193,18 +193,9 @@ private:
     return number == 0 && is_feasible();
   }
 
-  // Edges whose flip makes the triangles rounder in both sizes together.
   std::size_t flip_edges()
   {
-    return flip_all(m_input, m_complex, [&](const Corner_index h) {
-      if(!is_flippable(m_complex, h, &Intrinsic_corner::vector) ||
-         !is_flippable(m_complex, h, &Intrinsic_corner::units))
-        return false;
-      const Edge_diamond a(m_complex, h, &Intrinsic_corner::vector);
-      const Edge_diamond b(m_complex, h, &Intrinsic_corner::units);
-      return a.index_after() + b.index_after() <
-             (1 - least_gain_of_flip) * (a.index_before() + b.index_before());
-    });
+    return make_rounder(m_input, m_complex, {&Intrinsic_corner::vector, &Intrinsic_corner::units});
   }
 
   const Integer_mesh& m_input;
