@@ -205,20 +205,10 @@ private:
   int stride() const { return (std::max)(1, (std::min)(14, number_of_faces() / 700)); }
 
   // Units per largest step.
-  double scale(const double number_of_quads) const { return std::sqrt(number_of_quads / area()); }
-
-  // In squares of the largest step.
-  double area() const
+  double scale(const double number_of_quads) const
   {
-    const std::vector<double> steps = relative_steps(m_coarse->input);
-    double result = 0;
-    const Intrinsic_complex& complex = m_coarse->complex;
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
-      const double step = steps[std::size_t(complex.part[std::size_t(h / 3)])];
-      result += step * step *
-                approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
-    }
-    return result;
+    return std::sqrt(number_of_quads /
+                     number_of_quads_wanted(m_coarse->complex, m_ladders.scales(1)));
   }
 
   // About so many quads, or as few as are found.
