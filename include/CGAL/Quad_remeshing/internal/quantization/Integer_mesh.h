@@ -72,13 +72,10 @@ inline std::int64_t cross_product(const Grid_vector& a, const Grid_vector& b)
   return checked_difference(checked_product(a[0], b[1]), checked_product(a[1], b[0]));
 }
 
-inline BOOST_NOINLINE int exact_cross_sign(const Grid_vector& a, const Grid_vector& b)
+inline BOOST_NOINLINE Exact_integer exact_cross(const Grid_vector& a, const Grid_vector& b)
 {
-  const Exact_integer p = product(from_64_bits<Exact_integer>(a[0]),
-                                  from_64_bits<Exact_integer>(b[1]));
-  const Exact_integer q = product(from_64_bits<Exact_integer>(a[1]),
-                                  from_64_bits<Exact_integer>(b[0]));
-  return p > q ? 1 : p < q ? -1 : 0;
+  const auto exact = [](const std::int64_t x) { return from_64_bits<Exact_integer>(x); };
+  return difference(product(exact(a[0]), exact(b[1])), product(exact(a[1]), exact(b[0])));
 }
 
 // The sign of a x b. Each product has a relative error of at most 4 roundings.
@@ -86,12 +83,9 @@ inline int cross_sign(const Grid_vector& a, const Grid_vector& b)
 {
   const double p = static_cast<double>(a[0]) * static_cast<double>(b[1]);
   const double q = static_cast<double>(a[1]) * static_cast<double>(b[0]);
-  const double difference = p - q, bound = 1e-15 * (std::abs(p) + std::abs(q));
-  if(difference > bound)
-    return 1;
-  if(difference < -bound)
-    return -1;
-  return p == 0 && q == 0 ? 0 : exact_cross_sign(a, b);
+  if(std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q)))
+    return p > q ? 1 : -1;
+  return p == 0 && q == 0 ? 0 : int(CGAL::sign(exact_cross(a, b)));
 }
 
 // Of two vectors on a line through 0: whether they point to opposite sides.

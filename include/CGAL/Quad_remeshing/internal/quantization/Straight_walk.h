@@ -100,8 +100,7 @@ private:
       return 0;
     if(std::abs(left - right) > 1e-14 * size)
       return left > right ? 1 : -1;
-    const Exact_integer value = exact_difference();
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
+    return int(CGAL::sign(exact_difference()));
   }
 
   double total() const { return static_cast<double>(m_target.total); }
@@ -127,12 +126,6 @@ private:
     const Exact_integer p = product(from_64_bits<Exact_integer>(m_target.weight[0]), a);
     const Exact_integer q = product(from_64_bits<Exact_integer>(-m_target.weight[1]), b);
     return difference(p, q);
-  }
-
-  static Exact_integer exact_cross(const Grid_vector& a, const Grid_vector& b)
-  {
-    const auto exact = [](const std::int64_t x) { return from_64_bits<Exact_integer>(x); };
-    return difference(product(exact(a[0]), exact(b[1])), product(exact(a[1]), exact(b[0])));
   }
 
   int side_of_way(const Grid_vector& a) const // 1 if a lies at the right of the way
