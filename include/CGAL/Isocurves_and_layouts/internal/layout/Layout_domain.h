@@ -21,8 +21,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -168,23 +166,9 @@ inline void mark_starts(const std::vector<char>& is_given, Layout_domain& domain
   }
 }
 
-// Parts of the surface in which no curve would start, such as tori and annuli without cones: each
-// gets one vertex at which curves start. Which one depends on the coordinates, not on numbers.
-
-// The parts that walls divide the surface into, per face: a face of the part. Sides of a wall may
-// belong to the same part.
-inline std::vector<std::size_t> parts_between_walls(const Layout_domain& domain)
-{
-  const Chart_mesh& mesh = domain.mesh;
-  std::vector<std::size_t> result(std::size_t(mesh.number_of_faces()));
-  boost::disjoint_sets_with_storage<> sets(result.size());
-  for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(!domain.is_wall[std::size_t(h)] && h < mesh.opposite(h))
-      sets.union_set(mesh.face(h), mesh.face(mesh.opposite(h)));
-  for(std::size_t f = 0; f < result.size(); ++f)
-    result[f] = sets.find_set(f);
-  return result;
-}
+// Parts of the surface between walls in which no curve would start, such as tori and annuli without
+// cones: each gets one vertex at which curves start. Which one depends on the coordinates, not on
+// numbers.
 
 // What vertices are compared by: the coordinates of all corners, least first.
 inline std::vector<Uv> coordinates_around(const Chart_mesh& mesh, const std::size_t v)
@@ -226,22 +210,24 @@ inline std::size_t choose_seed(const Layout_domain& domain, std::vector<std::siz
 inline void add_seeds(Layout_domain& domain)
 {
   const Chart_mesh& mesh = domain.mesh;
-  const std::vector<std::size_t> parts = parts_between_walls(domain);
+  const std::vector<std::int32_t> parts =
+    connected_parts(std::size_t(mesh.number_of_faces()), [&](const Corner_index h)
+                    { return domain.is_wall[std::size_t(h)] ? no_index : mesh.opposite(h); });
   std::vector<char> has_start(parts.size(), false);
   const auto part = [&](const Corner_index h) { return parts[std::size_t(mesh.face(h))]; };
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
     if(domain.is_start(mesh.vertex(h)))
-      has_start[part(h)] = true;
+      has_start[std::size_t(part(h))] = true;
 
-  std::vector<std::pair<std::size_t, std::size_t> > candidates; // part, vertex
+  std::vector<std::pair<std::int32_t, std::size_t> > candidates; // part, vertex
   for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if(!has_start[part(h)])
+    if(!has_start[std::size_t(part(h))])
       candidates.emplace_back(part(h), mesh.vertex(h));
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   for(auto i = candidates.begin(); i != candidates.end();) {
     std::vector<std::size_t> vertices;
-    for(const std::size_t p = i->first; i != candidates.end() && i->first == p; ++i)
+    for(const std::int32_t p = i->first; i != candidates.end() && i->first == p; ++i)
       vertices.push_back(i->second);
     domain.starts[choose_seed(domain, vertices)] = Start_kind::SEED;
   }

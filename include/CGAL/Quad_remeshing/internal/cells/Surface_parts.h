@@ -24,8 +24,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/tags.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -109,20 +107,11 @@ private:
   template <typename Group>
   void number_parts(const Basic_chart_mesh<Group>& mesh)
   {
-    const std::size_t n = mesh.corners.size() / 3;
-    boost::disjoint_sets_with_storage<> sets(n);
-    for(std::size_t i = 0; i < mesh.corners.size(); ++i)
-      if(mesh.opposite(Corner_index(i)) > Corner_index(i))
-        sets.union_set(i / 3, std::size_t(mesh.opposite(Corner_index(i)) / 3));
-    m_parts.assign(n, no_index);
-    for(std::size_t f = 0; f < n; ++f) {
-      std::int32_t& part = m_parts[sets.find_set(f)];
-      if(part == no_index) {
-        part = std::int32_t(m_data.size());
+    m_parts = connected_parts(mesh.corners.size() / 3,
+                              [&](const Corner_index h) { return mesh.opposite(h); });
+    for(std::size_t f = 0; f < m_parts.size(); ++f)
+      if(std::size_t(m_parts[f]) == m_data.size())
         m_data.push_back({f});
-      }
-      m_parts[f] = part;
-    }
     if(m_data.size() == 1)
       std::vector<std::int32_t>().swap(m_parts);
   }

@@ -19,10 +19,12 @@
 
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -215,23 +217,14 @@ private:
                                   + paths.distance(m_surface.vertex(h)) + m_surface.length[h]), h);
     std::sort(candidates.begin(), candidates.end());
 
-    std::vector<Flat_face_index> parent(m_surface.number_of_faces());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&parent](Flat_face_index f)
-    {
-      while(parent[f] != f)
-        f = parent[f] = parent[parent[f]];
-      return f;
-    };
-
+    boost::disjoint_sets_with_storage<> trees(std::size_t(m_surface.number_of_faces()));
     std::vector<Corner_index> remaining;
-    for(const auto& candidate : candidates) {
-      const Corner_index h = candidate.second;
-      const Flat_face_index f = root(m_surface.face(h));
-      const Flat_face_index g = root(m_surface.face(m_surface.opposite(h)));
-      if(f == g)
+    for(const auto& [cost, h] : candidates) {
+      const auto f = std::size_t(m_surface.face(h));
+      const auto g = std::size_t(m_surface.face(m_surface.opposite(h)));
+      if(trees.find_set(f) == trees.find_set(g))
         remaining.push_back(h);
-      parent[f] = g;
+      trees.union_set(f, g);
     }
     return remaining;
   }

@@ -28,6 +28,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,28 +59,12 @@ Triangle_surface read_connectivity(const TriangleMesh& tmesh,
 
 inline void find_components(Triangle_surface& surface)
 {
-  surface.component.assign(surface.number_of_faces(), none);
-  std::vector<Flat_face_index> stack;
-  for(Flat_face_index seed = 0; seed < surface.number_of_faces(); ++seed) {
-    if(surface.component[seed] != none)
-      continue;
-    surface.component[seed] = surface.number_of_components;
-    stack.push_back(seed);
-    while(!stack.empty()) {
-      const Flat_face_index f = stack.back();
-      stack.pop_back();
-      for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
-        if(surface.is_border_edge(h))
-          continue;
-        const Flat_face_index g = surface.face(surface.opposite(h));
-        if(surface.component[g] == none) {
-          surface.component[g] = surface.number_of_components;
-          stack.push_back(g);
-        }
-      }
-    }
-    ++surface.number_of_components;
-  }
+  const std::vector<std::int32_t> parts =
+    connected_parts(std::size_t(surface.number_of_faces()),
+                    [&](const Corner_index h) { return surface.opposite(h); });
+  surface.component.assign(parts.begin(), parts.end());
+  surface.number_of_components = 1 + *std::max_element(surface.component.begin(),
+                                                       surface.component.end());
 }
 
 using Point = std::array<double, 3>;

@@ -19,6 +19,7 @@
 // structure of the caller, and any number of threads can read it.
 
 #include <boost/container/vector.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -94,6 +95,26 @@ void for_each_corner(const Flat_mesh<Corner>& mesh, const std::size_t vertex,
     function(h);
     h = mesh.counterclockwise(h);
   } while(h != no_index && h != first);
+}
+
+// The connected parts of a surface: per face, numbered by their first faces. `opposite(halfedge)` is
+// no_index where parts end, on both sides.
+template <typename Opposite>
+std::vector<std::int32_t> connected_parts(const std::size_t number_of_faces,
+                                          const Opposite& opposite)
+{
+  boost::disjoint_sets_with_storage<> sets(number_of_faces);
+  for(Corner_index h = 0; h < Corner_index(3 * number_of_faces); ++h)
+    if(const Corner_index g = opposite(h); h < g)
+      sets.union_set(std::size_t(h / 3), std::size_t(g / 3));
+  std::vector<std::int32_t> parts(number_of_faces, no_index);
+  std::int32_t number = 0;
+  for(std::size_t f = 0; f < number_of_faces; ++f) {
+    std::int32_t& part = parts[sets.find_set(f)];
+    part = part == no_index ? number++ : part;
+    parts[f] = part;
+  }
+  return parts;
 }
 
 } // namespace internal

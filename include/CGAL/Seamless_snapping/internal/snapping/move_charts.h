@@ -21,16 +21,16 @@
 // turned with them. It brings one of the cones and levels to an integer: the one that is best for
 // the others. So a map that is an integer-grid map up to such moves needs no rounding at all.
 
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -104,20 +104,12 @@ private:
       for(const Corner_index h : {transitions.edges[i].halfedge,
                                   m_surface.opposite(transitions.edges[i].halfedge)})
         is_cut[std::size_t(h)] = true;
-    boost::disjoint_sets_with_storage<> sets(m_surface.number_of_faces());
-    for(Corner_index h = 0; h < m_surface.number_of_corners(); ++h)
-      if(!m_surface.is_border(m_surface.opposite(h)) && !is_cut[std::size_t(h)])
-        sets.union_set(std::size_t(h / 3), std::size_t(m_surface.opposite(h) / 3));
-    constexpr std::size_t none = std::size_t(-1);
-    std::vector<std::size_t> number(m_surface.number_of_faces(), none); // per set
-    for(std::size_t f = 0; f < number.size(); ++f) {
-      std::size_t& chart = number[sets.find_set(f)];
-      if(chart == none) {
-        chart = m_charts.size();
-        m_charts.emplace_back();
-      }
-      m_chart_of_face.push_back(chart);
-    }
+    m_chart_of_face = connected_parts(m_surface.number_of_faces(), [&](const Corner_index h) {
+      const Corner_index g = m_surface.opposite(h);
+      return m_surface.is_border(g) || is_cut[std::size_t(h)] ? no_index : g;
+    });
+    for(const std::int32_t chart : m_chart_of_face)
+      m_charts.resize((std::max)(m_charts.size(), std::size_t(chart) + 1));
   }
 
   void link_charts(const Transition_data<Corner_index>& transitions)
@@ -137,7 +129,8 @@ private:
     }
   }
 
-  std::size_t& chart(const Corner_index h) { return m_chart_of_face[std::size_t(h / 3)]; }
+  std::size_t chart(const Corner_index h) const
+  { return std::size_t(m_chart_of_face[std::size_t(h / 3)]); }
 
   // All charts around, so that the translations on the way to them become integers.
   void place_part(const std::size_t root)
@@ -224,7 +217,7 @@ private:
 
   Flat_surface& m_surface;
   const Cuts& m_cuts;
-  std::vector<std::size_t> m_chart_of_face;
+  std::vector<std::int32_t> m_chart_of_face;
   std::vector<Chart> m_charts;
   std::vector<std::vector<Link> > m_links; // per chart
   std::vector<Part> m_parts;
