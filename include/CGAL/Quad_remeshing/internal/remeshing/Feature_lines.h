@@ -58,12 +58,8 @@ inline bool goes_straight(const Surface_to_remesh::Mesh& quads,
 }
 
 class Feature_lines
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Edge = Surface_to_remesh::Edge;
-  using Halfedge = Surface_to_remesh::Halfedge;
-  using Kernel = Surface_to_remesh::Kernel;
-  using Point = Kernel::Point_3;
   using Tree = Search_tree<CGAL::AABB_halfedge_graph_segment_primitive<Mesh> >;
 
 public:

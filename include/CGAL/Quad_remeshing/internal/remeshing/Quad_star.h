@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -34,13 +35,8 @@ namespace internal {
 
 // Invariant: `m_faces` are those around the vertices that were collected last.
 class Quad_star
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Quad = Quad_smoother::Quad;
-
 public:
   // \param is_feature whether an edge is a feature or border
   // \param has_single_precision whether points are to be of single precision
@@ -120,12 +116,7 @@ public:
 
   // Features and borders at a vertex.
   std::size_t number_of_lines(const Vertex v) const
-  {
-    std::size_t result = 0;
-    for(const auto h : CGAL::halfedges_around_target(v, m_quads))
-      result += m_is_feature[m_quads.edge(h)] ? 1 : 0;
-    return result;
-  }
+  { return lines_at_vertex(m_quads, m_is_feature, v).size(); }
 
 private:
   std::size_t index(const Face f) const

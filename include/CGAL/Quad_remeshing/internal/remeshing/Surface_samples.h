@@ -71,10 +71,8 @@ struct Distance_form
 };
 
 class Surface_samples
+  : private Remeshing_types
 {
-  using Kernel = Surface_to_remesh::Kernel;
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
   using Triangle = Kernel::Triangle_3;
 
 public:

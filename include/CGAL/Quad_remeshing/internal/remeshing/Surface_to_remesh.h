@@ -18,6 +18,7 @@
 // The surface that quads are to cover, with its features: a copy of the input, as some faces have
 // to be split first.
 
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Half_surface.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/refine_surface.h>
@@ -47,23 +48,32 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// The types of surfaces to be remeshed and of their quads.
+struct Remeshing_types
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Vertex = Mesh::Vertex_index;
+  using Edge = Mesh::Edge_index;
+  using Face = Mesh::Face_index;
+  using Halfedge = Mesh::Halfedge_index;
+  using Feature_map = Mesh::Property_map<Edge, bool>;
+  using Quad = Quad_in_space;
+};
+
 // Invariant: no triangle with an area has three sides that are features or border, which no map
 // without flips aligns. Such ones are divided into nine, and their neighbors so that there are
 // triangles only. The copy is the input times a power of two, of a size near 1, so that squares of
 // lengths are neither too large nor too small. With a mirror, it is the half above.
 class Surface_to_remesh
+  : public Remeshing_types
 {
 public:
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  using Edge = Mesh::Edge_index;
-  using Face = Mesh::Face_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Feature_map = Mesh::Property_map<Edge, bool>;
   using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
   using Direction_map = Mesh::Property_map<Face, Kernel::Vector_3>;
   using Rotation_map = Mesh::Property_map<Halfedge, int>;
-  using Sizing_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+  using Sizing_map = Mesh::Property_map<Vertex, double>;
 
   // \param read_direction of the cross of a face, or 0
   // \param read_size of the quads at a vertex
@@ -78,7 +88,7 @@ public:
       m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
       m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
       m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first),
-      m_sizes(m_mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1).first)
+      m_sizes(m_mesh.add_property_map<Vertex, double>("v:size", 1).first)
   {
     std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
                           Halfedge> > copies;
@@ -164,9 +174,9 @@ private:
     for(const auto& [point, size] : vertices)
       m_sizes[m_mesh.add_vertex(point)] = size;
     for(const Half_surface::Triangle& t : half.triangles()) {
-      std::array<Mesh::Vertex_index, 3> v;
+      std::array<Vertex, 3> v;
       for(std::size_t i = 0; i < 3; ++i)
-        v[i] = Mesh::Vertex_index(Mesh::size_type(t.vertices[i]));
+        v[i] = Vertex(Mesh::size_type(t.vertices[i]));
       const Face f = m_mesh.add_face(v[0], v[1], v[2]);
       if(f == Mesh::null_face()) {
         m_mesh.clear_without_removing_property_maps();

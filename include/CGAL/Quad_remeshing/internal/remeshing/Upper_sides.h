@@ -18,6 +18,7 @@
 // Which quads lie upside down on the surface. What is nearest to them in space may be another part,
 // so the places below them are looked for by walks, from where their corners were extracted.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -32,15 +33,8 @@ namespace Quad_remeshing {
 namespace internal {
 
 class Upper_sides
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Point = Surface_to_remesh::Kernel::Point_3;
-  using Quad = Quad_smoother::Quad;
-
 public:
   // Of quads whose vertices lie on the surface, which are not to move before.
   // \param is_feature whether an edge of the quads is a feature or border
@@ -117,18 +111,12 @@ private:
     return m_smoother.nearest_face(m_smoother.point(v));
   }
 
-  bool is_on_line(const Vertex v) const
-  {
-    const auto around = CGAL::halfedges_around_target(v, m_quads);
-    return std::any_of(around.begin(), around.end(),
-                       [&](const Halfedge h) { return m_is_feature[m_quads.edge(h)]; });
-  }
-
   std::vector<Face> faces_of_corners(const Face f) const
   {
     std::vector<Face> starts, starts_on_lines;
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
-      (is_on_line(v) ? starts_on_lines : starts).push_back(face_of_surface(v));
+      (lines_at_vertex(m_quads, m_is_feature, v).empty() ? starts : starts_on_lines)
+        .push_back(face_of_surface(v));
     return starts.empty() ? starts_on_lines : starts;
   }
 
@@ -174,9 +162,8 @@ private:
   {
     const Halfedge h = mesh().halfedge(f);
     return CGAL::squared_distance(
-      p, Surface_to_remesh::Kernel::Triangle_3(mesh().point(mesh().source(h)),
-                                               mesh().point(mesh().target(h)),
-                                               mesh().point(mesh().target(mesh().next(h)))));
+      p, Kernel::Triangle_3(mesh().point(mesh().source(h)), mesh().point(mesh().target(h)),
+                            mesh().point(mesh().target(mesh().next(h)))));
   }
 
   // Around the corners of a face, in both directions.

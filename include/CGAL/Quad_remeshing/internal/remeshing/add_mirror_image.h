@@ -34,13 +34,8 @@ namespace internal {
 
 // Invariant: `m_image` tells for each vertex the number of its image, its own on the seam.
 class Mirror_image
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Edge = Mesh::Edge_index;
-  using Point = Mesh::Point;
-  using Feature_map = Surface_to_remesh::Feature_map;
-
 public:
   // \pre the surface has a mirror, and nothing that was removed from the quads is left in memory
   Mirror_image(const Surface_to_remesh& surface, Mesh& quads, Feature_map is_feature)
@@ -153,8 +148,7 @@ private:
                                    m_quads.point(m_quads.vertex(e, 1)));
     const auto distance = [&](const Edge f) {
       return CGAL::squared_distance(
-        p, Surface_to_remesh::Kernel::Segment_3(mesh.point(mesh.vertex(f, 0)),
-                                                mesh.point(mesh.vertex(f, 1))));
+        p, Kernel::Segment_3(mesh.point(mesh.vertex(f, 0)), mesh.point(mesh.vertex(f, 1))));
     };
     const auto nearest =
       std::min_element(of_surface.edges.begin(), of_surface.edges.end(),

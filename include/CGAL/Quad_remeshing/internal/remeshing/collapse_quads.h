@@ -39,13 +39,8 @@ namespace internal {
 // inverted, no vertex of two edges comes about; lines are not folded, nor are two of them joined
 // but at their ends.
 class Quad_collapser
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Halfedge = Mesh::Halfedge_index;
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-
 public:
   // \param is_feature whether an edge is a feature or border
   Quad_collapser(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,

@@ -38,14 +38,8 @@ namespace internal {
 // Invariant: vertices and edges that are there stay, and what they are. New vertices are on the
 // surface, new edges are no features.
 class Quad_divider
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Halfedge = Mesh::Halfedge_index;
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Quad = Quad_smoother::Quad;
-
 public:
   Quad_divider(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother)
     : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother)

@@ -42,13 +42,8 @@ namespace internal {
 
 // Invariant: all faces are quads, and no vertex moves.
 class Border_evener
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Point = Surface_to_remesh::Kernel::Point_3;
-
 public:
   // \param is_feature of the edges of the quads
   // \param surface on whose border that of the quads lies

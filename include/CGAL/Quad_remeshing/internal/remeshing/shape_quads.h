@@ -71,15 +71,8 @@ inline std::array<Space_vector, 4> fitted_rectangle(const std::array<Space_vecto
 // Invariant: vertices stay on the surface, and on the features and borders where they are; they do
 // not move at all where these turn or meet. No quad turns over.
 class Quad_shaper
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Kernel = Surface_to_remesh::Kernel;
-  using Quad = Quad_smoother::Quad;
-
 public:
   // \param is_feature whether an edge is a feature or border
   Quad_shaper(const Mesh& quads, const Feature_map& is_feature, const Mesh& surface,

@@ -45,10 +45,6 @@ inline double inner_product(const Space_vector& a, const Space_vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Space_vector outer_product(const Space_vector& a, const Space_vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
 {
   return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
@@ -62,10 +58,7 @@ inline Space_vector scaled_to_one(const Space_vector& a)
 }
 
 // The area vector of a quad, times two.
-inline Space_vector quad_normal(const std::array<Space_vector, 4>& q)
-{
-  return outer_product(vector_to(q[0], q[2]), vector_to(q[1], q[3]));
-}
+inline Space_vector quad_normal(const Quad_in_space& q) { return area_vector<double>(q); }
 
 // Of the quads around a vertex: the sum of their normals; one edge from it, and the longest length.
 struct Star_plane
@@ -76,8 +69,8 @@ struct Star_plane
   // Eight vectors perpendicular to the normal, the first one to the side, too; by the longest edge.
   std::array<Space_vector, 8> directions(const double step) const
   {
-    const Space_vector u = scaled_to_one(outer_product(normal, side));
-    const Space_vector v = scaled_to_one(outer_product(normal, u));
+    const Space_vector u = scaled_to_one(cross_product(normal, side));
+    const Space_vector v = scaled_to_one(cross_product(normal, u));
     std::array<Space_vector, 8> result;
     for(std::size_t i = 0; i < 8; ++i) {
       const double angle = double(i) * std::acos(0.) / 2;
@@ -89,21 +82,20 @@ struct Star_plane
 };
 
 // The sines of the angles, as seen along `normal`; -1 where there is no angle.
-inline std::array<double, 4> sines_of_angles(const std::array<Space_vector, 4>& q,
-                                             const Space_vector& normal)
+inline std::array<double, 4> sines_of_angles(const Quad_in_space& q, const Space_vector& normal)
 {
   std::array<double, 4> result;
   const double size = norm(normal);
   for(std::size_t i = 0; i < 4; ++i) {
     const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
     const double scale = norm(a) * norm(b) * size;
-    result[i] = scale > 0 ? inner_product(outer_product(a, b), normal) / scale : -1.;
+    result[i] = scale > 0 ? inner_product(cross_product(a, b), normal) / scale : -1.;
   }
   return result;
 }
 
 // The least of them: 1 for rectangles, negative if a corner is inverted; the scaled Jacobian.
-inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_vector& normal)
+inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal)
 {
   const std::array<double, 4> sines = sines_of_angles(q, normal);
   return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
@@ -111,7 +103,7 @@ inline double scaled_jacobian(const std::array<Space_vector, 4>& q, const Space_
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on
 // sharp edges, is not to turn from where it does; one without area faces nowhere.
-inline Space_vector upper_side_or_own(const std::array<Space_vector, 4>& q,
+inline Space_vector upper_side_or_own(const Quad_in_space& q,
                                       const Space_vector& normal_of_surface)
 {
   const Space_vector own = quad_normal(q);
@@ -121,16 +113,11 @@ inline Space_vector upper_side_or_own(const std::array<Space_vector, 4>& q,
 
 // Invariant: vertices that are held stay where they are, all others on the surface.
 class Quad_smoother
+  : public Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Point = Surface_to_remesh::Kernel::Point_3;
   using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Mesh> >;
 
 public:
-  using Quad = std::array<Space_vector, 4>;
-
   Quad_smoother(Mesh& quads, const Mesh& surface)
     : m_quads(quads), m_surface(surface),
       m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first),
@@ -303,7 +290,7 @@ public:
       const Point& p = m_surface.point(v);
       t[i++] = {p.x(), p.y(), p.z()};
     }
-    return outer_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
+    return cross_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
   }
 
 private:
