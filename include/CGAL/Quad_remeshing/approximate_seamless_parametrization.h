@@ -23,7 +23,6 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Default_solver.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Seamless_parametrizer.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/read_directions.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
