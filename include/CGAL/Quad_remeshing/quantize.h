@@ -23,8 +23,8 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/cells/extract_cells.h>
-#include <CGAL/Quad_remeshing/internal/quantization/locate_points.h>
-#include <CGAL/Quad_remeshing/internal/quantization/make_chart_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Straight_walk.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
 #include <CGAL/Quad_remeshing/types/Quantization.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>

@@ -28,7 +28,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>

@@ -24,8 +24,8 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/cells/Cell_complex.h>
-#include <CGAL/Quad_remeshing/internal/cells/Cell_shape.h>
 #include <CGAL/Quad_remeshing/internal/cells/Dart_tracer.h>
+#include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
 #include <CGAL/Quad_remeshing/internal/cells/cells_with_border.h>
 #include <CGAL/Quad_remeshing/internal/cells/check_cells.h>
 #include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>

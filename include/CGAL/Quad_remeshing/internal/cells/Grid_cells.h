@@ -30,6 +30,22 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// The cells between the lines of the grid: squares, or the triangles of the lattice.
+// \tparam Group that of the directions of lines
+template <typename Group>
+struct Cell_shape
+{
+  static constexpr bool is_square = Group::is_signed_permutation;
+  static constexpr int number_of_corners = is_square ? 4 : 3;
+  static constexpr int cells_of_unit = is_square ? 1 : 2; // of area in the domain
+  static constexpr int corners_of_unit = number_of_corners * cells_of_unit;
+
+  // From the direction of a side to that of the next one.
+  static constexpr int turns_at_corner = Group::order / number_of_corners;
+
+  static const char* plural() { return is_square ? "quads" : "triangles"; }
+};
+
 using Cell_index = std::int32_t;
 constexpr Cell_index no_cell = -1;
 

@@ -20,8 +20,8 @@
 // altogether, or touch its sides.
 
 #include <CGAL/Quad_remeshing/internal/cells/Cell_complex.h>
-#include <CGAL/Quad_remeshing/internal/cells/Cell_shape.h>
 #include <CGAL/Quad_remeshing/internal/cells/Dart_tracer.h>
+#include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@
 // lies on the grid: as many corners as cells of its area have, and the surface's Euler
 // characteristic.
 
-#include <CGAL/Quad_remeshing/internal/cells/Cell_shape.h>
 #include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 

@@ -22,8 +22,8 @@
 
 #include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
-#include <CGAL/Quad_remeshing/internal/quantization/make_chart_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

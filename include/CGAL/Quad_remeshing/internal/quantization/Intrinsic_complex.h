@@ -19,9 +19,12 @@
 // vertices may have several edges. It keeps no coordinates but the vectors along its edges, in two
 // sizes: exactly those of the map, and those in units of quads.
 
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -139,6 +142,38 @@ inline std::string defect(const Intrinsic_complex& complex, const std::vector<in
         return "a vertex with another angle";
     }
   return "";
+}
+
+inline Uv to_uv(const Grid_vector& v)
+{
+  return {static_cast<double>(v[0]), static_cast<double>(v[1])};
+}
+
+// The complex in units as a mesh with charts: each triangle has one of its own, with one vertex at
+// the origin. So quads are extracted from it as from any integer-grid map.
+// \pre the complex is compact, and its units are below 2^46
+inline Chart_mesh make_chart_mesh(const Intrinsic_complex& complex)
+{
+  Chart_mesh mesh;
+  mesh.corner_at_vertex = complex.corner_at_vertex;
+  mesh.is_border = complex.is_border;
+  mesh.corners.resize(complex.corners.size());
+  for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
+    Chart_corner& corner = mesh.corners[std::size_t(h)];
+    static_cast<Flat_corner&>(corner) = complex.corner(h);
+    corner.transition = no_index;
+    const Grid_vector& first = complex.corner(3 * (h / 3)).units;
+    if(h % 3 == 2)
+      corner.uv = {0, 0};
+    else
+      corner.uv = to_uv(h % 3 == 0 ? first : sum(first, complex.corner(h).units));
+    mesh.extent = (std::max)({mesh.extent, std::abs(corner.uv[0]), std::abs(corner.uv[1])});
+  }
+  for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if(!mesh.is_border_edge(h))
+      add_transition(mesh, h, complex.corner(h).rotation);
+  mark_singular_vertices<CGAL::Sequential_tag>(mesh);
+  return mesh;
 }
 
 } // namespace internal

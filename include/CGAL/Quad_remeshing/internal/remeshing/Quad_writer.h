@@ -21,7 +21,6 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/locate_in_face.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -31,7 +30,9 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -40,6 +41,60 @@
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+// Barycentric coordinates of the projection to the plane of the triangle, cut off at 0. In a
+// triangle without area, those on its longest side.
+inline std::array<double, 3> barycentric_coordinates(
+  const std::array<std::array<double, 3>, 3>& triangle, const std::array<double, 3>& point)
+{
+  std::array<double, 3> result{};
+  const auto dot = [&](const std::size_t i, const std::size_t j, const std::array<double, 3>& p) {
+    double sum = 0; // side from i to j, and from i to p
+    for(std::size_t c = 0; c < 3; ++c)
+      sum += (triangle[j][c] - triangle[i][c]) * (p[c] - triangle[i][c]);
+    return sum;
+  };
+  const double a = dot(0, 1, triangle[1]), b = dot(0, 1, triangle[2]), c = dot(0, 2, triangle[2]);
+  const double d = dot(0, 1, point), e = dot(0, 2, point);
+  const double det = a * c - b * b;
+  if(det > 1e-14 * a * c) {
+    result[1] = (std::max)(0., (c * d - b * e) / det);
+    result[2] = (std::max)(0., (a * e - b * d) / det);
+    result[0] = (std::max)(0., 1 - result[1] - result[2]);
+  } else {
+    std::size_t i = 0, j = 1;
+    for(const auto& [k, l] : {std::pair<std::size_t, std::size_t>(1, 2), {2, 0}})
+      if(dot(k, l, triangle[l]) > dot(i, j, triangle[j])) {
+        i = k;
+        j = l;
+      }
+    const double length = dot(i, j, triangle[j]);
+    result[j] = length > 0 ? (std::min)((std::max)(dot(i, j, point) / length, 0.), 1.) : 0;
+    result[i] = 1 - result[j];
+  }
+  const double sum = result[0] + result[1] + result[2];
+  for(double& x : result)
+    x /= sum;
+  return result;
+}
+
+// In the order of `CGAL::Polygon_mesh_processing::Face_location`.
+template <typename TriangleMesh, typename VertexPointMap, typename Point>
+std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3> >
+locate_in_face(const Point& point,
+               const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+               const TriangleMesh& tmesh, const VertexPointMap& point_map)
+{
+  const auto coordinates = [](const auto& p) {
+    return std::array<double, 3>{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                 CGAL::to_double(p.z())};
+  };
+  const auto h = halfedge(f, tmesh);
+  return {f, barycentric_coordinates({coordinates(get(point_map, source(h, tmesh))),
+                                      coordinates(get(point_map, target(h, tmesh))),
+                                      coordinates(get(point_map, target(next(h, tmesh), tmesh)))},
+                                     coordinates(point))};
+}
 
 template <typename TriangleMesh, typename NamedParameters>
 Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
