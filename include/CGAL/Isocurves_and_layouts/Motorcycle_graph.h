@@ -18,7 +18,7 @@
 // A partition of a surface into rectangles along isocurves: nodes, arcs, and patches; how it is
 // made; and the lengths of its arcs as integers, which quantizations start from and must keep.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/read_exact_map.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/arc_path.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/make_layout.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

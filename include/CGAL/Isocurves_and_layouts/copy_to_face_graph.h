@@ -19,7 +19,6 @@
 // files, with the patches as groups of faces, and the arcs as lines.
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/Polygon_complex.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Refined_faces.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>

@@ -18,7 +18,7 @@
 // From an exactly seamless map of any scale to quads: integers for the edges of a coarse
 // triangulation, and the quads that they describe.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/read_exact_map.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>

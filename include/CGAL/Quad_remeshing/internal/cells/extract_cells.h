@@ -18,7 +18,7 @@
 // From an integer-grid map and named parameters to the cells of the grid: what the extractions of
 // quads and of triangles have in common.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/read_exact_map.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
