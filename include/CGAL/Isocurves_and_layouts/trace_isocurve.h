@@ -30,7 +30,6 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -211,7 +210,6 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
         `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
-
 
 \par Complexity
 One pass over the mesh, and constant time for each edge crossed.

@@ -36,7 +36,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>

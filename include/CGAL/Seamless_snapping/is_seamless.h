@@ -37,7 +37,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL {
 namespace Seamless_snapping {

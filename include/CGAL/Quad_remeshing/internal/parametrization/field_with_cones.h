@@ -24,7 +24,6 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <complex>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -32,7 +32,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -23,8 +23,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

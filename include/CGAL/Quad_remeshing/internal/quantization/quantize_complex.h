@@ -24,10 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -22,8 +22,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

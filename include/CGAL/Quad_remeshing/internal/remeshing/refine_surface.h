@@ -25,7 +25,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <queue>

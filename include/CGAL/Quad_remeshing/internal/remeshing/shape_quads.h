@@ -23,8 +23,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

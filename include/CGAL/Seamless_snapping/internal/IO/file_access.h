@@ -28,7 +28,6 @@
 #include <istream>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace CGAL {
