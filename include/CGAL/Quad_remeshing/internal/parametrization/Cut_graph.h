@@ -40,32 +40,41 @@ class Shortest_paths
 public:
   explicit Shortest_paths(const Triangle_surface& surface)
     : m_surface(surface)
-    , m_distance(surface.number_of_vertices(), (std::numeric_limits<double>::max)())
+    , m_distance(surface.number_of_vertices(), std::numeric_limits<double>::infinity())
     , m_entered_by(surface.number_of_vertices(), no_index)
   { }
 
-  void add_source(const std::size_t v)
+  // Takes the time of what has been reached.
+  void clear()
   {
-    m_distance[v] = 0;
-    m_entered_by[v] = no_index;
-    m_queue.emplace(0., v);
+    for(const std::size_t v : m_reached)
+      m_distance[v] = std::numeric_limits<double>::infinity();
+    m_reached.clear();
+    m_queue = Queue();
   }
 
-  // Settles vertices until `stop(v)`, and returns that one; `none` when all are settled.
-  template <typename Stop>
-  std::size_t run(const Stop& stop)
+  void add_source(const std::size_t v) { reach(v, 0, no_index); }
+
+  // Settles vertices until `stop(v)`, and returns that one; `none` when all are settled. Paths lead
+  // over edges for which may_follow(halfedge, distance up to its end) only.
+  template <typename Stop, typename MayFollow>
+  std::size_t run(const Stop& stop, const MayFollow& may_follow)
   {
     while(!m_queue.empty()) {
       const auto [d, v] = m_queue.top();
       m_queue.pop();
       if(d > m_distance[v])
         continue;
-      relax_neighbors(v);
+      relax_neighbors(v, may_follow);
       if(stop(v))
         return v;
     }
     return none;
   }
+
+  template <typename Stop>
+  std::size_t run(const Stop& stop)
+  { return run(stop, [](Corner_index, double) { return true; }); }
 
   double distance(const std::size_t v) const { return m_distance[v]; }
 
@@ -79,31 +88,39 @@ public:
   }
 
 private:
-  void relax_neighbors(const std::size_t v)
+  using Entry = std::pair<double, std::size_t>;
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> >;
+
+  template <typename MayFollow>
+  void relax_neighbors(const std::size_t v, const MayFollow& may_follow)
   {
+    const auto relax = [&](const std::size_t to, const Corner_index h) {
+      const double d = m_distance[v] + m_surface.length[h];
+      if(d < m_distance[to] && may_follow(h, d))
+        reach(to, d, h);
+    };
     for_each_corner(m_surface, v, [&](const Corner_index h) {
-      relax(v, m_surface.source(h), h);
+      relax(m_surface.source(h), h);
       const Corner_index out = m_surface.next(h); // has no corner at `v` along the border
       if(m_surface.is_border_edge(out))
-        relax(v, m_surface.vertex(out), out);
+        relax(m_surface.vertex(out), out);
     });
   }
 
-  void relax(const std::size_t from, const std::size_t to, const Corner_index h)
+  void reach(const std::size_t v, const double distance, const Corner_index h)
   {
-    const double d = m_distance[from] + m_surface.length[h];
-    if(d < m_distance[to]) {
-      m_distance[to] = d;
-      m_entered_by[to] = h;
-      m_queue.emplace(d, to);
-    }
+    if(m_distance[v] == std::numeric_limits<double>::infinity())
+      m_reached.push_back(v);
+    m_distance[v] = distance;
+    m_entered_by[v] = h;
+    m_queue.emplace(distance, v);
   }
 
-  using Entry = std::pair<double, std::size_t>;
   const Triangle_surface& m_surface;
   std::vector<double> m_distance;
   std::vector<Corner_index> m_entered_by;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > m_queue;
+  std::vector<std::size_t> m_reached;
+  Queue m_queue;
 };
 
 // Invariant: the complement of the cut edges is connected in each component.

@@ -18,15 +18,13 @@
 // Cones of opposite index that lie close together cancel: where quads are to be large, a field
 // with both of them forces small ones. The rotations across a path from one to the other change.
 
+#include <CGAL/Quad_remeshing/internal/parametrization/Cut_graph.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Matching.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/cross_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -43,9 +41,8 @@ class Cone_paths
 public:
   Cone_paths(const Triangle_surface& surface, const std::vector<char>& is_fixed,
              const double longest)
-    : m_surface(surface), m_is_fixed(is_fixed), m_longest(longest),
-      m_distance(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
-      m_before(surface.number_of_vertices(), no_index), m_is_barrier(surface.is_border)
+    : m_surface(surface), m_is_fixed(is_fixed), m_longest(longest), m_paths(surface),
+      m_is_barrier(surface.is_border)
   {
     for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
       if(surface.is_aligned[h])
@@ -57,23 +54,11 @@ public:
   template <typename Visit>
   void run(const std::size_t start, const Visit& visit)
   {
-    for(const std::size_t v : m_reached)
-      m_distance[v] = std::numeric_limits<double>::infinity();
-    m_reached.clear();
-    Queue queue;
-    reach(start, 0, no_index, queue);
-    while(!queue.empty()) {
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if(distance > m_distance[v])
-        continue;
-      if(!visit(v, distance))
-        return;
-      for_each_corner(m_surface, v, [&, d = distance](const Corner_index h) {
-        if(!m_surface.is_border_edge(h) && may_follow(h))
-          reach(m_surface.source(h), d + m_surface.length[h], h, queue);
-      });
-    }
+    m_paths.clear();
+    m_paths.add_source(start);
+    m_paths.run([&](const std::size_t v) { return !visit(v, m_paths.distance(v)); },
+                [&](const Corner_index h, const double distance)
+                { return distance <= m_longest && may_follow(h); });
   }
 
   // Of the path to a vertex that was visited last: calls `visit(halfedge)` for its halfedges, from
@@ -81,38 +66,24 @@ public:
   template <typename Visit>
   void for_each_edge_to(const std::size_t end, const Visit& visit) const
   {
-    for(Corner_index h = m_before[end]; h != no_index; h = m_before[m_surface.vertex(h)])
+    for(Corner_index h = m_paths.entered_by(end); h != no_index;
+        h = m_paths.entered_by(m_surface.vertex(h)))
       visit(h);
   }
 
 private:
-  using Queued = std::pair<double, std::size_t>;
-  using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<Queued> >;
-
+  // Not along the border, whose vertices are barriers.
   bool may_follow(const Corner_index h) const
   {
     return !m_is_barrier[m_surface.source(h)] && !m_is_barrier[m_surface.vertex(h)] &&
            !(m_is_fixed[m_surface.face(h)] && m_is_fixed[m_surface.face(m_surface.opposite(h))]);
   }
 
-  void reach(const std::size_t v, const double distance, const Corner_index h, Queue& queue)
-  {
-    if(distance >= m_distance[v] || distance > m_longest)
-      return;
-    if(m_distance[v] == std::numeric_limits<double>::infinity())
-      m_reached.push_back(v);
-    m_distance[v] = distance;
-    m_before[v] = h;
-    queue.emplace(distance, v);
-  }
-
   const Triangle_surface& m_surface;
   const std::vector<char>& m_is_fixed; // per face
   double m_longest;
-  std::vector<double> m_distance;     // per vertex
-  std::vector<Corner_index> m_before; // per vertex: leads to the one before on the path
-  std::vector<char> m_is_barrier;     // per vertex
-  std::vector<std::size_t> m_reached;
+  Shortest_paths m_paths;
+  std::vector<char> m_is_barrier; // per vertex
 };
 
 // Whether crosses turn on a way around a part of the surface, per component without cones.
