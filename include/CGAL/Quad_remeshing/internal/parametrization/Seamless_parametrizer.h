@@ -37,7 +37,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -129,16 +131,6 @@ void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
   }
 }
 
-// Brings the coordinates to the unit length that the caller wants, in two steps: what is to be
-// measured is rounded to the number type of the result, but not scaled by powers of two yet.
-template <typename FT>
-void round_coordinates(const double unit, Coordinates& uv)
-{
-  for(auto& p : uv)
-    for(double& x : p)
-      x = rounded_to<FT>(x / unit);
-}
-
 template <typename FT, typename Report>
 void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
 {
@@ -176,15 +168,6 @@ inline void update_indices(const Triangle_surface& surface, const Surface_comple
   for(std::size_t v = 0; v < sum.size(); ++v)
     if(!surface.is_border[v])
       result.cone_index[v] = Quarter_turns::order - int(std::lround(sum[v] / quarter_turn));
-}
-
-// What the indices leave of 4 chi.
-template <typename Report>
-void report_turning(const std::vector<int>& index, Report& report)
-{
-  report.border_turning = Quarter_turns::order * report.euler_characteristic;
-  for(const int i : index)
-    report.border_turning -= i;
 }
 
 // `FT` is the number type that the coordinates are rounded to. The surface loses the alignment of
@@ -262,13 +245,20 @@ Parametrization_result parametrize(Triangle_surface& surface,
     result.uv = solver.take();
     result.cone_index = options.cone_index;
   }
-  report_turning(result.cone_index, report);
+  report.border_turning =
+    std::accumulate(result.cone_index.begin(), result.cone_index.end(),
+                    Quarter_turns::order * report.euler_characteristic, std::minus<>());
   result.released.insert(result.released.end(), solver.released().begin(),
                          solver.released().end());
   const Surface_complex& complex = solver.complex();
   report.number_of_cut_branches = complex.complex().number_of_branches();
   int exponent = 0;
-  round_coordinates<FT>(std::frexp(options.target_edge_length, &exponent), result.uv);
+  // To the unit length that the caller wants, in two steps: what is to be measured is rounded to the
+  // number type of the result, but not scaled by powers of two yet.
+  const double unit = std::frexp(options.target_edge_length, &exponent);
+  for(auto& p : result.uv)
+    for(double& x : p)
+      x = rounded_to<FT>(x / unit);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     result.sector.push_back(complex.sector(h));
     report.number_of_aligned_edges += (surface.is_aligned[h] && surface.represents_edge(h)) ? 1 : 0;
