@@ -19,7 +19,7 @@
 // made; and the lengths of its arcs as integers, which quantizations start from and must keep.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/arc_path.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/make_layout.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>

@@ -22,7 +22,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_place.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/arc_path.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 
 #include <CGAL/Exact_rational.h>
