@@ -253,8 +253,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
   const Surface_complex& complex = solver.complex();
   report.number_of_cut_branches = complex.complex().number_of_branches();
   int exponent = 0;
-  // To the unit length that the caller wants, in two steps: what is to be measured is rounded to the
-  // number type of the result, but not scaled by powers of two yet.
+  // To the unit length that the caller wants, in two steps: what is to be measured is rounded to
+  // the number type of the result, but not scaled by powers of two yet.
   const double unit = std::frexp(options.target_edge_length, &exponent);
   for(auto& p : result.uv)
     for(double& x : p)

@@ -97,8 +97,8 @@ void for_each_corner(const Flat_mesh<Corner>& mesh, const std::size_t vertex,
   } while(h != no_index && h != first);
 }
 
-// The connected parts of a surface: per face, numbered by their first faces. `opposite(halfedge)` is
-// no_index where parts end, on both sides.
+// The connected parts of a surface: per face, numbered by their first faces. `opposite(halfedge)`
+// is no_index where parts end, on both sides.
 template <typename Opposite>
 std::vector<std::int32_t> connected_parts(const std::size_t number_of_faces,
                                           const Opposite& opposite)
