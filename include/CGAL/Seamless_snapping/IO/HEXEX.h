@@ -22,7 +22,6 @@
 #include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -72,19 +71,6 @@ struct HEXEX_mesh
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-inline void move_to(HEXEX_content&& content, IO::HEXEX_mesh& mesh)
-{
-  mesh.points.swap(content.points);
-  mesh.tetrahedra.swap(content.cells);
-  mesh.uvw.swap(content.coordinates);
-  mesh.feature_vertices.swap(content.feature_vertices);
-  mesh.feature_edges.swap(content.feature_edges);
-  mesh.feature_facets.swap(content.feature_facets);
-  mesh.unknown_line = content.unknown_line;
-  mesh.number_of_rounded_coordinates =
-    std::size_t(std::count(content.is_rounded.begin(), content.is_rounded.end(), 1));
-}
-
 template <typename Number, std::size_t N>
 void append_line(const std::array<Number, N>& numbers, std::string& text)
 {
@@ -129,13 +115,14 @@ inline std::string text_of_mesh(const IO::HEXEX_mesh& mesh)
 inline std::string rewritten_HEXEX(const std::string& original,
                                    const std::vector<std::array<double, 3> >& uvw)
 {
-  const HEXEX_content content = HEXEX_parser(original).parse();
-  if(uvw.size() != content.coordinates.size())
-    throw File_refusal(0, "the original has " + std::to_string(content.coordinates.size()) +
+  const auto content = HEXEX_parser<IO::HEXEX_mesh>(original).parse();
+  const auto& old = content.mesh.uvw;
+  if(uvw.size() != old.size())
+    throw File_refusal(0, "the original has " + std::to_string(old.size()) +
                        " corners, and there are coordinates for " + std::to_string(uvw.size()));
   Text_copy copy(original);
   for(std::size_t i = 0; i < content.tokens.size(); ++i)
-    if(content.coordinates[i / 3][i % 3] != uvw[i / 3][i % 3] || content.is_rounded[i] != 0) {
+    if(old[i / 3][i % 3] != uvw[i / 3][i % 3] || content.is_rounded[i] != 0) {
       std::string decimal;
       append_number(uvw[i / 3][i % 3], decimal);
       copy.replace(content.tokens[i], decimal);
@@ -177,7 +164,7 @@ File_status read_HEXEX(Source&& source, HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
     const std::string text = internal::text_of(source);
-    internal::move_to(internal::HEXEX_parser(text).parse(), mesh);
+    mesh = internal::HEXEX_parser<HEXEX_mesh>(text).parse().mesh;
   });
 }
 

@@ -171,23 +171,20 @@ private:
 };
 
 // Invariant: what is between the tokens of coordinates, and behind them, is the rest of the file.
+// \tparam Mesh `IO::HEXEX_mesh`
+template <typename Mesh>
 struct HEXEX_content
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<std::int32_t, 4> > cells;
-  std::vector<std::array<double, 3> > coordinates; // per corner
-  std::vector<std::string_view> tokens;            // of the coordinates, three per corner
-  std::vector<char> is_rounded;                    // per token: no double holds the number
-  std::vector<std::int32_t> feature_vertices;
-  std::vector<std::array<std::int32_t, 2> > feature_edges;
-  std::vector<std::array<std::int32_t, 3> > feature_facets;
-  std::size_t unknown_line = 0; // where something begins that is no features; 0 if nothing does
+  Mesh mesh;
+  std::vector<std::string_view> tokens; // of the coordinates, three per corner
+  std::vector<char> is_rounded;         // per token: no double holds the number
 };
 
 // A file holds: the number of vertices, and their points; the number of cells, and for each four
 // vertices and the coordinates of its corners. Then perhaps the number of walls alone in a line,
 // and three vertices and a distance for each; and perhaps the numbers of feature vertices, edges
 // and facets in a line, and their vertices.
+template <typename Mesh>
 class HEXEX_parser
 {
 public:
@@ -196,7 +193,7 @@ public:
     : m_scanner(text), m_size_of_text(text.size())
   { }
 
-  HEXEX_content parse()
+  HEXEX_content<Mesh> parse()
   {
     read_points();
     read_cells();
@@ -226,8 +223,8 @@ private:
   void read_points()
   {
     const std::size_t size = next_count("the number of vertices");
-    m_content.points.resize(size);
-    for(std::array<double, 3>& p : m_content.points)
+    m_mesh.points.resize(size);
+    for(std::array<double, 3>& p : m_mesh.points)
       for(double& x : p)
         x = next_number();
   }
@@ -235,7 +232,7 @@ private:
   std::int32_t next_vertex()
   {
     const std::int32_t v = m_scanner.next_integer<std::int32_t>("the number of a vertex");
-    if(v < 0 || std::size_t(v) >= m_content.points.size())
+    if(v < 0 || std::size_t(v) >= m_mesh.points.size())
       m_scanner.refuse("there is no vertex " + std::to_string(v));
     return v;
   }
@@ -243,18 +240,19 @@ private:
   void read_cells()
   {
     const std::size_t size = next_count("the number of cells");
-    m_content.cells.resize(size);
-    m_content.coordinates.reserve(4 * size);
+    m_mesh.tetrahedra.resize(size);
+    m_mesh.uvw.reserve(4 * size);
     m_content.tokens.reserve(12 * size);
-    for(std::array<std::int32_t, 4>& cell : m_content.cells) {
+    for(std::array<std::int32_t, 4>& cell : m_mesh.tetrahedra) {
       for(std::int32_t& v : cell)
         v = next_vertex();
       for(int i = 0; i < 4; ++i) {
-        std::array<double, 3>& u = m_content.coordinates.emplace_back();
+        std::array<double, 3>& u = m_mesh.uvw.emplace_back();
         for(double& x : u) {
           x = next_number();
           m_content.tokens.push_back(m_token);
           m_content.is_rounded.push_back(m_is_rounded);
+          m_mesh.number_of_rounded_coordinates += m_is_rounded ? 1 : 0;
         }
       }
     }
@@ -286,24 +284,25 @@ private:
       counts = counts_of_line();
     }
     if(counts.size() != 3) {
-      m_content.unknown_line = counts.empty() ? 0 : m_scanner.line();
+      m_mesh.unknown_line = counts.empty() ? 0 : m_scanner.line();
       return;
     }
     for(std::size_t i = 0; i < counts[0]; ++i)
-      m_content.feature_vertices.push_back(next_vertex());
+      m_mesh.feature_vertices.push_back(next_vertex());
     for(std::size_t i = 0; i < counts[1]; ++i)
-      m_content.feature_edges.push_back({next_vertex(), next_vertex()});
+      m_mesh.feature_edges.push_back({next_vertex(), next_vertex()});
     for(std::size_t i = 0; i < counts[2]; ++i)
-      m_content.feature_facets.push_back({next_vertex(), next_vertex(), next_vertex()});
+      m_mesh.feature_facets.push_back({next_vertex(), next_vertex(), next_vertex()});
     if(!m_scanner.next().empty())
-      m_content.unknown_line = m_scanner.line();
+      m_mesh.unknown_line = m_scanner.line();
   }
 
   Word_scanner m_scanner;
   std::size_t m_size_of_text;
   std::string_view m_token;
   bool m_is_rounded = false;
-  HEXEX_content m_content;
+  HEXEX_content<Mesh> m_content;
+  Mesh& m_mesh = m_content.mesh;
 };
 
 } // namespace internal
