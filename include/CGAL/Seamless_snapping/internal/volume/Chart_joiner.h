@@ -219,7 +219,7 @@ private:
   bool walk(const Corner_index start, const Corner_index third, const std::int32_t name, Edge& edge)
   {
     Facet_ring ring(m_volume, start, third);
-    do {
+    for(;;) {
       ring.turn();
       const std::int32_t i = m_place[std::size_t(ring.facet())];
       if(i >= 0) {
@@ -227,15 +227,12 @@ private:
         ++edge.number_of_cuts;
         edge.places ^= i;
       }
-      if(!ring.is_closed()) {
-        if(!ring.can_cross())
-          return false;
-        ring.cross();
-      } else {
+      if(ring.is_closed())
         return true;
-      }
+      if(!ring.can_cross())
+        return false;
+      ring.cross();
     }
-    while(true);
   }
 
   // Which corner of the facet, as the list names it, is at the vertex of another one.

@@ -107,12 +107,7 @@ private:
   }
 
   double largest_spread(const Corner_index facet) const
-  {
-    double noise = 0;
-    for(const Corner_index corner : corners_of_facet(facet))
-      noise = (std::max)(noise, m_noise[std::size_t(m_volume.vertex(corner))]);
-    return largest_noise_in_residuals * noise;
-  }
+  { return largest_noise_in_residuals * largest_at(m_volume, m_noise, facet); }
 
   // Whether one coordinate alone may be the constant one.
   bool is_clear(const std::size_t i) const

@@ -46,6 +46,8 @@ struct Volume_places
     std::size_t first_arc, end_of_arcs, first_level, end_of_levels;
     std::vector<Sector_number> members; // the sectors of the first in the order of slots, and so on
 
+    bool is_constrained() const
+    { return first_arc != end_of_arcs || first_level != end_of_levels; }
     std::size_t number_of_members() const { return members.size() / number_of_slots; }
     Sector_number sector(const std::size_t member, const std::size_t slot) const
     {

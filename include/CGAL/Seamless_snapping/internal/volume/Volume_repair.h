@@ -121,10 +121,9 @@ private:
       return;
     const Place_freedom& freedom = m_members->freedom(member);
     std::vector<std::size_t> directions;
-    const bool is_free = place.first_arc == place.end_of_arcs &&
-                         place.first_level == place.end_of_levels; // also off the grid
-    for(std::size_t c = 0; c < 3; ++c)
-      if(freedom.first[c] == int(c) && (is_free || m_solver.moves(3 * place.first_slot + c)))
+    for(std::size_t c = 0; c < 3; ++c) // those without constraints also off the grid
+      if(freedom.first[c] == int(c) &&
+         (!place.is_constrained() || m_solver.moves(3 * place.first_slot + c)))
         directions.push_back(c);
     if(directions.empty())
       return;

@@ -252,7 +252,8 @@ private:
     m_report.grid_step = grid.step();
     const std::int64_t unit = std::int64_t(1) << -grid.exponent();
     for(std::size_t i = 0; i < rounded.size(); ++i) {
-      if(!is_spread && is_unconstrained(m_members.member_of_corner(Corner_index(i))))
+      if(!is_spread &&
+         !m_members.place(m_members.member_of_corner(Corner_index(i))).is_constrained())
         continue;
       for(std::size_t c = 0; c < 3; ++c) {
         const Volume_members::Term t = term(Corner_index(i), c);
@@ -271,12 +272,6 @@ private:
   Volume_members::Term term(const Corner_index i, const std::size_t c) const
   {
     return m_members.term(m_members.member_of_corner(i), m_members.slot_of_corner(i), c);
-  }
-
-  bool is_unconstrained(const Member_index m) const
-  {
-    const Volume_places::Place& place = m_members.place(m);
-    return place.first_arc == place.end_of_arcs && place.first_level == place.end_of_levels;
   }
 
   const Flat_volume& m_volume;

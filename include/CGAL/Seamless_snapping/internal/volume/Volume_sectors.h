@@ -203,12 +203,9 @@ private:
     for(std::size_t i = 0; i < m_sheet.size(); ++i)
       if(m_transitions.is_cut[i] != 0) {
         const std::size_t root = sheets.root(i); // the first facet of the sheet
-        if(root == i) {
-          m_sheet[i] = Sheet_number(m_result.sheet_element.size());
+        if(root == i)
           m_result.sheet_element.push_back(m_transitions.element[i]);
-        } else {
-          m_sheet[i] = m_sheet[root];
-        }
+        m_sheet[i] = root == i ? Sheet_number(m_result.sheet_element.size() - 1) : m_sheet[root];
       }
   }
 

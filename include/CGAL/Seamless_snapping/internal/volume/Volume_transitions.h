@@ -66,6 +66,16 @@ inline std::vector<signed char> elements_of_facets(const Flat_volume& volume,
   return result;
 }
 
+// Of what vertices have, the largest at those of a facet.
+inline double largest_at(const Flat_volume& volume, const std::vector<double>& noise,
+                         const Corner_index facet)
+{
+  double result = 0;
+  for(const Corner_index corner : corners_of_facet(facet))
+    result = (std::max)(result, noise[std::size_t(volume.vertex(corner))]);
+  return result;
+}
+
 // Decides for facets by what is around them, layer by layer: all of a layer are decided before the
 // next, so that their order does not matter. Returns those that have nothing decided around them.
 // \param wanted(i) what the surroundings of facet i ask for, if they do
@@ -171,12 +181,7 @@ private:
   }
 
   double noise_at(const Corner_index facet) const
-  {
-    double result = 0;
-    for(const Corner_index corner : corners_of_facet(facet))
-      result = (std::max)(result, m_result.noise[std::size_t(m_volume.vertex(corner))]);
-    return result;
-  }
+  { return largest_at(m_volume, m_result.noise, facet); }
 
   bool may_be_no_cut(const std::size_t i) const
   {
