@@ -201,6 +201,17 @@ private:
   const Target_shifts<Group>& m_shifts;
 };
 
+template <std::size_t D>
+Grid_value value_of_functional(const Functional<D>& f, const Grid_point<D>& u)
+{
+  Grid_value result;
+  for(std::size_t c = 0; c < D; ++c) {
+    result.base += f[c] * u.base[c];
+    result.offset += f[c] * u.offset[c];
+  }
+  return result;
+}
+
 // g u+ + t - u-, with the minus sign: what the minus sector has too much, in steps.
 template <typename Group>
 std::array<double, Group::dimension>

@@ -147,7 +147,7 @@ private:
     for(std::size_t c = 0; c < dimension; ++c)
       for(int end = 0; end < 2; ++end) {
         const std::int64_t sign = translation(b) < 0 && end == 1 ? -1 : 1;
-        append_coordinate(ends[end].minus, c, sign);
+        m_row.push_back({unknown(ends[end].minus) + Column_index(c), sign});
         append_functional(ends[end].plus, Group::matrix(m_complex.element[b])[c], -sign);
         if(translation(b) >= 0)
           m_row.push_back({translation(b) + Column_index(c), -1});
@@ -208,18 +208,17 @@ private:
     m_origins.push_back({Row_origin::EQUATION, i, false});
   }
 
-  void append_coordinate(const Sector_index s, const std::size_t c, const std::int64_t coefficient)
-  {
-    m_row.push_back({unknown(s) + Column_index(c), coefficient});
-  }
-
   // factor f(u) for a sector
   void append_functional(const Sector_index s, const Functional<dimension>& f,
                          const std::int64_t factor)
+  { append(unknown(s), f, factor); }
+
+  // The same for the vector whose coordinate 0 has the given column.
+  void append(const Column_index vector, const Functional<dimension>& f, const std::int64_t factor)
   {
     for(std::size_t d = 0; d < dimension; ++d)
       if(f[d] != 0)
-        append_coordinate(s, d, factor * f[d]);
+        m_row.push_back({vector + Column_index(d), factor * f[d]});
   }
 
   // factor f(t) for the translation of a branch: unknowns or, without these, u- - g u+ at its
@@ -228,15 +227,13 @@ private:
                           const std::int64_t factor)
   {
     const std::size_t b = std::size_t(branch);
-    if(translation(b) < 0) {
+    if(translation(b) >= 0) {
+      append(translation(b), f, factor);
+    } else {
       const Pair& first = m_complex.pairs[b].front();
       append_functional(first.minus, f, factor);
       append_functional(first.plus, Group::times_matrix(f, m_complex.element[b]), -factor);
-      return;
     }
-    for(std::size_t d = 0; d < dimension; ++d)
-      if(f[d] != 0)
-        m_row.push_back({translation(b) + Column_index(d), factor * f[d]});
   }
 
   void add_row(const Row_origin& origin, System_builder& builder)

@@ -172,7 +172,7 @@ private:
         set(s, other, k[other], x);
       }
       set(s, last, k[last], rest);
-      const double change = optimal_level_change(f, target, column);
+      const double change = optimal_change(value_of_functional(f, target), Column_index(column));
       add_optimal_change(Vector{change * direction[0], change * direction[1]}, k);
     }
   }
@@ -180,17 +180,6 @@ private:
   // By how much the real-valued optimum of an unknown differs from a value.
   double optimal_change(const Grid_value& from, const Column_index column) const
   { return difference(m_solution.optimum[std::size_t(column)], from); }
-
-  double optimal_level_change(const Functional<dimension>& f, const Grid_point<dimension>& u,
-                              const std::size_t column) const
-  {
-    Grid_value level;
-    for(std::size_t c = 0; c < dimension; ++c) {
-      level.base += f[c] * u.base[c];
-      level.offset += f[c] * u.offset[c];
-    }
-    return optimal_change(level, Column_index(column));
-  }
 
   // \param change in steps of the components' grids; those of a vector are the same unless its
   // coordinates are Cartesian

@@ -96,16 +96,10 @@ private:
     std::int64_t base = 0;
     double sum = 0;
     for(const Sector_index& s : links) {
-      const auto u = m_coordinates(s, components);
-      std::int64_t level = 0;
-      double offset = 0;
-      for(std::size_t c = 0; c < dimension; ++c) {
-        level += f[c] * u.base[c];
-        offset += f[c] * u.offset[c];
-      }
+      const Grid_value level = value_of_functional(f, m_coordinates(s, components));
       if(&s == links.begin())
-        base = level;
-      sum += static_cast<double>(level - base) + offset;
+        base = level.base;
+      sum += static_cast<double>(level.base - base) + level.offset;
     }
     m_values.push_back({base, sum / static_cast<double>(links.size())});
   }

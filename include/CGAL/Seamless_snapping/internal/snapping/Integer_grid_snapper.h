@@ -124,7 +124,9 @@ private:
     std::vector<Rounding<Group> > roundings;
     const auto refusal = round_to_integers(cuts, constraints, roundings);
     m_timer.finish("rounding");
-    const bool is_far = refusal || largest_distance(roundings) > negligible_rounding;
+    const bool is_far = refusal ||
+                        std::any_of(roundings.begin(), roundings.end(), [](const auto& rounding)
+                                    { return rounding.distance() > negligible_rounding; });
     if(is_far && !m_has_spread &&
        has_other_charts(transitions, cuts, constraints, refusal.has_value(), roundings))
       return snap();
@@ -269,14 +271,6 @@ private:
 
   static std::size_t number_of_flips(const Snapping_report& report)
   { return report.lost_faces.size() + report.remaining_flips.size(); }
-
-  static double largest_distance(const std::vector<Rounding<Group> >& roundings)
-  {
-    double result = 0;
-    for(const Rounding<Group>& rounding : roundings)
-      result = (std::max)(result, rounding.distance());
-    return result;
-  }
 
   // The integers near by.
   std::optional<Refusal> round_to_integers(const Cuts& cuts,

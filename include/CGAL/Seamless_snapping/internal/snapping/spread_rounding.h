@@ -183,19 +183,8 @@ public:
   }
 
 private:
-  static Form number(const double x)
-  {
-    Form result;
-    result.constant = x;
-    return result;
-  }
-
-  static Form number_and_unknown(const double x, const std::size_t unknown)
-  {
-    Form result = number(x);
-    result.terms.emplace_back(unknown, 1.);
-    return result;
-  }
+  static Form unknown_and_number(const std::size_t unknown, const double x)
+  { return {{{unknown, 1.}}, x}; }
 
   static Form_vector apply(const Element g, const Form_vector& v)
   {
@@ -262,14 +251,13 @@ private:
       const Vector turned =
         Group::apply(m_complex.element[b], m_complex.coordinates[std::size_t(pair.plus)]);
       for(std::size_t c = 0; c < dimension; ++c)
-        translations[b][c] = number_and_unknown(
-          m_complex.coordinates[std::size_t(pair.minus)][c] - turned[c],
-          m_first_translation + dimension * b + c);
+        translations[b][c] = unknown_and_number(
+          m_first_translation + dimension * b + c,
+          m_complex.coordinates[std::size_t(pair.minus)][c] - turned[c]);
     }
     for(const Rounding<Group>& r : roundings)
       if(r.kind == Rounding<Group>::BRANCH)
-        translations[r.index][std::size_t(r.equation.terms.front().coordinate)] =
-          number(r.rounded);
+        translations[r.index][std::size_t(r.equation.terms.front().coordinate)] = {{}, r.rounded};
     for(std::size_t b = 0; b < m_complex.number_of_branches(); ++b) {
       const Element g = m_complex.element[b], back = Group::inverse(g);
       Form_vector s;
@@ -345,8 +333,8 @@ private:
     const std::size_t i = number_of_functionals * p.vertex + std::size_t(of_vertex.index);
     m_is_fixed[i] = true;
     Form& fixed = m_fixed[i];
-    fixed = number(of_vertex.sign *
-                   (value - Group::value(f, m_complex.coordinates[std::size_t(s)])));
+    fixed = {{}, of_vertex.sign *
+                   (value - Group::value(f, m_complex.coordinates[std::size_t(s)]))};
     fixed.add(functional(f, p.offset), -of_vertex.sign);
   }
 
@@ -374,7 +362,7 @@ private:
       result = m_fixed.at(first + dimension);
       result.add(form_of_vertex(vertex, 1 - f), -1);
     } else {
-      result.terms.emplace_back(dimension * vertex + std::size_t(f), 1.);
+      return unknown_and_number(dimension * vertex + std::size_t(f), 0);
     }
     return result;
   }
@@ -407,10 +395,10 @@ private:
     const auto& term = r.equation.terms.front();
     switch(r.kind) {
     case Rounding<Group>::BRANCH:
-      return number_and_unknown(0, m_first_translation + dimension * r.index +
-                                     std::size_t(term.coordinate));
+      return unknown_and_number(m_first_translation + dimension * r.index +
+                                  std::size_t(term.coordinate), 0);
     case Rounding<Group>::CHAIN:
-      return number_and_unknown(0, m_first_level + r.index);
+      return unknown_and_number(m_first_level + r.index, 0);
     default:
       return form(m_places[std::size_t(term.sector)], term.coordinate);
     }
@@ -437,8 +425,8 @@ private:
       if(!m_has_level[i])
         for(const Sector_index s : m_complex.links[i])
           add_condition(form(m_places[std::size_t(s)], f),
-                        number_and_unknown(level(m_complex.links[i].front()) - level(s),
-                                           m_first_level + i));
+                        unknown_and_number(m_first_level + i,
+                                           level(m_complex.links[i].front()) - level(s)));
     }
   }
 
