@@ -207,25 +207,13 @@ private:
              {{a[1][0] * b[0][0] + a[1][1] * b[1][0], a[1][0] * b[0][1] + a[1][1] * b[1][1]}}}};
   }
 
-  static constexpr Matrix power_of_generator(const int g)
-  {
-    return g == 0 ? Matrix{{{{1, 0}}, {{0, 1}}}} : product(generator(), power_of_generator(g - 1));
-  }
-
   static constexpr Table table()
   {
-    if constexpr(N == 1)
-      return {{power_of_generator(0)}};
-    else if constexpr(N == 2)
-      return {{power_of_generator(0), power_of_generator(1)}};
-    else if constexpr(N == 3)
-      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2)}};
-    else if constexpr(N == 4)
-      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2),
-               power_of_generator(3)}};
-    else
-      return {{power_of_generator(0), power_of_generator(1), power_of_generator(2),
-               power_of_generator(3), power_of_generator(4), power_of_generator(5)}};
+    Table result{};
+    for(int g = 0; g < N; ++g)
+      result.power[g] = g == 0 ? Matrix{{{{1, 0}}, {{0, 1}}}}
+                               : product(generator(), result.power[g - 1]);
+    return result;
   }
 
   static constexpr Table matrices = table();
