@@ -1,7 +1,8 @@
 // The guard of floating point arithmetic: rounding modes, flushing to zero, traps and flags are set
 // aside and come back, and a program that was compiled with options that break exact differences is
-// told from one that was not. package_tests.cmake compiles this file with many options; it returns
-// 3 where the arithmetic is refused.
+// told from one that was not. And pairs of doubles are rounded to float as single ones are, which
+// compilers may not do. package_tests.cmake compiles this file with each of them, at each level of
+// optimization and with many options; it returns 3 where the arithmetic is refused.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 
@@ -10,9 +11,14 @@
 
 #include <CGAL/FPU.h>
 
+#include <array>
 #include <cfenv>
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <string>
 
 using namespace CGAL::Linear_snapping::internal;
 
@@ -112,6 +118,45 @@ bool is_refused()
   return false;
 }
 
+using Pair = std::array<double, 2>;
+
+// How the coordinates of a point are rounded all over the package.
+Pair rounded(const Pair& u)
+{
+  return {{rounded_to<float>(u[0]), rounded_to<float>(u[1])}};
+}
+
+// Called through this pointer the function is compiled by itself: the fault shows only there.
+Pair (*volatile call_rounded)(const Pair&) = rounded;
+
+// Without a conversion: the result is a float, and the floats beside it are farther away.
+bool is_nearest_float(const double x, const double y)
+{
+  const float f = static_cast<float>(y);
+  if(static_cast<double>(f) != y)
+    return false;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const double below = std::nextafter(f, -infinity), above = std::nextafter(f, infinity);
+  return std::abs(x - y) <= std::abs(x - below) && std::abs(x - y) <= std::abs(x - above);
+}
+
+void test_rounding_to_float()
+{
+  const unsigned int seed = 20260101;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::size_t number_of_failures = 0;
+  for(int i = 0; i < 100000; ++i) {
+    const double scale = std::ldexp(1., i % 60 - 30);
+    const Pair u{{scale * uniform(random), scale * uniform(random)}};
+    const Pair r = call_rounded(u);
+    for(std::size_t c = 0; c < 2; ++c)
+      if(!is_nearest_float(u[c], r[c]) || rounded_to<double>(u[c]) != u[c])
+        ++number_of_failures;
+  }
+  CHECK_IN("seed " + std::to_string(seed), number_of_failures == 0);
+}
+
 int main()
 {
   if(is_refused()) {
@@ -122,5 +167,6 @@ int main()
   test_flushing();
   test_flags();
   test_traps();
+  test_rounding_to_float();
   return report_checks();
 }

@@ -19,13 +19,13 @@
 // 64-bit integers, and real numbers split into a grid element and a small rest; and rounding to the
 // number type of the coordinates, be it known at run time only.
 
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 namespace Linear_snapping {
@@ -169,21 +169,6 @@ inline void rescale(Grid_value& v, const int shift)
     v.offset = offset - whole;
   } else {
     v = {0, size};
-  }
-}
-
-// The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
-// roundings go through here: from -O2 on, the vectorizer of g++ 12 takes the conversions of two
-// neighboring doubles to float and back for nothing, and drops them. A volatile number keeps it
-// from that.
-template <typename Number>
-double rounded_to(const double x)
-{
-  if constexpr(std::is_same<Number, float>::value) {
-    const volatile float rounded = static_cast<float>(x);
-    return static_cast<double>(rounded);
-  } else {
-    return x;
   }
 }
 
