@@ -774,16 +774,16 @@ void measure_quads(const Surface_to_remesh& input, const double number_wanted,
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::vector<std::size_t>
-nearest_faces(const Surface_to_remesh& surface,
-              const std::vector<Surface_to_remesh::Kernel::Point_3>& points)
+std::vector<std::size_t> nearest_faces(const Surface_to_remesh& surface,
+                                       const std::vector<Place_of_quads>& places)
 {
   Surface_to_remesh::Mesh no_quads;
   const Quad_smoother smoother(no_quads, surface.mesh());
   std::vector<std::size_t> result;
-  for(const auto& p : points)
+  for(const auto& [p, side] : places)
     result.push_back(surface.original(smoother.nearest_face(
-      {surface.scaled(p.x()), surface.scaled(p.y()), surface.scaled(p.z())})));
+      {surface.scaled(p.x()), surface.scaled(p.y()), surface.scaled(p.z())},
+      {side.x(), side.y(), side.z()})));
   return result;
 }
 

@@ -122,10 +122,16 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
     read_direction, read_size, mirror);
 }
 
-// The numbers of the faces of the input that are nearest to points.
-std::vector<std::size_t>
-nearest_faces(const Surface_to_remesh& surface,
-              const std::vector<Surface_to_remesh::Kernel::Point_3>& points);
+// Of quads, and the side that they face to there.
+struct Place_of_quads
+{
+  Surface_to_remesh::Kernel::Point_3 point;
+  Surface_to_remesh::Kernel::Vector_3 side;
+};
+
+// The numbers of the faces of the input that are nearest to places.
+std::vector<std::size_t> nearest_faces(const Surface_to_remesh& surface,
+                                       const std::vector<Place_of_quads>& places);
 
 template <typename QuadMesh, typename NamedParameters>
 auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
@@ -134,20 +140,20 @@ auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
                 CGAL::get_property_map(CGAL::vertex_point, quads));
 }
 
-// Where points lie on the input.
+// Where places lie on the input.
 template <typename TriangleMesh, typename NamedParameters>
-auto locate_points(const std::vector<Surface_to_remesh::Kernel::Point_3>& points,
-                   const TriangleMesh& tmesh, const NamedParameters& np)
+auto locate_places(const std::vector<Place_of_quads>& places, const TriangleMesh& tmesh,
+                   const NamedParameters& np)
 {
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   const std::vector<std::size_t> numbers =
-    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), points);
+    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), places);
   const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
   const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
                                 CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   std::vector<std::pair<Face, std::array<double, 3> > > result;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    result.push_back(locate_in_face(points[i], all_faces[numbers[i]], tmesh, point_map));
+  for(std::size_t i = 0; i < places.size(); ++i)
+    result.push_back(locate_in_face(places[i].point, all_faces[numbers[i]], tmesh, point_map));
   return result;
 }
 
@@ -158,6 +164,7 @@ class Quad_writer
 {
   using Mesh = Surface_to_remesh::Mesh;
   using Point = Surface_to_remesh::Kernel::Point_3;
+  using Vector = Surface_to_remesh::Kernel::Vector_3;
   using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
                              std::array<double, 3> >;
 
@@ -173,9 +180,11 @@ public:
     const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
     std::vector<Location> of_vertices, of_faces;
     if constexpr(is_given<decltype(vertex_map)>)
-      of_vertices = locate(result.vertices(), [&](const auto v) { return result.point(v); });
+      of_vertices = locate(result.vertices(), [&](const auto v)
+                           { return Place_of_quads{result.point(v), side(result, v)}; });
     if constexpr(is_given<decltype(face_map)>)
-      of_faces = locate(result.faces(), [&](const auto f) { return middle(result, f); });
+      of_faces = locate(result.faces(), [&](const auto f)
+                        { return Place_of_quads{middle(result, f), side(result, f)}; });
     const auto write_vertex = [&]([[maybe_unused]] const auto& vertices) {
       if constexpr(is_given<decltype(vertex_map)>)
         put(vertex_map, vertices.second, of_vertices[vertices.first]);
@@ -206,16 +215,16 @@ private:
   { return CGAL::parameters::get_parameter(m_np2, tag); }
 
   // Per index.
-  template <typename Range, typename PointOf>
-  std::vector<Location> locate(const Range& elements, const PointOf& point_of) const
+  template <typename Range, typename PlaceOf>
+  std::vector<Location> locate(const Range& elements, const PlaceOf& place_of) const
   {
-    std::vector<Point> points;
+    std::vector<Place_of_quads> places;
     std::size_t size = 0;
     for(const auto x : elements) {
-      points.push_back(point_of(x));
+      places.push_back(place_of(x));
       size = std::size_t(x) + 1;
     }
-    const std::vector<Location> locations = locate_points(points, m_tmesh, m_np1);
+    const std::vector<Location> locations = locate_places(places, m_tmesh, m_np1);
     std::vector<Location> result(size);
     std::size_t i = 0;
     for(const auto x : elements)
@@ -225,10 +234,27 @@ private:
 
   static Point middle(const Mesh& quads, const Mesh::Face_index f)
   {
-    Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
+    Vector sum(0, 0, 0);
     for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
       sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
     return CGAL::ORIGIN + sum;
+  }
+
+  static Vector side(const Mesh& quads, const Mesh::Face_index f)
+  {
+    const auto h = quads.halfedge(f);
+    const auto corner = [&](const auto g) { return quads.point(quads.target(g)); };
+    return CGAL::cross_product(corner(quads.next(quads.next(h))) - corner(h),
+                               corner(quads.prev(h)) - corner(quads.next(h)));
+  }
+
+  static Vector side(const Mesh& quads, const Mesh::Vertex_index v)
+  {
+    Vector sum(0, 0, 0);
+    for(const auto f : quads.faces_around_target(quads.halfedge(v)))
+      if(f != Mesh::null_face())
+        sum = sum + side(quads, f);
+    return sum;
   }
 
   const TriangleMesh& m_tmesh;

@@ -44,7 +44,7 @@ public:
       m_starts(quads.add_property_map<Vertex, Face>("v:face_of_surface").first)
   {
     for(const Vertex v : vertices(quads))
-      m_starts[v] = smoother.nearest_face(smoother.point(v));
+      m_starts[v] = nearest_face(v);
   }
 
   // Whether a quad faces against the surface at its middle, and half way from there to each corner,
@@ -108,7 +108,13 @@ private:
       if(squared_distance_to(p, f) < 1e-12)
         return f;
     }
-    return m_smoother.nearest_face(m_smoother.point(v));
+    return nearest_face(v);
+  }
+
+  Face nearest_face(const Vertex v) const
+  {
+    const auto ignore = [](Face, const Quad&, const Space_vector&) { };
+    return m_smoother.nearest_face(m_smoother.point(v), m_smoother.visit_star(v, ignore).normal);
   }
 
   std::vector<Face> faces_of_corners(const Face f) const

@@ -29,6 +29,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -272,6 +273,26 @@ public:
   Face nearest_face(const Space_vector& p) const
   { return m_tree.closest_point_and_primitive(Point(p[0], p[1], p[2])).second; }
 
+  // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
+  // faces to `side`.
+  Face nearest_face(const Space_vector& p, const Space_vector& side) const
+  {
+    const auto [place, nearest] = m_tree.closest_point_and_primitive(Point(p[0], p[1], p[2]));
+    const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
+    if(inner_product(normal, side) >= 0)
+      return nearest;
+    const Kernel::Vector_3 step(distance_of_same_place * normal[0],
+                                distance_of_same_place * normal[1],
+                                distance_of_same_place * normal[2]);
+    std::vector<Face> others;
+    m_tree.all_intersected_primitives(Kernel::Segment_3(place - step, place + step),
+                                      std::back_inserter(others));
+    const auto other = std::find_if(others.begin(), others.end(), [&](const Face f) {
+      return inner_product(scaled_to_one(normal_of_surface(f)), normal) < cosine_of_opposite_sides;
+    });
+    return other == others.end() ? nearest : *other;
+  }
+
   // The area vector, times two, of the triangle that is nearest to the middle of a quad.
   Space_vector normal_of_surface(const Quad& q) const
   {
@@ -279,7 +300,7 @@ public:
     for(const Space_vector& p : q)
       for(std::size_t c = 0; c < 3; ++c)
         middle[c] += p[c] / 4;
-    return normal_of_surface(nearest_face(middle));
+    return normal_of_surface(nearest_face(middle, quad_normal(q)));
   }
 
   Space_vector normal_of_surface(const Face f) const
@@ -295,6 +316,8 @@ public:
 
 private:
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
+  static constexpr double distance_of_same_place = 1e-6; // on a surface of a size near 1
+  static constexpr double cosine_of_opposite_sides = -0.999;
 
   Space_vector middle_of_neighbors(const Vertex v) const
   {
