@@ -74,34 +74,30 @@ foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts
   endforeach()
 endforeach()
 
-# All public headers in two sources: those of Seamless_snapping where the packages above it are not
-# to be found, and those of these; each with a program, of which one adds parameters to those that
-# are given, and the other tells parameters from values. Without what the library holds, which takes
-# long and is no other code within CGAL.
+# All public headers, with two programs, of which one adds parameters to those that are given, and
+# the other tells parameters from values. The headers of each package find all that they include
+# where the packages above it are not to be found. Without what the library holds, which takes long
+# and is no other code within CGAL.
 set(cgal "${WORK_DIR}/cgal")
 into_cgal("${cgal}")
-set(folders -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include")
-function(compile name)
-  set(source "")
-  foreach(package IN LISTS ARGN)
-    set(root "${cgal}/${package}")
-    file(GLOB headers RELATIVE "${root}/include" "${root}/include/CGAL/*/*.h"
-      "${root}/include/CGAL/*/IO/*.h")
-    file(GLOB program "${root}/examples/*/snap_linear_constraints.cpp"
-      "${root}/examples/*/orbifold_pipeline.cpp")
-    foreach(header IN LISTS headers)
-      string(APPEND source "#include <${header}>\n")
-    endforeach()
-    if(program)
-      string(APPEND source
-        "#define main main_of_${package}\n#include \"${program}\"\n#undef main\n")
-    endif()
-    list(APPEND folders -I "${root}/include")
+set(command "${COMPILER}" ${OPTIONS} -DCGAL_SEAMLESS_SNAPPING_COMPILED
+  -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include")
+set(source "${WORK_DIR}/packages.cpp")
+foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+  set(root "${cgal}/${package}")
+  file(GLOB headers RELATIVE "${root}/include" "${root}/include/CGAL/*/*.h"
+    "${root}/include/CGAL/*/IO/*.h")
+  foreach(header IN LISTS headers)
+    file(APPEND "${source}" "#include <${header}>\n")
   endforeach()
-  set(folders "${folders}" PARENT_SCOPE)
-  file(WRITE "${WORK_DIR}/${name}.cpp" "${source}")
-  run("${COMPILER}" ${OPTIONS} ${folders} -DCGAL_SEAMLESS_SNAPPING_COMPILED
-    "${WORK_DIR}/${name}.cpp")
-endfunction()
-compile(lower Linear_snapping Seamless_snapping)
-compile(upper Isocurves_and_layouts Quad_remeshing)
+  list(APPEND command -I "${root}/include")
+  run(${command} -M "${source}")
+endforeach()
+file(GLOB programs "${cgal}/*/examples/*/snap_linear_constraints.cpp"
+  "${cgal}/*/examples/*/orbifold_pipeline.cpp")
+foreach(program IN LISTS programs)
+  get_filename_component(name "${program}" NAME_WE)
+  file(APPEND "${source}"
+    "#define main main_of_${name}\n#include \"${program}\"\n#undef main\n")
+endforeach()
+run(${command} "${source}")
