@@ -271,7 +271,8 @@ struct Remesh_outcome
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
        << (report.message.empty() ? "" : "note: " + report.message + "\n")
        << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
-       << report.mean_scaled_jacobian << "\n"
+       << report.mean_scaled_jacobian << "; less than 0.1: "
+       << counted(report.number_of_thin_quads, "quad") << "\n"
        << "largest distance from the input: " << report.largest_distance << ", that is "
        << report.largest_distance / diagonal << " of its diagonal; of the input from the quads: "
        << report.largest_distance_of_input << ", that is "
@@ -317,6 +318,7 @@ struct Remesh_outcome
       {"largest_displacement", report.largest_displacement},
       {"least_scaled_jacobian", report.least_scaled_jacobian},
       {"mean_scaled_jacobian", report.mean_scaled_jacobian},
+      {"number_of_thin_quads", report.number_of_thin_quads},
       {"largest_distance", report.largest_distance},
       {"relative_largest_distance", report.largest_distance / diagonal},
       {"largest_distance_of_input", report.largest_distance_of_input},

@@ -1773,6 +1773,46 @@ void test_edge_lengths()
            .median_size_deviation);
 }
 
+// Two cubes, of which one side of each lies on one of the other: all quads become squares.
+void test_touching_bodies()
+{
+  Mesh mesh, quads;
+  const std::size_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                        {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                        {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for(const double x : {0., 1.}) {
+    std::vector<Vertex> v;
+    for(int i = 0; i < 8; ++i)
+      v.push_back(mesh.add_vertex(Point_3(x + (i & 1), (i >> 1) & 1, (i >> 2) & 1)));
+    for(const auto& [a, b, c] : triangles)
+      mesh.add_face(v[a], v[b], v[c]);
+  }
+  const auto normal = [](const Mesh& surface, const Mesh::Face_index f) {
+    const auto h = surface.halfedge(f);
+    const Point_3& p = surface.point(surface.source(h));
+    return CGAL::cross_product(surface.point(surface.target(h)) - p,
+                               surface.point(surface.target(surface.next(h))) - p);
+  };
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(const auto e : mesh.edges())
+    is_feature[e] = normal(mesh, mesh.face(mesh.halfedge(e, 0))) *
+                      normal(mesh, mesh.face(mesh.halfedge(e, 1))) < 0.5;
+  const auto face_of = quads.add_property_map<Mesh::Face_index, Location>("f:location").first;
+  const auto report = QR::quad_remesh(
+    mesh, quads, parameters::edge_is_constrained_map(is_feature).target_number_of_quads(500),
+    parameters::face_location_map(face_of));
+  std::cout << "two cubes: " << report.number_of_quads << " quads, least scaled Jacobian "
+            << report.least_scaled_jacobian << ", mean " << report.mean_scaled_jacobian
+            << std::endl;
+  CHECK_IN(report.message, report && report.number_of_quads > 400);
+  CHECK(report.least_scaled_jacobian > 0.999);
+  CHECK(report.number_of_released_edges == 0 && report.number_of_displaced_vertices == 0);
+  CHECK_EQUAL(report.number_of_thin_quads, std::size_t(0));
+  // each on a face of its own cube, which it faces as
+  for(const auto f : quads.faces())
+    CHECK(normal(quads, f) * normal(mesh, face_of[f].first) > 0);
+}
+
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
 void test_remeshing_of_long_triangles()
 {
@@ -1832,7 +1872,7 @@ Shaped shape(const Mesh& mesh, Mesh& quads)
     result.distance_before = surface.unscaled(smoother.measure_distance());
     QR::internal::Quad_shaper(quads, is_feature, surface.mesh(), lines, smoother).run(50);
     result.distance = surface.unscaled(smoother.measure_distance());
-    result.least_jacobian = smoother.measure_shape()[0];
+    result.least_jacobian = smoother.measure_shape().least_scaled_jacobian;
   });
   return result;
 }
@@ -1866,10 +1906,10 @@ struct Flat_quads
     run_on_copy(square, quads, [&](const auto&, const auto& is_feature, const auto& lines,
                                    auto& smoother) {
       QR::internal::Quad_improver improver(quads, is_feature, lines, smoother);
-      std::get<0>(result) = smoother.measure_shape()[0];
+      std::get<0>(result) = smoother.measure_shape().least_scaled_jacobian;
       improver.move_vertices();
       std::get<2>(result) = improver.remove_vertices_of_two_edges();
-      std::get<1>(result) = smoother.measure_shape()[0];
+      std::get<1>(result) = smoother.measure_shape().least_scaled_jacobian;
     });
     return result;
   }
@@ -1891,9 +1931,9 @@ void test_unfolding()
               flat.quads.point(flat.vertices[std::size_t(j)]));
   run_on_copy(flat.square, flat.quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
     const auto is_held = [&](const Vertex v) { return flat.quads.is_border(v); };
-    CHECK(smoother.measure_shape()[0] < 0);
+    CHECK(smoother.measure_shape().least_scaled_jacobian < 0);
     smoother.smooth(10, is_held);
-    CHECK(smoother.measure_shape()[0] < 0);
+    CHECK(smoother.measure_shape().least_scaled_jacobian < 0);
     smoother.unfold(is_held);
     const Point_3 p = flat.quads.point(flat.vertices[5]);
     smoother.unfold(is_held);
@@ -2012,12 +2052,12 @@ void test_division()
       CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
       std::nullopt);
     QR::internal::Quad_smoother smoother(quads, surface.mesh());
-    CHECK(smoother.measure_shape()[0] <= 0);
+    CHECK(smoother.measure_shape().least_scaled_jacobian <= 0);
     QR::internal::Quad_divider divider(quads, is_feature, smoother);
     const bool is_helped = y < 1;
     CHECK_EQUAL(divider.run(), is_helped ? 1u : 0u);
     CHECK_EQUAL(faces(quads).size(), is_helped ? 5u : 1u);
-    CHECK(!is_helped || smoother.measure_shape()[0] > 0.1);
+    CHECK(!is_helped || smoother.measure_shape().least_scaled_jacobian > 0.1);
     CHECK(CGAL::is_valid_polygon_mesh(quads) && CGAL::is_quad_mesh(quads));
     for(std::size_t i = 0; i < 4; ++i)
       CHECK_EQUAL(quads.point(v[i]), corners[i]);
@@ -2351,6 +2391,7 @@ int main()
     test_few_quads();
     test_choice_of_map();
     test_edge_lengths();
+    test_touching_bodies();
   }
   test_refinement();
   test_sizes_in_space();

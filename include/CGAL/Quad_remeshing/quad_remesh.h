@@ -77,6 +77,9 @@ struct Remeshing_report
   std::vector<Released_feature> released_features;
   double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
   double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
+  /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
+  /// line among them
+  std::size_t number_of_thin_quads = 0;
   /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
   /// does, or the quad has no area, decided exactly, for the points as doubles; or that lie
   /// upside down: they face against the surface at their middle, and half way from there to each

@@ -255,7 +255,7 @@ private:
     const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
     const double distance = (std::max)(smoother.measure_distance(),
                                        samples.largest_distance(m_quads));
-    return 2 * distance / diagonal - smoother.measure_shape()[1] +
+    return 2 * distance / diagonal - smoother.measure_shape().mean_scaled_jacobian +
            0.05 * double(smoother.number_of_inverted_quads()) +
            0.3 * double(m_quads.number_of_faces()) / m_options.quantization.number_of_quads;
   }
@@ -567,9 +567,10 @@ private:
       }
       ++i;
     }
-    const std::array<double, 2> shape = smoother.measure_shape();
-    m_report.least_scaled_jacobian = shape[0];
-    m_report.mean_scaled_jacobian = shape[1];
+    const Quad_smoother::Shape shape = smoother.measure_shape();
+    m_report.least_scaled_jacobian = shape.least_scaled_jacobian;
+    m_report.mean_scaled_jacobian = shape.mean_scaled_jacobian;
+    m_report.number_of_thin_quads = shape.number_of_thin_quads;
     m_timer.finish("measurement");
     return true;
   }

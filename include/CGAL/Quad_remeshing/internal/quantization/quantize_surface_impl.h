@@ -266,8 +266,8 @@ private:
   {
     const std::size_t forced = m_result.number_of_forced_quads;
     return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
-           " of fewer quads was found" +
-           (forced > 0 ? "; features force " + std::to_string(forced) : "");
+           " of fewer quads, down to the number wanted, was found" +
+           (forced > 0 ? "; features force about " + std::to_string(forced) : "");
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;

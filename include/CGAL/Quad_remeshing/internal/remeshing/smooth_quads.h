@@ -137,14 +137,14 @@ public:
     std::size_t number = number_of_inverted_quads();
     if(10 * number <= m_quads.number_of_faces())
       return;
-    double shape = measure_shape()[1];
+    double shape = measure_shape().mean_scaled_jacobian;
     for(int block = 0; block < most_blocks && number > 0; ++block) {
       const std::vector<Point> points(m_quads.points().begin(), m_quads.points().end());
       for(int round = 0; round < rounds; ++round)
         for(const Vertex v : vertices(m_quads))
           if(!is_held(v))
             set_point(v, nearest(middle_of_neighbors(v), point(v)));
-      const double new_shape = measure_shape()[1];
+      const double new_shape = measure_shape().mean_scaled_jacobian;
       if(new_shape <= shape) {
         std::copy(points.begin(), points.end(), m_quads.points().begin());
         return;
@@ -165,17 +165,26 @@ public:
           move(v);
   }
 
-  // The least and the mean scaled Jacobian of all faces.
-  std::array<double, 2> measure_shape() const
+  struct Shape
   {
-    double least = 1, sum = 0;
+    double least_scaled_jacobian = 1, mean_scaled_jacobian = 0;
+    std::size_t number_of_thin_quads = 0;
+  };
+
+  Shape measure_shape() const
+  {
+    constexpr double thin = 0.1; // as a scaled Jacobian
+    Shape result;
+    double sum = 0;
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
       const double value = scaled_jacobian(q, quad_normal(q));
-      least = (std::min)(least, value);
+      result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
+      result.number_of_thin_quads += value < thin ? 1 : 0;
       sum += value;
     }
-    return {least, sum / static_cast<double>(faces(m_quads).size())};
+    result.mean_scaled_jacobian = sum / static_cast<double>(faces(m_quads).size());
+    return result;
   }
 
   std::size_t number_of_inverted_quads() const
