@@ -263,8 +263,9 @@ around move, too, in at most five rounds. There are at most 20,000 such moves of
 With `symmetry_plane`, they stay.
 
 Where quads are inverted even then, the features are released that are nearer to them than an edge
-of a quad, and all is made again; if that does not help, those within two edges. What has the fewest
-inverted quads is the result; these are counted in the report.
+of a quad, and all is made again; if that does not help, those within two edges. So there are at
+most three attempts. What has the fewest inverted quads is the result; these are counted in the
+report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 long triangles, as of flat faces without vertices inside, if they cover a quarter of the area: those
@@ -292,9 +293,9 @@ three ways; two more quantizations where there are far more quads than wanted, t
 features force. Where there are more than 1.1 times as many as wanted, and features neither force
 these nor are released, further maps are made, with more or fewer cones: for each halving of the
 number four times, and for each doubling up to about 1.5 times the fewest quads that are known,
-unless they have the same field. To untangle all of them and to repair their flips, there are 16
-million iterations over a face, which take about a minute; more expensive ones count for as many as
-take as long: see `approximate_seamless_parametrization()`. The
+unless they have the same field. To untangle all of them, in all attempts, and to repair their
+flips, there are 16 million iterations over a face, which take about a minute; more expensive ones
+count for as many as take as long: see `approximate_seamless_parametrization()`. The
 result has about as many quads as wanted, or as few as were found, which the message tells; and,
 unless features force quads or are released, at least 95 % of those that are made where fewer are
 wanted. Of at most 1,000, those of up to eight of these maps are compared, the fewest first, that

@@ -66,12 +66,11 @@ class Quad_remesher
   using Point = Surface_to_remesh::Kernel::Point_3;
 
 public:
+  // \param untangling_iterations those that are left, over all faces; counted down
   Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
-                const Feature_map& is_feature)
+                const Feature_map& is_feature, std::size_t& untangling_iterations)
     : m_surface(surface), m_options(options), m_quads(quads), m_is_feature(is_feature),
-      m_untangling_iterations(
-        parametrization::untangling_iterations_in_a_minute(surface.mesh().number_of_faces())),
-      m_timer(m_report, options.verbose)
+      m_untangling_iterations(untangling_iterations), m_timer(m_report, options.verbose)
   { }
 
   void run()
@@ -479,7 +478,8 @@ private:
     return true;
   }
 
-  // Those that may be spent on one map: all maps together have so many as take a minute.
+  // Those that may be spent on one map: the maps of all attempts together have so many as take a
+  // minute.
   std::size_t untangling_iterations(const std::size_t most) const
   { return (std::min)(most, m_untangling_iterations); }
 
@@ -665,7 +665,7 @@ private:
   Quantization m_quantization;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
   std::vector<State> m_choices; // quads are made of the best one
-  std::size_t m_untangling_iterations; // that are left, over all faces
+  std::size_t& m_untangling_iterations;
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };
@@ -676,11 +676,13 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
+  std::size_t untangling_iterations =
+    parametrization::untangling_iterations_in_a_minute(surface.mesh().number_of_faces());
   Remeshing_report before; // an attempt: what has been released
   bool may_try_again = true;
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept,
                            const double edges_to_release) {
-    Quad_remesher remesher(surface, options, mesh, is_kept);
+    Quad_remesher remesher(surface, options, mesh, is_kept, untangling_iterations);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
@@ -715,7 +717,11 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
-{ return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization); }
+{
+  std::size_t no_untangling = 0;
+  return Quad_remesher(surface, options, quads, is_feature, no_untangling)
+    .run_on_quads(quantization);
+}
 
 // The wanted length of an edge at a place.
 inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
