@@ -9,14 +9,21 @@ function(seamless_snapping_test name)
 endfunction()
 
 # Tests that share much are compiled together, as tests_of_GROUP; with precompiled PART, if it is
-# not empty. A compiler takes up to 2.5 GB for each group.
+# not empty, and with EXAMPLES of the package. A compiler takes up to 2.5 GB for each group.
 function(seamless_snapping_tests group part)
+  cmake_parse_arguments(PARSE_ARGV 2 with "" "" EXAMPLES)
+  get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  set(examples ${with_EXAMPLES})
+  list(TRANSFORM examples REPLACE "(.+)" "../../examples/${folder}/\\1.cpp")
+  if(NOT SEAMLESS_SNAPPING_BUILD_EXAMPLES OR SEAMLESS_SNAPPING_SEPARATE_PROGRAMS OR WIN32)
+    set(examples "") # or they are compiled in their own folder
+  endif()
   string(REGEX REPLACE "_Tests$" "" prefix "${PROJECT_NAME}")
   string(TOLOWER "test_${prefix}_" prefix)
-  set(sources ${ARGN})
+  set(sources ${with_UNPARSED_ARGUMENTS})
   list(TRANSFORM sources REPLACE "(.+)" "${prefix}\\1.cpp")
-  seamless_snapping_programs(tests_of_${group} "${part}" ${sources})
-  foreach(name IN LISTS ARGN)
+  seamless_snapping_programs(tests_of_${group} "${part}" ${sources} ${examples})
+  foreach(name IN LISTS with_UNPARSED_ARGUMENTS)
     seamless_snapping_test(${prefix}${name})
   endforeach()
 endfunction()
