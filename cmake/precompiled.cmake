@@ -25,7 +25,6 @@ if(TARGET CGAL::TBB_support)
 endif()
 target_precompile_headers(seamless_snapping_precompiled PRIVATE
   <CGAL/Exact_integer.h>
-  <CGAL/Exact_predicates_inexact_constructions_kernel.h>
   <CGAL/Exact_rational.h>
   <CGAL/Named_function_parameters.h>
   <CGAL/Simple_cartesian.h>

@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/array.hpp>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -20,6 +22,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertices = std::vector<Mesh::Vertex_index>;
 using Three_vertices = std::array<Mesh::Vertex_index, 3>;
+using Three_vertices_of_mesh = boost::array<Mesh::Vertex_index, 3>; // in CGAL 5
 using Uv_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
@@ -56,6 +59,8 @@ using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   PREFIX template Surface_mesh<seamless_snapping_precompiled::Kernel::Point_3>&                    \
   Surface_mesh<seamless_snapping_precompiled::Kernel::Point_3>::operator=(                         \
     const seamless_snapping_precompiled::Mesh&);                                                   \
+  PREFIX template void                                                                             \
+  Surface_mesh<seamless_snapping_precompiled::Kernel::Point_3>::collect_garbage();                 \
   PREFIX template std::pair<seamless_snapping_precompiled::Edge_bool_map, bool>                    \
   Surface_mesh<seamless_snapping_precompiled::Kernel::Point_3>::add_property_map<SM_Edge_index>(   \
     std::string, bool);                                                                            \
@@ -63,6 +68,8 @@ using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   Surface_mesh<seamless_snapping_precompiled::Kernel::Point_3>::add_property_map<                  \
     SM_Halfedge_index>(std::string, seamless_snapping_precompiled::Kernel::Point_2);               \
   SEAMLESS_SNAPPING_INSTANTIATE_ADD_FACE(PREFIX, seamless_snapping_precompiled::Three_vertices)    \
+  SEAMLESS_SNAPPING_INSTANTIATE_ADD_FACE(                                                          \
+    PREFIX, seamless_snapping_precompiled::Three_vertices_of_mesh)                                 \
   SEAMLESS_SNAPPING_INSTANTIATE_ADD_FACE(PREFIX, seamless_snapping_precompiled::Vertices)
 
 namespace CGAL {

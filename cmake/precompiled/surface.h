@@ -6,10 +6,12 @@
 
 #include "mesh.h"
 
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <functional>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -35,6 +37,11 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
 
 // Singular vertices, and what else knows no coordinates, or no mesh.
 #define SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                              \
+  PREFIX template class internal::Constraint_reader<seamless_snapping_precompiled::Mesh>;          \
+  PREFIX template class internal::Flat_numbering<seamless_snapping_precompiled::Mesh>;             \
+  PREFIX template std::vector<double> internal::residuals_of_parts(                                \
+    const internal::Lists<internal::Incidence>&,                                                   \
+    const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                            \
   PREFIX template std::vector<std::pair<SM_Halfedge_index, int> >                                  \
   internal::singular_vertices<internal::Quarter_turns>(                                            \
     const seamless_snapping_precompiled::Surface_without_indices&, double,                         \
@@ -45,6 +52,11 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
   PREFIX template std::size_t internal::number_of_coinciding_border_edges(                         \
     const seamless_snapping_precompiled::Mesh&,                                                    \
     const seamless_snapping_precompiled::Vertex_point_map&);
+
+#define SEAMLESS_SNAPPING_INSTANTIATE_SURVEY(PREFIX, SURFACE)                                      \
+  PREFIX template std::optional<internal::Refusal> internal::find_bad_face(const SURFACE&);        \
+  PREFIX template internal::Uv_survey<SURFACE::Halfedge> internal::survey_uv(                      \
+    const SURFACE&, const std::function<bool(SURFACE::Halfedge)>&);
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, GROUP, SURFACE)                             \
   PREFIX template class internal::Transition_reader<GROUP, SURFACE>;                               \
@@ -61,8 +73,11 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SURFACE(PREFIX)                                              \
   SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                                    \
+  SEAMLESS_SNAPPING_INSTANTIATE_SURVEY(PREFIX, seamless_snapping_precompiled::Surface)             \
+  SEAMLESS_SNAPPING_INSTANTIATE_SURVEY(PREFIX, internal::Flat_surface)                             \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
                                          seamless_snapping_precompiled::Surface)                   \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns, internal::Flat_surface)  \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Features)            \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Aligned)
