@@ -185,7 +185,8 @@ void write_check(std::ostream& os, const Summary& s)
            ? "note: no face has an area: this is no map\n" : "")
      << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
-     << (s.left_out_edges > 0 ? ", but not aligned along what is left out" : "")
+     << (s.left_out_edges > 0 ? (s.before.is_exact() ? ", but" : ", and") +
+                                 std::string(" not aligned along what is left out") : "")
      << " (in brackets: relative to the extent " << to_text(s.before.extent) << ")" << std::endl;
 }
 

@@ -316,8 +316,8 @@ void snap_volume(const Arguments& arguments)
       os << " in " << counted(report.run.number_of_cut_branches, "sheet") << ", "
          << counted(report.linear_solver.number_of_unknowns, "unknown");
     os << "\nlargest violation before " << report.violation_before << ", largest change "
-       << report.largest_change << ", orientation of " << counted(report.lost_faces.size(), "cell")
-       << " lost\n";
+       << report.largest_change << " (lengths in the domain), orientation of "
+       << counted(report.lost_faces.size(), "cell") << " lost\n";
     if(volume_options.integer_grid) {
       os << "largest rounding " << report.largest_rounding << "\n";
       write(os, grid, after, volume_options);
