@@ -46,7 +46,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
@@ -291,11 +290,7 @@ private:
   }
 
   bool sizes_vary() const
-  {
-    const auto sizes = m_surface.sizes();
-    return m_options.curvature_adaptivity > 1 ||
-           std::adjacent_find(sizes.begin(), sizes.end(), std::not_equal_to<>()) != sizes.end();
-  }
+  { return m_options.curvature_adaptivity > 1 || m_surface.has_sizes_that_vary(); }
 
   // By default, so little that it hardly matters where the surface curves alike in all directions,
   // or without order; but over some tens of faces, edges and round parts direct the field. Faces
@@ -741,13 +736,16 @@ inline void measure_edges(const Surface_to_remesh& input, const double unit,
                           const Surface_to_remesh::Mesh& quads, const Quad_smoother& smoother,
                           Remeshing_report& report)
 {
+  const bool sizes_vary = input.has_sizes_that_vary();
   std::vector<double> lengths, deviations;
   for(const auto e : quads.edges()) {
     const Space_vector p = smoother.point(quads.vertex(e, 0));
     const Space_vector q = smoother.point(quads.vertex(e, 1));
     lengths.push_back(norm(vector_to(p, q)));
     if(unit > 0) {
-      const double ratio = lengths.back() / (unit * size_at(input, between(p, q, 0.5), smoother));
+      const double size = sizes_vary ? size_at(input, between(p, q, 0.5), smoother)
+                                     : *input.sizes().begin();
+      const double ratio = lengths.back() / (unit * size);
       deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
     }
   }

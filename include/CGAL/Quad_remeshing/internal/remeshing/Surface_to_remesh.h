@@ -38,6 +38,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -129,6 +130,12 @@ public:
   Feature_map is_cut() const { return m_is_cut; }
   Rotation_map rotations() const { return m_rotations; }
   Sizing_map sizes() const { return m_sizes; }
+
+  bool has_sizes_that_vary() const
+  {
+    return std::adjacent_find(m_sizes.begin(), m_sizes.end(), std::not_equal_to<>()) !=
+           m_sizes.end();
+  }
 
   // In the scale of the mesh, which is on its upper side.
   const std::optional<Mirror>& mirror() const { return m_mirror; }
