@@ -26,10 +26,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
