@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -63,11 +64,18 @@ void replace_points(const std::vector<std::size_t>& by, Surface_soup& surface, R
   repairs.welded_points += replaced.size();
 }
 
+// From the least vertex on.
+Polygon rotated(Polygon polygon)
+{
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  return polygon;
+}
+
 // From the least vertex on, in the direction of its lesser neighbor: the same for all polygons with
 // the same sides.
 Polygon canonical(Polygon polygon)
 {
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  polygon = rotated(std::move(polygon));
   if(polygon[1] > polygon.back())
     std::reverse(polygon.begin() + 1, polygon.end());
   return polygon;
@@ -109,21 +117,6 @@ void check_corners(const Polygon_soup& soup, const Surface_soup& surface)
   }
 }
 
-// Keeps the first of the faces that have the same corners.
-void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
-{
-  std::set<Polygon> known;
-  std::size_t n = 0;
-  for(std::size_t i = 0; i < surface.polygons.size(); ++i)
-    if(known.insert(canonical(surface.polygons[i])).second) {
-      surface.polygons[n] = surface.polygons[i];
-      surface.file_faces[n++] = surface.file_faces[i];
-    }
-  repairs.duplicate_faces = surface.polygons.size() - n;
-  surface.polygons.resize(n);
-  surface.file_faces.resize(n);
-}
-
 struct Side
 {
   std::array<std::size_t, 2> key; // the sides that are compared have the same
@@ -161,6 +154,60 @@ std::vector<Side> all_sides(const Surface_soup& surface)
     }
   }
   return sides;
+}
+
+// Whether as many run one way as the other, as those of closed bodies do.
+template <typename Iterator>
+bool are_balanced(const Iterator begin, const Iterator end)
+{
+  return 2 * std::count_if(begin, end, [](const Side& s) { return s.source == s.key[0]; }) ==
+         end - begin;
+}
+
+// The faces that are there twice, turned either way, where two closed bodies meet. In a piece of
+// which all faces are, the two are no bodies, but the sides of a surface.
+std::vector<char> walls_of_bodies(const Surface_soup& surface)
+{
+  std::map<Polygon, std::vector<std::size_t> > by_corners;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    by_corners[canonical(surface.polygons[f])].push_back(f);
+  std::vector<char> result(surface.polygons.size(), 0);
+  for(const auto& [corners, faces] : by_corners)
+    if(faces.size() == 2 &&
+       rotated(surface.polygons[faces[0]]) != rotated(surface.polygons[faces[1]]))
+      result[faces[0]] = result[faces[1]] = 1;
+  std::vector<Side> sides = all_sides(surface);
+  boost::disjoint_sets_with_storage<> pieces(surface.polygons.size());
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    for(auto it = begin; it != end; ++it) {
+      pieces.union_set(begin->face, it->face);
+      if(!are_balanced(begin, end))
+        result[it->face] = 0;
+    }
+  });
+  std::vector<char> has_others(surface.polygons.size(), 0);
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    if(!result[f])
+      has_others[pieces.find_set(f)] = 1;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    result[f] = char(result[f] && has_others[pieces.find_set(f)]);
+  return result;
+}
+
+// Keeps the first of the faces that have the same corners, but both faces of a wall.
+void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
+{
+  const std::vector<char> is_wall = walls_of_bodies(surface);
+  std::set<Polygon> known;
+  std::size_t n = 0;
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i)
+    if(is_wall[i] || known.insert(canonical(surface.polygons[i])).second) {
+      surface.polygons[n] = surface.polygons[i];
+      surface.file_faces[n++] = surface.file_faces[i];
+    }
+  repairs.duplicate_faces = surface.polygons.size() - n;
+  surface.polygons.resize(n);
+  surface.file_faces.resize(n);
 }
 
 // Makes two border edges between the same places one, as those of a mesh that was cut open. Bodies
@@ -243,18 +290,9 @@ std::vector<char> turned_faces(const std::vector<Shared_side>& shared,
   return is_turned;
 }
 
-// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
-// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
-// ones.
-void cut_one_sided_surfaces(Surface_soup& surface)
+// Gives corners at one point that no side in `joined` connects points of their own.
+void take_apart(const std::vector<Shared_side>& joined, Surface_soup& surface)
 {
-  std::vector<Side> sides = all_sides(surface);
-  std::vector<Shared_side> shared;
-  for_each_key(sides, [&](const auto begin, const auto end) {
-    if(end - begin == 2)
-      shared.push_back({*begin, *(begin + 1)});
-  });
-  const std::vector<char> is_turned = turned_faces(shared, surface.polygons.size());
   std::vector<std::size_t> first_corner(1, 0);
   for(const Polygon& polygon : surface.polygons)
     first_corner.push_back(first_corner.back() + polygon.size());
@@ -264,10 +302,9 @@ void cut_one_sided_surfaces(Surface_soup& surface)
            std::size_t(std::find(polygon.begin(), polygon.end(), v) - polygon.begin());
   };
   boost::disjoint_sets_with_storage<> sets(first_corner.back());
-  for(const Shared_side& s : shared)
-    if(has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]))
-      for(const std::size_t v : s[0].key)
-        sets.union_set(corner(s[0].face, v), corner(s[1].face, v));
+  for(const Shared_side& s : joined)
+    for(const std::size_t v : s[0].key)
+      sets.union_set(corner(s[0].face, v), corner(s[1].face, v));
   std::map<std::size_t, std::size_t> point_of_set;
   std::vector<char> is_taken(surface.points.size(), 0);
   for(std::size_t f = 0; f < surface.polygons.size(); ++f)
@@ -282,6 +319,110 @@ void cut_one_sided_surfaces(Surface_soup& surface)
       is_taken[v] = 1;
       v = set->second;
     }
+}
+
+bool is_inside_out(const Surface_soup& surface)
+{
+  double volume = 0;
+  for(const Polygon& polygon : surface.polygons)
+    for(std::size_t k = 2; k < polygon.size(); ++k)
+      volume += CGAL::determinant(surface.points[polygon[0]] - surface.points[0],
+                                  surface.points[polygon[k - 1]] - surface.points[0],
+                                  surface.points[polygon[k]] - surface.points[0]);
+  return volume < 0;
+}
+
+// At which angle each side's face lies around their edge; the same for faces with the same corners.
+template <typename Iterator>
+std::vector<double> angles(const Surface_soup& surface, const Iterator begin, const Iterator end)
+{
+  const Kernel::Point_3 p = surface.points[begin->key[0]];
+  const Kernel::Vector_3 along = surface.points[begin->key[1]] - p;
+  Kernel::Vector_3 axis(1, 0, 0);
+  if(std::abs(along.x()) > std::abs(along.y()))
+    axis = Kernel::Vector_3(0, 1, 0);
+  const Kernel::Vector_3 u = CGAL::cross_product(along, axis), v = CGAL::cross_product(along, u);
+  const double length = CGAL::approximate_sqrt(along.squared_length());
+  std::vector<double> result;
+  for(auto it = begin; it != end; ++it) {
+    double angle = 0, farthest = -1;
+    for(const std::size_t w : rotated(surface.polygons[it->face])) {
+      const double x = (surface.points[w] - p) * u, y = (surface.points[w] - p) * v / length,
+                   distance = x * x + y * y;
+      if(distance > farthest) {
+        farthest = distance;
+        angle = std::atan2(y, x);
+      }
+    }
+    result.push_back(std::isfinite(angle) ? angle : 0);
+  }
+  return result;
+}
+
+// Pairs of sides of one edge with the inside of a body between them: around the edge, a body begins
+// at faces that run against it, and ends at others.
+template <typename Iterator>
+std::vector<Shared_side> sides_of_bodies(const Surface_soup& surface, const Iterator begin,
+                                         const Iterator end, const bool is_turned)
+{
+  const std::vector<double> angle = angles(surface, begin, end);
+  const auto ends_body = [&](const std::size_t i)
+    { return (begin[std::ptrdiff_t(i)].source == begin->key[0]) != is_turned; };
+  std::vector<std::size_t> around(angle.size()), open;
+  std::iota(around.begin(), around.end(), std::size_t(0));
+  std::stable_sort(around.begin(), around.end(), [&](const std::size_t i, const std::size_t j)
+    { return std::make_pair(angle[i], !ends_body(i)) < std::make_pair(angle[j], !ends_body(j)); });
+  std::vector<Shared_side> result;
+  std::vector<char> is_paired(angle.size(), 0);
+  for(const bool is_first_turn : {true, false})
+    for(const std::size_t i : around) {
+      if(!ends_body(i)) {
+        if(is_first_turn)
+          open.push_back(i);
+      } else if(!open.empty() && !is_paired[i]) {
+        is_paired[i] = 1;
+        result.push_back({begin[std::ptrdiff_t(open.back())], begin[std::ptrdiff_t(i)]});
+        open.pop_back();
+      }
+    }
+  return result;
+}
+
+// Takes closed bodies apart that share edges or walls.
+void separate_bodies(Surface_soup& surface)
+{
+  std::vector<Side> sides = all_sides(surface);
+  std::vector<Shared_side> joined;
+  bool are_bodies = false;
+  const bool is_turned = is_inside_out(surface);
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    if(end - begin == 2) {
+      joined.push_back({*begin, *(begin + 1)});
+    } else if(end - begin > 2 && are_balanced(begin, end)) {
+      are_bodies = true;
+      for(const Shared_side& pair : sides_of_bodies(surface, begin, end, is_turned))
+        joined.push_back(pair);
+    }
+  });
+  if(are_bodies)
+    take_apart(joined, surface);
+}
+
+// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
+// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
+// ones.
+void cut_one_sided_surfaces(Surface_soup& surface)
+{
+  std::vector<Side> sides = all_sides(surface);
+  std::vector<Shared_side> shared, joined;
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    if(end - begin == 2)
+      shared.push_back({*begin, *(begin + 1)});
+  });
+  const std::vector<char> is_turned = turned_faces(shared, surface.polygons.size());
+  std::copy_if(shared.begin(), shared.end(), std::back_inserter(joined), [&](const Shared_side& s)
+    { return has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]); });
+  take_apart(joined, surface);
 }
 
 // The edges at which faces came apart that had shared them, and the points.
@@ -338,6 +479,7 @@ Surface_soup oriented_surface(const Polygon_soup& soup, const bool has_one_side,
   check_corners(soup, surface);
   remove_duplicate_faces(surface, repairs);
   add_points(soup, surface);
+  separate_bodies(surface);
   if(has_one_side)
     cut_one_sided_surfaces(surface);
   surface.is_turned.assign(surface.polygons.size(), false);
