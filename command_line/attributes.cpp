@@ -470,6 +470,7 @@ std::string OBJ_text(const Model& model, const std::string& text, Located_quads&
     }
     os << face << "\n";
   }
+  os << lines_of_features(quads.mesh, quads.is_feature);
   return os.str();
 }
 
@@ -496,7 +497,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
                    std::uint32_t, float, double>(model, file, quads);
     carry_over_colors(model, file, quads);
   }
-  const std::string text = text_of_quads(quads.mesh, filename);
+  const std::string text = text_of_quads(quads.mesh, quads.is_feature, filename);
   if(has_properties)
     if(const std::string missing = missing_properties(input, text); !missing.empty())
       std::cerr << "note: not carried over: " << missing << std::endl;

@@ -23,6 +23,7 @@ struct Located_quads
     mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
   Mesh::Property_map<Mesh::Face_index, Location> of_face =
     mesh.add_property_map<Mesh::Face_index, Location>("f:location").first;
+  Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
   std::vector<Mesh::Face_index> written; // in this order; empty: in that of the mesh
 };
 

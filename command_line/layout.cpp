@@ -6,6 +6,7 @@
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "pictures/layout_picture.h"
 #include "measures.h"
 #include "snap_model.h"
@@ -14,7 +15,10 @@
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -26,7 +30,7 @@ namespace {
 struct Layout_options
 {
   Seam_options seams;
-  std::string input, output, picture;
+  std::string input, output, picture, report;
   bool base_complex = false;
 
   bool parse(const Arguments& arguments)
@@ -46,6 +50,7 @@ struct Layout_options
                 "let curves run on where they meet others, to a cone, corner, border, or feature");
     seams.add_repair_to(options);
     options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
+    options.add("report", "R.json", report, "write all figures to a file");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
@@ -55,7 +60,7 @@ struct Layout_options
     if(suffix_of(output) != "obj" && !is_special_file(output))
       throw Failure(USAGE, "'" + output + "': layouts are written to .obj files");
     check_picture(picture);
-    check_outputs({input}, {output, picture});
+    check_outputs({input}, {output, picture, report});
     return true;
   }
 };
@@ -71,6 +76,47 @@ void snap(const Layout_options& options, Model& model, const Alignment& alignmen
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
 }
 
+struct Layout_counts
+{
+  explicit Layout_counts(const IL::Motorcycle_graph<Mesh>& graph)
+    : cut_patches(graph.number_of_cut_patches()),
+      rectangles(graph.number_of_patches() - cut_patches), arcs(graph.number_of_arcs())
+  {
+    for(std::size_t n = 0; n < graph.number_of_nodes(); ++n) {
+      const IL::Layout_node kind = graph.node_kind(n);
+      ++(kind == IL::Layout_node::JUNCTION ? junctions
+         : kind == IL::Layout_node::SEED   ? seeds : cones_and_corners);
+    }
+  }
+
+  std::size_t cut_patches, rectangles, arcs;
+  std::size_t cones_and_corners = 0;
+  std::size_t junctions = 0; // at which curves meet
+  std::size_t seeds = 0;     // chosen in parts without cones and corners
+};
+
+void write_summary(std::ostream& os, const Layout_counts& n)
+{
+  os << counted(n.rectangles, "rectangle") << ", "
+     << (n.cut_patches > 0 ? counted(n.cut_patches, "patch") + " cut by the border, " : "")
+     << counted(n.arcs, "arc") << " between "
+     << (n.cones_and_corners == 1 ? "1 cone or corner"
+                                  : std::to_string(n.cones_and_corners) + " cones and corners")
+     << (n.seeds > 0 ? ", " + counted(n.seeds, "vertex") + " chosen in parts without any," : "")
+     << " and " << counted(n.junctions, "point") << " at which curves meet\n";
+}
+
+nlohmann::json json_of(const std::optional<Layout_counts>& n, const bool is_written,
+                       const std::string& message)
+{
+  if(!is_written || !n)
+    return {{"written", false}, {"message", message}};
+  return {{"written", true}, {"message", message}, {"rectangles", n->rectangles},
+          {"cut_patches", n->cut_patches}, {"arcs", n->arcs},
+          {"cones_and_corners", n->cones_and_corners}, {"junctions", n->junctions},
+          {"chosen_vertices", n->seeds}};
+}
+
 } // namespace
 
 void layout(const Arguments& arguments)
@@ -79,36 +125,33 @@ void layout(const Arguments& arguments)
   if(!options.parse(arguments))
     return;
   Model model;
-  read_model(options.input, options.seams.reading, model);
-  std::ostream& os = summary_stream({options.output, options.picture});
+  read_or_tell(options.report, "written",
+               [&] { read_model(options.input, options.seams.reading, model); });
+  std::ostream& os = summary_stream({options.output, options.picture, options.report});
   os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
-  const Alignment alignment(model, options.seams);
-  snap(options, model, alignment);
-  const Progress progress("dividing the surface", options.seams.reading.verbose);
-  const auto np = IL::parameters::edge_is_constrained_map(alignment.is_aligned);
-  const IL::Motorcycle_graph<Mesh> graph =
-    options.base_complex
-      ? IL::motorcycle_graph(model.mesh, model.uv_map, np.curve_stop_policy(IL::Run_to_nodes()))
-      : IL::motorcycle_graph(model.mesh, model.uv_map, np);
-  if(!graph)
-    throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
-                                in_words_of_user(graph.message(), model));
-  std::ostringstream text;
-  IL::IO::write_layout(text, graph);
-  write_file(options.output, text.str());
-  if(!options.picture.empty())
-    write_file(options.picture, layout_picture(graph));
-  std::size_t junctions = 0, seeds = 0;
-  const std::size_t cut = graph.number_of_cut_patches();
-  for(std::size_t n = 0; n < graph.number_of_nodes(); ++n) {
-    junctions += graph.node_kind(n) == IL::Layout_node::JUNCTION ? 1 : 0;
-    seeds += graph.node_kind(n) == IL::Layout_node::SEED ? 1 : 0;
-  }
-  const std::size_t starts = graph.number_of_nodes() - junctions - seeds;
-  os << counted(graph.number_of_patches() - cut, "rectangle") << ", "
-     << (cut > 0 ? counted(cut, "patch") + " cut by the border, " : "")
-     << counted(graph.number_of_arcs(), "arc") << " between "
-     << (starts == 1 ? "1 cone or corner" : std::to_string(starts) + " cones and corners")
-     << (seeds > 0 ? ", " + counted(seeds, "vertex") + " chosen in parts without any," : "") << " and "
-     << counted(junctions, "point") << " at which curves meet\n";
+  std::optional<Layout_counts> counts;
+  const auto work = [&] {
+    const Alignment alignment(model, options.seams);
+    snap(options, model, alignment);
+    const Progress progress("dividing the surface", options.seams.reading.verbose);
+    const auto np = IL::parameters::edge_is_constrained_map(alignment.is_aligned);
+    const IL::Motorcycle_graph<Mesh> graph =
+      options.base_complex
+        ? IL::motorcycle_graph(model.mesh, model.uv_map, np.curve_stop_policy(IL::Run_to_nodes()))
+        : IL::motorcycle_graph(model.mesh, model.uv_map, np);
+    if(!graph)
+      throw Failure(NOT_SOLVED, options.input + ": " + to_string(graph.status()) + ": " +
+                                  in_words_of_user(graph.message(), model));
+    std::ostringstream text;
+    IL::IO::write_layout(text, graph);
+    write_file(options.output, text.str());
+    if(!options.picture.empty())
+      write_file(options.picture, layout_picture(graph));
+    counts.emplace(graph);
+    write_summary(os, *counts);
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    if(!options.report.empty())
+      write_json(options.report, json_of(counts, status == SUCCESS, message));
+  });
 }

@@ -183,6 +183,7 @@ void parametrize(const Arguments& arguments)
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  os << summary_of_features(model.mesh, model.is_feature);
   const std::size_t released = release_one_of_three(model.mesh, model.is_feature);
   if(released > 0)
     os << "not aligned, as all three of a face would be: " << counted(released, "feature edge")

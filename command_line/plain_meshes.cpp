@@ -8,17 +8,58 @@
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+
+std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_feature)
+{
+  const auto is_inside = [&](const Edge e) { return is_feature[e] && !mesh.is_border(e); };
+  boost::disjoint_sets_with_storage<> chains(mesh.num_edges());
+  for(const auto v : mesh.vertices()) {
+    std::vector<Edge> at_vertex;
+    for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      if(h != Mesh::null_halfedge() && is_inside(mesh.edge(h)))
+        at_vertex.push_back(mesh.edge(h));
+    if(at_vertex.size() == 2)
+      chains.union_set(std::size_t(at_vertex[0]), std::size_t(at_vertex[1]));
+  }
+  std::map<std::size_t, std::size_t> sizes; // of chains
+  double length = 0;
+  for(const Edge e : mesh.edges())
+    if(is_inside(e)) {
+      ++sizes[chains.find_set(std::size_t(e))];
+      length += PMP::edge_length(e, mesh);
+    }
+  if(sizes.empty())
+    return "";
+  std::size_t number_of_edges = 0, singles = 0;
+  for(const auto& [chain, size] : sizes) {
+    number_of_edges += size;
+    singles += size == 1 ? 1 : 0;
+  }
+  std::ostringstream os;
+  os << "features: " << counted(number_of_edges, "edge") << " in "
+     << counted(sizes.size(), "chain") << ", of length " << length << " in sum\n";
+  constexpr std::size_t few = 20;
+  if(singles > few && 2 * singles > sizes.size())
+    os << "note: " << singles << " of these chains are single edges, as noise makes them: a larger "
+          "--feature-angle keeps fewer\n";
+  return os.str();
+}
 
 void mark_sharp_edges(const double angle, Mesh& mesh, Edge_bool_map& is_feature)
 {
@@ -90,9 +131,26 @@ std::string text(const std::string& filename, const Quads&... quads)
 
 } // namespace
 
-std::string text_of_quads(const Mesh& quads, const std::string& filename)
+std::string lines_of_features(const Mesh& quads, const Edge_bool_map& is_feature)
 {
-  return text(filename, quads);
+  std::vector<std::size_t> numbers(quads.num_vertices());
+  std::size_t number = 0;
+  for(const auto v : quads.vertices())
+    numbers[std::size_t(v)] = ++number;
+  std::string result;
+  for(const Edge e : quads.edges())
+    if(is_feature[e] && !quads.is_border(e))
+      result += "l " + std::to_string(numbers[std::size_t(quads.vertex(e, 0))]) + " " +
+                std::to_string(numbers[std::size_t(quads.vertex(e, 1))]) + "\n";
+  return result;
+}
+
+std::string text_of_quads(const Mesh& quads, const Edge_bool_map& is_feature,
+                          const std::string& filename)
+{
+  const std::string result = text(filename, quads), suffix = suffix_of(filename);
+  return suffix == "off" || suffix == "ply" ? result
+                                            : result + lines_of_features(quads, is_feature);
 }
 
 std::string text_of_quads(const Quad_soup& quads, const std::string& filename)

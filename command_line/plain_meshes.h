@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+// How many features there are inside, and in how many chains, each from end to end or as a loop; and
+// a note where most of these are single edges. Empty if there are none.
+std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_feature);
+
 // Marks edges inside that are sharper than the angle, in degrees, as features, too.
 void mark_sharp_edges(double angle, Mesh& mesh, Edge_bool_map& is_feature);
 
@@ -34,9 +38,14 @@ void write_inverted_quads(std::ostream& os, std::size_t number,
 // Of vertices that had to leave the surface or its features.
 void write_displacement(std::ostream& os, std::size_t number, double largest);
 
+// The features inside as 'l' elements of the OBJ format, of vertices as the mesh counts them.
+std::string lines_of_features(const Mesh& quads, const Edge_bool_map& is_feature);
+
 // In the format that the suffix of the file's name asks for: OFF, OBJ, which is also that of standard
-// streams, or PLY, which has all numbers that hang on the mesh, too. Throws `Failure`.
-std::string text_of_quads(const Mesh& quads, const std::string& filename);
+// streams, or PLY, which has all numbers that hang on the mesh, too. OBJ files have the features.
+// Throws `Failure`.
+std::string text_of_quads(const Mesh& quads, const Edge_bool_map& is_feature,
+                          const std::string& filename);
 std::string text_of_quads(const Quad_soup& quads, const std::string& filename);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H

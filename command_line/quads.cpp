@@ -12,6 +12,7 @@
 #include "measures.h"
 #include "patches.h"
 #include "plain_meshes.h"
+#include "shape_report.h"
 #include "pictures/quad_picture.h"
 #include "snap_model.h"
 #include "words.h"
@@ -133,8 +134,8 @@ struct Result
   QR::Snapping_report repaired; // of what was extracted or quantized
   std::string integers;        // which they are
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
-  std::size_t number_of_displaced_vertices = 0; // off the surface or its border
-  double largest_displacement = 0;
+  std::optional<QR::Remeshing_report> smoothed; // how far, if vertices were smoothed
+  double diagonal = 0;                          // of the input
   // where the result is a mesh
   std::size_t number_of_irregular_vertices = 0;
   std::optional<Topologies> topologies;
@@ -252,7 +253,7 @@ void extract_and_smooth(const Quad_options& options, const Model& model,
   const Progress progress("smoothing quads", options.seams.reading.verbose);
   result.mesh.clear();
   result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  const auto made = QR::quad_remesh(
+  const QR::Remeshing_report made = QR::quad_remesh(
     quantization, model.mesh, result.mesh, QR::parameters::default_values(),
     QR::parameters::edge_is_constrained_map(result.is_feature));
   QR::Extraction_report& report = result.report;
@@ -262,8 +263,8 @@ void extract_and_smooth(const Quad_options& options, const Model& model,
   report.number_of_vertices = made.number_of_vertices;
   report.number_of_inverted_quads = made.number_of_inverted_quads;
   report.first_inverted_quads = made.first_inverted_quads;
-  result.number_of_displaced_vertices = made.number_of_displaced_vertices;
-  result.largest_displacement = made.largest_displacement;
+  result.smoothed = made;
+  result.diagonal = diagonal(model.mesh);
 }
 
 // Smooths them where quads are inverted otherwise: where the map is much distorted, and where two
@@ -404,8 +405,20 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
     os << "taken for holes: " << counted(report.nonpositive_faces.size(), "flipped face") << "\n";
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
-  write_displacement(os, result.number_of_displaced_vertices, result.largest_displacement);
+  if(result.smoothed) {
+    write_shape(os, *result.smoothed, result.diagonal);
+    write_displacement(os, result.smoothed->number_of_displaced_vertices,
+                       result.smoothed->largest_displacement);
+  }
   write_summary(os, result.patches);
+}
+
+nlohmann::json json_of_smoothing(const QR::Remeshing_report& report, const double diagonal)
+{
+  nlohmann::json result = json_of_shape(report, diagonal);
+  result["number_of_displaced_vertices"] = report.number_of_displaced_vertices;
+  result["largest_displacement"] = report.largest_displacement;
+  return result;
 }
 
 nlohmann::json json_of(const Result& result, const bool is_written, const std::string& message)
@@ -424,8 +437,8 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
            if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
-          {"number_of_displaced_vertices", result.number_of_displaced_vertices},
-          {"largest_displacement", result.largest_displacement},
+          {"smoothed", result.smoothed ? json_of_smoothing(*result.smoothed, result.diagonal)
+                                       : nlohmann::json()},
           {"topology", json_of(result.topologies)},
           {"patches", json_of(result.patches)},
           {"number_of_other_polygons", report.number_of_other_polygons},
@@ -459,7 +472,8 @@ void quads(const Arguments& arguments)
       extract_rounded(options, model, options.rounding, result);
     check_report(options, model, result.report);
     write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
-                                            : text_of_quads(result.mesh, options.output));
+                                            : text_of_quads(result.mesh, result.is_feature,
+                                                          options.output));
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(result.mesh, result.is_feature));
     if(!options.soup) {

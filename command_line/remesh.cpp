@@ -12,12 +12,12 @@
 #include "json_report.h"
 #include "patches.h"
 #include "plain_meshes.h"
+#include "shape_report.h"
 #include "pictures/quad_picture.h"
 #include "words.h"
 
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <nlohmann/json.hpp>
@@ -184,8 +184,7 @@ void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Si
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
                                 const Direction_map& directions, const Sizing_map& sizes,
-                                const std::optional<Kernel::Plane_3>& plane, Located_quads& quads,
-                                const Edge_bool_map is_kept)
+                                const std::optional<Kernel::Plane_3>& plane, Located_quads& quads)
 {
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
                           options.verbose);
@@ -198,7 +197,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
     return QR::quad_remesh(model.mesh, quads.mesh, np,
-                           QR::parameters::edge_is_constrained_map(is_kept)
+                           QR::parameters::edge_is_constrained_map(quads.is_feature)
                                           .vertex_location_map(quads.of_vertex)
                                           .face_location_map(quads.of_face));
   };
@@ -227,12 +226,6 @@ double length_of_features(const Model& model)
     if(model.is_feature[e])
       result += PMP::edge_length(e, model.mesh);
   return result;
-}
-
-double diagonal(const Mesh& mesh)
-{
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
 // That a plane has no half on its other side, which would be replaced; else nothing.
@@ -269,14 +262,8 @@ struct Remesh_outcome
     os << counted(report.number_of_quads, "quad") << ", "
        << counted(report.number_of_vertices, "vertex") << ", "
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
-       << (report.message.empty() ? "" : "note: " + report.message + "\n")
-       << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
-       << report.mean_scaled_jacobian << "; less than 0.1: "
-       << counted(report.number_of_thin_quads, "quad") << "\n"
-       << "largest distance from the input: " << report.largest_distance << ", that is "
-       << report.largest_distance / diagonal << " of its diagonal; of the input from the quads: "
-       << report.largest_distance_of_input << ", that is "
-       << report.largest_distance_of_input / diagonal << "\n";
+       << (report.message.empty() ? "" : "note: " + report.message + "\n");
+    write_shape(os, report, diagonal);
     write_edges(os);
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
@@ -316,14 +303,6 @@ struct Remesh_outcome
       {"first_inverted_quads", report.first_inverted_quads},
       {"number_of_displaced_vertices", report.number_of_displaced_vertices},
       {"largest_displacement", report.largest_displacement},
-      {"least_scaled_jacobian", report.least_scaled_jacobian},
-      {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-      {"number_of_thin_quads", report.number_of_thin_quads},
-      {"largest_distance", report.largest_distance},
-      {"relative_largest_distance", report.largest_distance / diagonal},
-      {"largest_distance_of_input", report.largest_distance_of_input},
-      {"relative_largest_distance_of_input", report.largest_distance_of_input / diagonal},
-      {"diagonal", diagonal},
       {"edge_lengths", report.edge_lengths},
       {"median_size_deviation", report.median_size_deviation
                                   ? nlohmann::json(*report.median_size_deviation) : nullptr},
@@ -332,6 +311,7 @@ struct Remesh_outcome
       {"length_of_features", length_of_features},
       {"number_of_released_edges", report.number_of_released_edges},
       {"length_of_released_edges", report.length_of_released_edges}});
+    result.update(json_of_shape(report, diagonal));
     return result;
   }
 };
@@ -352,12 +332,12 @@ void remesh(const Arguments& arguments)
   os << note_on_features(options.reading.features, model);
   if(options.feature_angle > 0)
     mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
+  os << summary_of_features(model.mesh, model.is_feature);
   outcome.length_of_features = length_of_features(model);
   if(options.feature_loss > 0 && outcome.length_of_features == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";
   Located_quads quads;
-  const Edge_bool_map is_kept = quads.mesh.add_property_map<Edge, bool>("e:feature", false).first;
   const auto work = [&] {
     const Direction_map directions =
       read_directions(options.field, outcome.repairs, model.mesh, os);
@@ -366,20 +346,20 @@ void remesh(const Arguments& arguments)
     os << note_on_plane(plane, model.mesh);
     check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;
-    report = make_quads(options, model, directions, sizes, plane, quads, is_kept);
+    report = make_quads(options, model, directions, sizes, plane, quads);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
     os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
-    outcome.diagonal = diagonal(model.mesh);
+    outcome.diagonal = ::diagonal(model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
       if(!quads.written.empty())
         f = std::size_t(std::find(quads.written.begin(), quads.written.end(),
                                   Mesh::Face_index(Mesh::size_type(f))) - quads.written.begin());
     if(!options.picture.empty())
-      write_file(options.picture, quad_picture(quads.mesh, is_kept));
-    outcome.patches = write_patches(quads.mesh, is_kept, options.patches);
+      write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
+    outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {

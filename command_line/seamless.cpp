@@ -44,8 +44,10 @@ void print_help(std::ostream& os)
      << exit_statuses;
 }
 
-void run(const Arguments& arguments)
+void run(Arguments arguments)
 {
+  if(arguments.size() == 2 && arguments.front() == "help") // of a command
+    arguments = {arguments.back(), "--help"};
   const std::string name = arguments.empty() ? "" : arguments.front();
   if(name == "--help" || name == "-h" || name == "help")
     return print_help(std::cout);

@@ -9,6 +9,7 @@
 #include "Summary.h"
 #include "commands.h"
 #include "files.h"
+#include "json_report.h"
 #include "pictures/tracing_constraint_figure.h"
 #include "pictures/tracing_failure_figure.h"
 #include "pictures/tracing_overview.h"
@@ -18,6 +19,8 @@
 #include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +48,8 @@ constexpr std::array<const char*, 7> names = {{
 struct Trace_options
 {
   Reading_options reading;
-  std::string input, exact_input, output; // the last: how names of files begin; none if empty
+  std::string input, exact_input, report;
+  std::string output; // how names of files begin; none if empty
   int maximum_number = 500;
   double tolerance = 1e-4, near_by = 0;
   bool features = false, border = false, constrain = false, starts_at_all_vertices = false;
@@ -76,6 +80,7 @@ struct Trace_options
                 "relative violation that is accepted (default: 1e-4)");
     options.add("near", "D", near_by, {0, 1},
                 "relative distance at which a target counts as missed");
+    options.add("report", "R.json", report, "write all figures to a file");
     options.add("verbose", reading.verbose, "tell of each step on the error stream");
     if(!options.parse(arguments))
       return false;
@@ -88,7 +93,9 @@ struct Trace_options
     check_format(input);
     if(!exact_input.empty())
       check_format(exact_input);
-    check_outputs({input, exact_input}, filenames());
+    std::vector<std::string> outputs = filenames();
+    outputs.push_back(report);
+    check_outputs({input, exact_input}, outputs);
     return true;
   }
 
@@ -126,6 +133,19 @@ void read_map(const std::string& filename, const Reading_options& options, const
     uv_map[h] = other.uv_map[h];
 }
 
+// The model, and its exact map, which is to become one if no other file has it.
+Uv_map read_maps(const Trace_options& options, Model& model)
+{
+  read_model(options.input, options.reading, model);
+  const Uv_map result = copy_of_uv_map(model);
+  if(!options.exact_input.empty())
+    read_map(options.exact_input, options.reading, model, result);
+  if(!options.features)
+    for(const Edge e : model.mesh.edges())
+      model.is_feature[e] = false;
+  return result;
+}
+
 // The curves from all singular vertices, or from all vertices.
 std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Trace_options& options,
                          const bool exactly)
@@ -143,8 +163,9 @@ std::vector<Curve> trace(const Mesh& mesh, const Tracer& tracer, const Trace_opt
   return curves;
 }
 
-void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_feature,
-          const std::vector<Curve>& failures, const Trace_options& options)
+IL::Snapping_report snap(const Model& model, const Uv_map uv_map,
+                         const Edge_bool_map is_feature,
+                         const std::vector<Curve>& failures, const Trace_options& options)
 {
   std::vector<IL::Connection_constraint<Mesh> > connections;
   std::vector<IL::Cycle_constraint<Mesh> > cycles;
@@ -168,16 +189,24 @@ void snap(const Model& model, const Uv_map uv_map, const Edge_bool_map is_featur
   if(report.extent > 0)
     std::cout << ", that is " << report.largest_change / report.extent << " of the extent";
   std::cout << std::endl;
+  return report;
 }
 
-void print_table(const std::vector<Curve>& before, const std::vector<Curve>& after,
-                 const int maximum_number)
+// How many curves end in each way, inexact and exact ones.
+using Curve_counts = std::map<IL::Isocurve_status, std::pair<std::size_t, std::size_t> >;
+
+Curve_counts count_ends(const std::vector<Curve>& before, const std::vector<Curve>& after)
 {
-  std::map<IL::Isocurve_status, std::pair<std::size_t, std::size_t> > counts;
+  Curve_counts counts;
   for(const Curve& curve : before)
     ++counts[curve.status].first;
   for(const Curve& curve : after)
     ++counts[curve.status].second;
+  return counts;
+}
+
+void print_table(const Curve_counts& counts, const int maximum_number)
+{
   std::cout << std::left << std::setw(22) << "end of the curve" << std::right << std::setw(10)
             << "inexact" << std::setw(10) << "exact" << "\n";
   for(const auto& [status, count] : counts)
@@ -190,6 +219,14 @@ void print_table(const std::vector<Curve>& before, const std::vector<Curve>& aft
   if(counts.empty())
     std::cout << "no curve, as no vertex is singular; --all starts at all vertices\n";
   std::cout << std::flush;
+}
+
+nlohmann::json json_of(const Curve_counts& counts)
+{
+  nlohmann::json result = nlohmann::json::object();
+  for(const auto& [status, count] : counts)
+    result[IL::to_string(status)] = {{"inexact", count.first}, {"exact", count.second}};
+  return result;
 }
 
 // Of so many crossings that a picture remains.
@@ -270,30 +307,39 @@ void trace(const Arguments& arguments)
   if(!options.parse(arguments))
     return;
   Model model;
-  read_model(options.input, options.reading, model);
-  const Uv_map exact_map = copy_of_uv_map(model);
-  if(!options.exact_input.empty())
-    read_map(options.exact_input, options.reading, model, exact_map);
-  if(!options.features)
-    for(const Edge e : model.mesh.edges())
-      model.is_feature[e] = false;
-
+  const Uv_map exact_map = read_or_tell(options.report, "traced",
+                                        [&] { return read_maps(options, model); });
   std::cout << notes_on_reading(model) << note_on_features(options.features, model) << std::flush;
-  const Progress progress("tracing", options.reading.verbose);
-  const Tracer inexact_tracer(model.mesh, model.uv_map, parameters::tolerance(options.tolerance));
-  if(!inexact_tracer)
-    throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance; 'seamless snap' "
-                                "tells where, and --tolerance raises it");
-  const auto before = trace(model.mesh, inexact_tracer, options, false);
-  snap(model, exact_map, model.is_feature,
-       options.constrain ? before : std::vector<Curve>(), options);
-  const Tracer exact_tracer(model.mesh, exact_map);
-  const auto after = trace(model.mesh, exact_tracer, options, true);
-  print_table(before, after, options.maximum_number);
-  const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
-  if(options.output.empty())
-    std::cout << "nothing is written; name a beginning of names, or a folder, to have pictures and "
-                 "curves\n";
-  else
-    write_results(options, maps, inexact_tracer, exact_tracer, before, after);
+  IL::Snapping_report report;
+  Curve_counts counts;
+  const auto work = [&] {
+    const Progress progress("tracing", options.reading.verbose);
+    const Tracer inexact_tracer(model.mesh, model.uv_map,
+                                parameters::tolerance(options.tolerance));
+    if(!inexact_tracer)
+      throw Failure(NOT_SOLVED, options.input + ": not seamless up to the tolerance; 'seamless "
+                                  "snap' tells where, and --tolerance raises it");
+    const auto before = trace(model.mesh, inexact_tracer, options, false);
+    report = snap(model, exact_map, model.is_feature,
+                  options.constrain ? before : std::vector<Curve>(), options);
+    const Tracer exact_tracer(model.mesh, exact_map);
+    const auto after = trace(model.mesh, exact_tracer, options, true);
+    counts = count_ends(before, after);
+    print_table(counts, options.maximum_number);
+    const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
+    if(options.output.empty())
+      std::cout << "nothing is written; name a beginning of names, or a folder, to have pictures "
+                   "and curves\n";
+    else
+      write_results(options, maps, inexact_tracer, exact_tracer, before, after);
+  };
+  run_and_tell(work, [&](const Exit status, const std::string& message) {
+    const bool is_traced = status == SUCCESS;
+    if(!options.report.empty())
+      write_json(options.report, {{"traced", is_traced}, {"message", message},
+                                  {"curves", if_known(is_traced, json_of(counts))},
+                                  {"maximum_number", options.maximum_number},
+                                  {"extent", if_known(is_traced, report.extent)},
+                                  {"largest_change", if_known(is_traced, report.largest_change)}});
+  });
 }
