@@ -135,6 +135,35 @@ bool lies_on_one_grid(const System& system, const Optimum& optimum,
   return reach <= std::ldexp(step, std::numeric_limits<Number>::digits);
 }
 
+// Figures are rounded, the violation in each of its terms.
+template <typename Number>
+void check_figures(const LS::Linear_report& report, const System& system,
+                   const std::vector<Number>& before, const std::vector<Number>& after)
+{
+  constexpr double precision = 1e-12;
+  const Rationals xbar = exact_reference::to_rationals(before);
+  double violation = 0, terms = 0, extent = 0, change = 0;
+  for(std::size_t r = 0; r < system.rows.size(); ++r) {
+    const Rational residual = exact_reference::residual(system, r, xbar);
+    violation = (std::max)(violation, std::abs(CGAL::to_double(residual)));
+    double sum = 0;
+    for(const auto& [column, coefficient] : system.rows[r])
+      sum += std::abs(CGAL::to_double(coefficient) * double(before[column]));
+    terms = (std::max)(terms, sum);
+  }
+  const std::vector<bool> used = used_columns(system);
+  for(std::size_t i = 0; i < used.size(); ++i)
+    if(used[i]) {
+      extent = (std::max)(extent, std::abs(double(before[i])));
+      change = (std::max)(change, std::abs(double(after[i]) - double(before[i])));
+    }
+  if(!CHECK(std::abs(report.violation_before - violation) <=
+            precision * violation + precision * precision * terms))
+    std::cerr << "    violation " << report.violation_before << ", not " << violation << std::endl;
+  CHECK_EQUAL(report.extent, extent);
+  CHECK(std::abs(report.largest_change - change) <= precision * change);
+}
+
 template <typename Number>
 void check_system(Random& random, const System& system, const std::vector<Number>& before,
                   const std::vector<double>& weights, bool with_quadratic_program, Tally& tally)
@@ -170,6 +199,7 @@ void check_system(Random& random, const System& system, const std::vector<Number
     return;
   }
   CHECK(exact_reference::exactly_satisfies(system, after));
+  check_figures(report, system, before, after);
   const std::vector<bool> used = used_columns(system);
   for(std::size_t i = 0; i < used.size(); ++i)
     if(!used[i])

@@ -83,8 +83,8 @@ struct Linear_report
   /// share no unknown with others and hold exactly in the input are left out.
   /// @{
 
-  /// the largest absolute value; for a surface or volume, the largest side of the bounding box of
-  /// the coordinates
+  /// the largest absolute value in a constraint; for a surface or volume, the largest side of the
+  /// bounding box of the coordinates
   double extent = 0;
   /// the largest violation of a constraint by the input; for surfaces and volumes, of a transition
   /// or an alignment

@@ -74,10 +74,13 @@ inline Grid grid_of_component(const Linear_solver& solver, const Component_index
 // The largest violation of the caller's rows of a component, of which the system's are multiples;
 // inexact.
 inline double largest_violation(const Linear_solver& solver, const Component_index c,
-                                const Grid& grid, const std::vector<Grid_value>& values,
+                                const Grid& grid, const std::vector<Grid_value>& all_values,
                                 const std::map<std::size_t, Exact_rational>& scales)
 {
-  const Integer_system& system = solver.system(c);
+  const Integer_system& system = solver.system(c); // whose columns are those of the component
+  std::vector<Grid_value> values;
+  for(const Column_index j : solver.columns(c))
+    values.push_back(all_values[std::size_t(j)]);
   const int shift = -system.right_hand_scale() - grid.exponent();
   double largest = 0;
   for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
