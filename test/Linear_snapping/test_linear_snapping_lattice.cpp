@@ -513,7 +513,7 @@ void test_basis(const std::size_t size,
   std::vector<double> scale(size + 1, 1.);
   for(std::size_t j = 0; is_weighted && j < size; ++j)
     scale[j] = 0.25 + double(random() % 1000) / 500;
-  reduce_basis(basis, scale);
+  Lattice_reduction<Integer>(basis, scale);
 
   using Algebra = CGAL::Linear_algebraHd<Exact_integer>;
   const int n = static_cast<int>(size);
@@ -546,9 +546,36 @@ void test_bases(unsigned int seed)
   }
 }
 
+// Where each value of a square is the mean of its neighbors. What takes too long is given up.
+void test_bound_of_work()
+{
+  constexpr std::size_t side = 12;
+  Matrix a;
+  for(std::size_t i = 1; i + 1 < side; ++i)
+    for(std::size_t j = 1; j + 1 < side; ++j) {
+      Vector row(side * side, Exact_integer(0));
+      const std::size_t k = i * side + j;
+      row[k] = 4;
+      for(const std::size_t n : {k - 1, k + 1, k - side, k + side})
+        row[n] = -1;
+      a.push_back(row);
+    }
+  const auto system = to_system(a, side * side);
+  CHECK_EQUAL(Integer_lattice(system).rank(), a.size());
+  CHECK_EQUAL(Integer_lattice(system, 1e9).rank(), a.size());
+  bool is_given_up = false;
+  try {
+    Integer_lattice(system, 1e3);
+  } catch(const Work_exceeded&) {
+    is_given_up = true;
+  }
+  CHECK(is_given_up);
+}
+
 int main()
 {
   test_bases(100);
+  test_bound_of_work();
   test_addendum();
   test_random_systems(4711);
   test_nearness(815);

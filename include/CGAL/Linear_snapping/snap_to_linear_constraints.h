@@ -210,10 +210,11 @@ that share no unknown are solved one by one; those that are equal, with their we
 eliminated and factorized once. A constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for
 each short one that links two of them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a
 fraction of a second for 10,000 unknowns, some ten seconds for 100,000. Constraints without a
-coefficient 1 or -1 take a dense integer lattice, as do constraints on up to 2,000 unknowns whose
-implied values would lead far away from the optimum: memory quadratic, and time cubic in the number
-of unknowns that they link, but for the reduction of the lattice, which is cut off after some
-seconds. A single constraint with coefficients of 40 bits takes half a second for 100 unknowns, some
+coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the number of
+unknowns that they link, but for the last reduction of the lattice, which is cut off after some
+seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away from the
+optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in a square
+is the mean of its four neighbors, implied values grow along the square, and are far. A single constraint with coefficients of 40 bits takes half a second for 100 unknowns, some
 ten seconds for 300 or 1,000; what is cut off is the closeness, not the exactness. The search with a
 grid for each unknown takes fractions of a millisecond for a few unknowns, some seconds at most for
 200 with coefficients of 40 bits.

@@ -60,9 +60,11 @@ public:
       m_number_of_representable_columns(input.number_of_representable_columns),
       m_may_be_finer(may_be_finer), m_form(eliminate(m_system))
   {
-    if(!m_form.rows_in_core.empty())
-      m_core = std::make_unique<Core_solver>(
-        m_system, m_form, m_system.number_of_columns() <= Core_solver::largest_whole_system);
+    if(!m_form.rows_in_core.empty()) {
+      m_core = whole_system();
+      if(m_core == nullptr)
+        m_core = std::make_unique<Core_solver>(m_system, m_form, false);
+    }
     std::vector<bool> is_free(m_form.pivot_rows.number_of_columns(), true);
     for(const Column_index column : m_form.pivot_columns)
       is_free[std::size_t(column)] = false;
@@ -181,6 +183,20 @@ private:
     return (std::min)(coarsest, -m_system.right_hand_scale() - shift);
   }
 
+  // None if it has too many columns, or would take too long.
+  std::unique_ptr<Core_solver> whole_system() const
+  {
+    m_may_be_whole = m_may_be_whole &&
+                     m_system.number_of_columns() <= Core_solver::largest_whole_system;
+    if(m_may_be_whole)
+      try {
+        return std::make_unique<Core_solver>(m_system, m_form, true);
+      } catch(const Work_exceeded&) {
+        m_may_be_whole = false;
+      }
+    return nullptr;
+  }
+
   bool is_whole() const { return m_core != nullptr && m_core->is_whole(); }
 
   // Rows of which all others are combinations.
@@ -239,10 +255,11 @@ private:
       found = true;
     };
     const std::size_t n = m_system.number_of_columns();
-    if(!is_whole() && n <= Core_solver::largest_whole_system && !is_good()) {
+    if(!is_whole() && m_may_be_whole && !is_good()) {
       if(m_whole == nullptr)
-        m_whole = std::make_unique<Core_solver>(m_system, m_form, true);
-      try_again(m_whole.get(), solution);
+        m_whole = whole_system();
+      if(m_whole != nullptr)
+        try_again(m_whole.get(), solution);
     }
     // Values near the largest of a grid may have a solution nearby that is smaller.
     for(int bits = 1; bits <= 3 && m_may_be_finer && n <= 16 && !is_good(); ++bits) {
@@ -485,6 +502,7 @@ private:
   mutable std::unique_ptr<Least_squares_projection> m_projection;
   mutable std::unique_ptr<Integer_system> m_reduced_rows; // its rows, if not the system's
   mutable std::unique_ptr<Core_solver> m_whole; // if back-substitution led far away
+  mutable bool m_may_be_whole = true;
 };
 
 } // namespace internal

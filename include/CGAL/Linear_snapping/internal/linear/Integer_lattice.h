@@ -64,17 +64,19 @@ public:
   using Vector = Entries<Exact_integer>;
 
   // The right-hand sides of the system, all 0, play no role.
-  explicit Integer_lattice(const Integer_system& system)
+  // \param most_work as for `Kernel_lattice`
+  explicit Integer_lattice(const Integer_system& system,
+                           const double most_work = std::numeric_limits<double>::infinity())
     : m_number_of_columns(system.number_of_columns())
   {
     for(std::size_t i = 0; i < system.number_of_rows(); ++i)
       m_rows.push_back(system.exact_row(i).entries);
     if(system.is_small())
       try {
-        take_kernel<std::int64_t>(system);
+        take_kernel<std::int64_t>(system, most_work);
         return;
       } catch(const Integer_overflow&) { }
-    take_kernel<Exact_integer>(system);
+    take_kernel<Exact_integer>(system, most_work);
   }
 
   std::size_t number_of_columns() const { return m_number_of_columns; }
@@ -170,7 +172,7 @@ public:
 
 private:
   template <typename Integer>
-  void take_kernel(const Integer_system& system);
+  void take_kernel(const Integer_system& system, double most_work);
 
   template <typename Integer>
   static Vector to_exact_vector(const Entries<Integer>& vector)
@@ -273,9 +275,9 @@ private:
 
 // Not inline: few of those that include this file compile it.
 template <typename Integer>
-void Integer_lattice::take_kernel(const Integer_system& system)
+void Integer_lattice::take_kernel(const Integer_system& system, const double most_work)
 {
-  Kernel_lattice<Integer> kernel(system);
+  Kernel_lattice<Integer> kernel(system, most_work);
   m_steps.clear();
   m_basis.clear();
   for(const Echelon_step<Integer>& step : kernel.steps())

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -58,6 +59,12 @@ Entries<Integer> difference_with_multiple(const Entries<Integer>& a, const Integ
   return result;
 }
 
+// Thrown where reductions take more work than is allowed.
+struct Work_exceeded : std::exception
+{
+  const char* what() const noexcept override { return "a lattice took too long to reduce"; }
+};
+
 // What one row leaves behind: the vector that all earlier rows map to 0 and this row to `gcd`. The
 // row is a combination of earlier ones if gcd is 0.
 template <typename Integer>
@@ -78,9 +85,10 @@ public:
   using Vector = Entries<Integer>;
   using Step = Echelon_step<Integer>;
 
+  // \param most_work multiplications of reductions, which cost most; more throw `Work_exceeded`
   // \pre 64-bit integers are for systems that have no others
-  explicit Kernel_lattice(const Integer_system& system)
-    : m_rows(system.number_of_rows()), m_vectors(system.number_of_columns()),
+  Kernel_lattice(const Integer_system& system, const double most_work)
+    : m_work_left(most_work), m_rows(system.number_of_rows()), m_vectors(system.number_of_columns()),
       m_users(system.number_of_columns()), m_lengths(system.number_of_columns(), 1.),
       m_marks(system.number_of_columns(), 0)
   {
@@ -288,7 +296,9 @@ private:
       for(const Entry<Integer>& e : m_vectors[selection[k]])
         dense[k][m_marks[std::size_t(e.column)]] = e.coefficient;
     const std::vector<double> scale(columns.size(), 1.);
-    reduce_basis(dense, scale);
+    m_work_left -= Lattice_reduction<Integer>(dense, scale).work();
+    if(m_work_left < 0)
+      throw Work_exceeded();
     for(std::size_t k = 0; k < selection.size(); ++k) {
       Vector vector;
       for(std::size_t i = 0; i < columns.size(); ++i)
@@ -312,6 +322,7 @@ private:
 
   static constexpr std::size_t largest_local_reduction = 60;
 
+  double m_work_left;
   std::vector<Entries<Integer> > m_rows;
   std::vector<Vector> m_vectors; // those that became echelon vectors are empty
   std::vector<std::vector<std::size_t> > m_users; // a superset of the vectors with each column

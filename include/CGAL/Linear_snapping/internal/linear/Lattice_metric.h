@@ -115,7 +115,7 @@ private:
   template <typename Integer>
   void reduce(std::vector<std::vector<Integer> > vectors)
   {
-    m_frame = reduce_basis(vectors, m_scale);
+    m_frame = std::move(Lattice_reduction<Integer>(vectors, m_scale).frame());
     m_basis.clear();
     for(const std::vector<Integer>& v : vectors) {
       Vector sparse;

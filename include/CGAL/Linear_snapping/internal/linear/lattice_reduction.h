@@ -118,6 +118,7 @@ public:
 
   // That of the reduced basis.
   Orthogonal_frame& frame() { return m_frame; }
+  double work() const { return m_work; } // multiplications
 
 private:
   static constexpr double most_work = 1e10; // multiplications: some seconds
@@ -214,12 +215,6 @@ private:
   std::size_t m_number_set = 0; // rows of the frame that are up to date
   std::vector<double> m_row; // scratch
 };
-
-// Returns the frame of the reduced basis.
-template <typename Integer>
-Orthogonal_frame reduce_basis(std::vector<std::vector<Integer> >& basis,
-                              const std::vector<double>& scale)
-{ return std::move(Lattice_reduction<Integer>(basis, scale).frame()); }
 
 // A reduced basis of the lattice that the rows span; right-hand sides follow.
 // \pre the rows are linearly independent

@@ -207,8 +207,8 @@ inline std::string note_on_distance(const Linear_solver& solver, const Component
   const int power = static_cast<int>(std::floor(std::log10(ratio)));
   return "the values of the constraints " + list_of_rows(solver.rows(c)) + " moved more than 10^" +
          std::to_string(power) + " times as far as the nearest real solution is: among numbers of "
-         "their type none was found nearer; coefficients and right-hand sides of fewer digits "
-         "leave more of these";
+         "their type none was found nearer; coefficients and right-hand sides of fewer digits, or "
+         "fewer unknowns that depend on each other, leave more of these";
 }
 
 // Snaps component by component. Invariant: those that are done have values on their grids.
