@@ -44,7 +44,7 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
     const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                            \
   PREFIX template std::vector<std::pair<SM_Halfedge_index, int> >                                  \
   internal::singular_vertices<internal::Quarter_turns>(                                            \
-    const seamless_snapping_precompiled::Surface_without_indices&, double,                         \
+    const seamless_snapping_precompiled::Surface_without_indices&, double, int,                    \
     const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                            \
   PREFIX template std::optional<internal::Refusal> internal::check_paths(                          \
     const internal::Cut_complex<internal::Quarter_turns>&,                                         \

@@ -15,8 +15,6 @@
     GROUP, seamless_snapping_precompiled::Surface, false>::run();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRIES(PREFIX)                                           \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<2>)                      \
-  SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<3>)                      \
   SEAMLESS_SNAPPING_INSTANTIATE_SYMMETRY(PREFIX, internal::Rotation_group<6>)
 
 namespace CGAL {

@@ -16,7 +16,7 @@
 namespace random_complexes {
 
 template <int N>
-using Complex = internal::Cut_complex<internal::Rotation_group<N> >;
+using Complex = internal::Cut_complex<internal::Group_of_order<N> >;
 
 // A sector per corner of a closed mesh, and a cut along each edge, with three inner vertices. Each
 // face has a chart that is turned at random; cones are at the ends of one edge in eight. The
@@ -47,8 +47,8 @@ Complex<N> net_of_cuts(const hexagonal_maps::Mesh& mesh, const unsigned int seed
   for(const auto e : mesh.edges()) {
     const hexagonal_maps::Halfedge h = mesh.halfedge(e), o = mesh.opposite(h);
     const int cone = random() % 8 == 0 ? int(random() % 12) : 0;
-    complex.element.push_back(internal::Rotation_group<N>::element(
-      turns[std::size_t(mesh.face(o))] - turns[std::size_t(mesh.face(h))] + cone));
+    complex.element.push_back(internal::Group_of_order<N>::element(
+      turns[std::size_t(mesh.face(o))] - turns[std::size_t(mesh.face(h))] + cone, N));
     complex.pairs.push_back({sector[std::size_t(mesh.prev(h))], sector[std::size_t(o)]});
     for(int i = 0; i < 3; ++i) {
       add_vertex(false);

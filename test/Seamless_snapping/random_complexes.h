@@ -66,12 +66,18 @@ int functional_behind(const int turns, const int functional)
   return -1;
 }
 
+// The turns by 360 / N degrees of a branch.
+template <int N>
+int turns_of(const internal::Cut_complex<internal::Group_of_order<N> >& complex,
+             const std::size_t branch)
+{ return internal::Group_of_order<N>::turns(complex.element[branch], N); }
+
 // A complex under construction. Each sector is the only one of its vertex.
 template <int N>
 class Generator
 {
 public:
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   using Complex = internal::Cut_complex<Group>;
   using Vector = std::array<double, 2>;
   using Sector = internal::Sector_index;
@@ -125,7 +131,7 @@ private:
     const Sector minus = is_cone ? a : b;
     const Vector turned_a = turned<N>(turns, u(a));
     const Vector t{{u(minus)[0] - turned_a[0], u(minus)[1] - turned_a[1]}};
-    m_complex.element.push_back(Group::element(turns));
+    m_complex.element.push_back(Group::element(turns, N));
     m_complex.pairs.push_back({a, minus});
     const int inner = below(4);
     for(int i = 0; i <= inner; ++i) {
@@ -170,7 +176,7 @@ private:
     for(int i = below(4); i > 0; --i) {
       const std::size_t b = std::size_t(below(int(m_complex.number_of_branches())));
       const bool is_along = below(2) == 0;
-      const int turns = is_along ? int(m_complex.element[b]) : -int(m_complex.element[b]);
+      const int turns = is_along ? turns_of<N>(m_complex, b) : -turns_of<N>(m_complex, b);
       const auto& pair = m_complex.pairs[b].front();
       const Vector here = u(is_along ? pair.plus : pair.minus);
       const Vector there = u(is_along ? pair.minus : pair.plus);
@@ -202,7 +208,7 @@ private:
 
 // Whether coordinates satisfy all constraints, in rationals.
 template <int N>
-bool is_solution(const internal::Cut_complex<internal::Rotation_group<N> >& complex,
+bool is_solution(const internal::Cut_complex<internal::Group_of_order<N> >& complex,
                  const std::vector<std::array<double, 2> >& coordinates)
 {
   using Vector = std::array<Rational, 2>;
@@ -214,7 +220,7 @@ bool is_solution(const internal::Cut_complex<internal::Rotation_group<N> >& comp
     return Vector{{Rational(a[0] - b[0]), Rational(a[1] - b[1])}};
   };
   const auto translation = [&](const std::size_t b, const auto& pair) {
-    return difference(u(pair.minus), turned<N>(int(complex.element[b]), u(pair.plus)));
+    return difference(u(pair.minus), turned<N>(turns_of<N>(complex, b), u(pair.plus)));
   };
   for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
     for(const auto& p : complex.pairs[b])
@@ -231,7 +237,7 @@ bool is_solution(const internal::Cut_complex<internal::Rotation_group<N> >& comp
     for(const auto& crossing : path.crossings) {
       const std::size_t b = std::size_t(crossing.branch);
       const Vector t = translation(b, complex.pairs[b].front());
-      const int turns = int(complex.element[b]);
+      const int turns = turns_of<N>(complex, b);
       if(crossing.is_along) {
         x = turned<N>(turns, x);
         x = {{Rational(x[0] + t[0]), Rational(x[1] + t[1])}};

@@ -27,18 +27,18 @@ using Vector = std::array<double, 2>;
 template <int N>
 void test_group()
 {
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   const std::string context = "N = " + std::to_string(N);
   const std::vector<Vector> vectors{{{3, 0}}, {{-1, 5}}, {{2, 7}}};
-  for(int i = 0; i < Group::order; ++i) {
-    const auto g = Group::element(i);
+  for(int i = 0; i < N; ++i) {
+    const auto g = Group::element(i, N);
     CHECK_IN(context, Group::compose(g, Group::inverse(g)) == Group::identity());
-    CHECK_IN(context, Group::element(i - 5 * N) == g && Group::turns(g) == i);
+    CHECK_IN(context, Group::element(i - 5 * N, N) == g && Group::turns(g, N) == i);
     for(const Vector& u : vectors) {
       CHECK_IN(context, Group::apply(g, u) == random_complexes::turned<N>(i, u));
-      for(int j = 0; j < Group::order; ++j)
-        CHECK_IN(context, Group::apply(Group::compose(g, Group::element(j)), u) ==
-                            Group::apply(g, Group::apply(Group::element(j), u)));
+      for(int j = 0; j < N; ++j)
+        CHECK_IN(context, Group::apply(Group::compose(g, Group::element(j, N)), u) ==
+                            Group::apply(g, Group::apply(Group::element(j, N), u)));
       // turning keeps lengths
       const Vector x = Group::to_cartesian(u), y = Group::to_cartesian(Group::apply(g, u));
       CHECK_IN(context, std::abs(std::hypot(x[0], x[1]) - std::hypot(y[0], y[1])) < 1e-14);
@@ -101,7 +101,7 @@ void test_single_changes(const Complex& complex, std::vector<Vector> u, std::mt1
 template <int N, typename Number>
 void test_complexes(const std::string& name, const double noise, const unsigned int seeds)
 {
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   Totals totals;
   for(unsigned int seed = 1; seed <= seeds; ++seed) {
     const std::string context = name + ", seed " + std::to_string(seed);
@@ -174,7 +174,7 @@ void test_shifted_targets()
 template <int N>
 void test_large_shifts()
 {
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   for(unsigned int seed = 1; seed <= 20; ++seed) {
     const std::string context =
       "large shifts, N = " + std::to_string(N) + ", seed " + std::to_string(seed);
@@ -209,7 +209,7 @@ void test_free_coordinates()
     const std::string context =
       "free coordinates, N = " + std::to_string(N) + ", seed " + std::to_string(seed);
     const auto complex = random_complexes::Generator<N>(seed).make(1 + seed % 12, false);
-    const internal::Free_coordinates<internal::Rotation_group<N> > free(complex);
+    const internal::Free_coordinates<internal::Group_of_order<N> > free(complex);
     std::vector<double> unknowns;
     for(std::size_t i = 0; i < free.number_of_unknowns(); ++i)
       unknowns.push_back(double(random() % 17) - 8);
@@ -232,7 +232,7 @@ void test_free_coordinates()
 // Each component has a grid of its own: a part that is 2^-20 times as large keeps 20 bits more.
 void test_components()
 {
-  using Group = internal::Trivial;
+  using Group = internal::Quarter_turns;
   internal::Cut_complex<Group> complex;
   const double scale = std::ldexp(1., -20);
   for(const double size : {1., scale}) {

@@ -383,7 +383,7 @@ void test_turned_maps()
 // The full system of a complex, in all its sectors, with the squares of all functionals as weights.
 template <int N>
 exact_reference::System full_system(
-  const internal::Cut_complex<internal::Rotation_group<N> >& complex)
+  const internal::Cut_complex<internal::Group_of_order<N> >& complex)
 {
   constexpr std::size_t columns = N == 3 || N == 6 ? 3 : 2; // per sector: u, v, and u + v
   exact_reference::System system;
@@ -415,7 +415,7 @@ exact_reference::System full_system(
   const auto add_translation = [&](Row& row, const std::size_t b, const auto& pair,
                                    const std::array<Rational, 2>& form) {
     add(row, pair.minus, form);
-    add(row, pair.plus, negated(before_turns(int(complex.element[b]), form)));
+    add(row, pair.plus, negated(before_turns(random_complexes::turns_of<N>(complex, b), form)));
   };
   for(std::size_t b = 0; b < complex.number_of_branches(); ++b)
     for(std::size_t i = 1; i < complex.pairs[b].size(); ++i)
@@ -435,7 +435,7 @@ exact_reference::System full_system(
   for(const auto& path : complex.paths) {
     int f = path.functional;
     for(const auto& crossing : path.crossings) {
-      const int g = int(complex.element[std::size_t(crossing.branch)]);
+      const int g = random_complexes::turns_of<N>(complex, std::size_t(crossing.branch));
       f = random_complexes::functional_behind<N>(crossing.is_along ? g : -g, f);
     }
     Row row;
@@ -443,7 +443,7 @@ exact_reference::System full_system(
     add(row, path.b, negated(form));
     for(auto crossing = path.crossings.rbegin(); crossing != path.crossings.rend(); ++crossing) {
       const std::size_t b = std::size_t(crossing->branch);
-      const int g = int(complex.element[b]);
+      const int g = random_complexes::turns_of<N>(complex, b);
       if(crossing->is_along) {
         add_translation(row, b, complex.pairs[b].front(), form);
         form = before_turns(g, form);
@@ -484,7 +484,7 @@ exact_reference::Rationals all_values(const std::vector<Vector>& coordinates)
 template <int N>
 void test_closeness()
 {
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   double worst = 1;
   for(unsigned int seed = 1; seed <= 60; ++seed) {
     const std::string context = "closeness, N = " + std::to_string(N) + ", seed " +
@@ -525,9 +525,9 @@ void test_large_system(const unsigned int times)
 {
   const std::string context = "large system, N = " + std::to_string(N);
   auto complex = random_complexes::net_of_cuts<N>(subdivided(icosahedron(), times), 1);
-  using Solver = internal::Complex_solver<internal::Rotation_group<N> >;
+  using Solver = internal::Complex_solver<internal::Group_of_order<N> >;
   const auto format = internal::Number_format::of<double>();
-  internal::Snapped_coordinates<internal::Rotation_group<N> > snapped;
+  internal::Snapped_coordinates<internal::Group_of_order<N> > snapped;
   CHECK_IN(context, !Solver(complex, format).solve(snapped));
   CHECK_IN(context, random_complexes::is_solution<N>(complex, snapped.coordinates));
   complex.coordinates = snapped.coordinates;

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <string>
 
 using namespace CGAL::Seamless_snapping::internal;
 using namespace random_numbers;
@@ -29,14 +28,14 @@ Exact_point turned(const Integer_matrix<2>& turn, const int times, Exact_point u
 
 // Sides of few bits that satisfy a transition, moved by translations and then to neighbors; with
 // coordinates of any size up to the largest.
-template <typename Group>
-void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
+template <int N>
+void test_transitions(const Integer_matrix<2>& turn)
 {
+  using Group = Group_of_order<N>;
   Random random(seed);
   std::size_t satisfied = 0, violated = 0, overflows = 0;
   for(int i = 0; i < 20000; ++i) {
-    const int turns = below(random, Group::order);
-    const auto g = Group::element(turns);
+    const auto g = Group::element(below(random, N), N);
     const int scale = i % 4 == 0 ? 1023 - 7 : below(random, 60) - 30; // differences overflow
     const auto coordinate = [&] { return std::ldexp(double(below(random, 512) - 256), scale); };
     const auto part = [&](const double x) { return std::ldexp(x, -2); };
@@ -61,14 +60,14 @@ void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
     overflows += Edge_vectors(sides).are_valid() ? 0 : 1;
     bool any = false;
     const Exact_point opposite_side = difference(sides.b_opposite, sides.a_opposite);
-    for(int k = 0; k < Group::order; ++k) {
+    for(int k = 0; k < N; ++k) {
       const bool expected = turned(turn, k, difference(sides.b, sides.a)) == opposite_side;
-      if(!CHECK_EQUAL(satisfies_transition<Group>(sides, Group::element(k)), expected))
-        std::cerr << "    " << name << ", case " << i << std::endl;
+      if(!CHECK_EQUAL(satisfies_transition<Group>(sides, Group::element(k, N)), expected))
+        std::cerr << "    N = " << N << ", case " << i << std::endl;
       any = any || expected;
       ++(expected ? satisfied : violated);
     }
-    CHECK_EQUAL(satisfies_some_transition<Group>(sides), any);
+    CHECK_EQUAL(satisfies_some_transition<Group>(sides, N), any);
   }
   CHECK(satisfied > 1000 && violated > 1000);
   CHECK(overflows > 100 || !Group::is_signed_permutation);
@@ -77,10 +76,10 @@ void test_transitions(const Integer_matrix<2>& turn, const std::string& name)
 int main()
 {
   std::cout << "random seed " << seed << std::endl;
-  test_transitions<Trivial>({{{{1, 0}}, {{0, 1}}}}, "N = 1");
-  test_transitions<Half_turns>({{{{-1, 0}}, {{0, -1}}}}, "N = 2");
-  test_transitions<Third_turns>({{{{-1, -1}}, {{1, 0}}}}, "N = 3");
-  test_transitions<Quarter_turns>({{{{0, -1}}, {{1, 0}}}}, "N = 4");
-  test_transitions<Sixth_turns>({{{{0, -1}}, {{1, 1}}}}, "N = 6");
+  test_transitions<1>({{{{1, 0}}, {{0, 1}}}});
+  test_transitions<2>({{{{-1, 0}}, {{0, -1}}}});
+  test_transitions<3>({{{{-1, -1}}, {{1, 0}}}});
+  test_transitions<4>({{{{0, -1}}, {{1, 0}}}});
+  test_transitions<6>({{{{0, -1}}, {{1, 1}}}});
   return report_checks();
 }

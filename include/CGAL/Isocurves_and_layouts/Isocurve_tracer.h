@@ -172,7 +172,7 @@ namespace internal {
 // Of isocurves, for the rotational symmetry that named parameters ask for.
 template <typename NamedParameters>
 constexpr int number_of_directions =
-  Ray_group<order_of_symmetry<Plain_parameters<NamedParameters> > >::order;
+  Symmetry_group<Plain_parameters<NamedParameters> >::order;
 
 } // namespace internal
 
@@ -229,15 +229,14 @@ public:
     internal::require_exact_arithmetic();
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
       const auto& plain_np = internal::strip(np);
-      using Seam_group = internal::Symmetry_group<std::decay_t<decltype(plain_np)> >;
-      static_assert(std::is_same_v<internal::Ray_group<Seam_group::order>, Group>,
+      static_assert(internal::number_of_directions<NamedParameters> == D,
                     "isocurves have six directions where rotational_symmetry is 3 or 6, else "
                     "four: use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments "
                     "out");
-      const auto seams = internal::read_transitions<Seam_group>(tmesh, uv_map, plain_np);
+      const auto seams = internal::read_transitions<Group>(tmesh, uv_map, plain_np);
       m_is_valid = !seams.refusal;
       if(m_is_valid)
-        m_mesh = internal::build_chart_mesh<Seam_group>(tmesh, m_numbering, uv_map, seams);
+        m_mesh = internal::build_chart_mesh<Group>(tmesh, m_numbering, uv_map, seams);
     }
   }
 

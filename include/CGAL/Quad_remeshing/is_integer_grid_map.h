@@ -137,15 +137,14 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
                                           const NamedParameters& np)
 {
   Integer_grid_measure measure;
-  using Seam_group = Symmetry_group<NamedParameters>;
-  const auto seams = read_transitions<Seam_group>(tmesh, uv_map, np);
+  using Group = Symmetry_group<NamedParameters>;
+  const auto seams = read_transitions<Group>(tmesh, uv_map, np);
   if(seams.refusal)
     return measure;
   measure.is_seamless_up_to_tolerance = true;
   measure.is_exactly_seamless = seams.is_exact;
-  using Group = Ray_group<Seam_group::order>;
   const Basic_chart_mesh<Group> mesh =
-    build_chart_mesh<Seam_group>(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
+    build_chart_mesh<Group>(tmesh, Flat_numbering<TriangleMesh>(tmesh), uv_map, seams);
   measure_cuts_and_cones(mesh, measure);
   measure.number_of_nonpositive_faces = nonpositive_faces(mesh).size();
   measure.area = grid_size(mesh, 0, mesh.corners.size() / 3).area;

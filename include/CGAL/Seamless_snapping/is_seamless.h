@@ -89,7 +89,7 @@ bool is_exact_edge(const Surface& surface,
   if(given.has_cuts() && !given.is_cut(h))
     return sides.are_identical();
   return given.has_rotations() ? satisfies_transition<Group>(sides, given.rotation(h))
-                               : satisfies_some_transition<Group>(sides);
+                               : satisfies_some_transition<Group>(sides, given.order());
 }
 
 // [MC19] Eq. (5) for one edge: by how much the functional differs that differs least along it. 0

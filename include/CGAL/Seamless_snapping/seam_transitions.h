@@ -89,8 +89,8 @@ public:
     if(*this) {
       const double scale = internal::unit_scale(m_data.extent);
       const internal::Uv_surface surface(tmesh, uv_map, internal::No_indices());
-      auto found = internal::singular_vertices<Group>(surface, scale, m_data.edges);
-      internal::add_full_turns<Group>(surface, scale, found);
+      auto found = internal::singular_vertices<Group>(surface, scale, N, m_data.edges);
+      internal::add_full_turns<Group>(surface, scale, N, found);
       for(const auto& [h, index] : found)
         m_singular_vertices.emplace_back(target(h, tmesh), index);
     }
@@ -119,7 +119,7 @@ public:
     if(i < 0)
       return 0;
     const auto& edge = m_data.edges[std::size_t(i)];
-    return Group::turns(edge.halfedge == h ? edge.rotation : Group::inverse(edge.rotation));
+    return Group::turns(edge.halfedge == h ? edge.rotation : Group::inverse(edge.rotation), N);
   }
 
   /// returns `true` if the transition across the edge of `h` is not the identity.
@@ -153,7 +153,7 @@ public:
   double violation() const { return m_data.violation; }
 
 private:
-  using Group = internal::Rotation_group<N>;
+  using Group = internal::Group_of_order<N>;
   using Edge_map =
     typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<int> >::const_type;
 
@@ -233,7 +233,8 @@ seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
     data.refusal = internal::inexact_arithmetic();
     if(!data.refusal)
       data = internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np));
-    return Seam_transitions<TriangleMesh, Group::order>(tmesh, uv_map, std::move(data));
+    return Seam_transitions<TriangleMesh, internal::order_of_symmetry<Parameters> >(
+      tmesh, uv_map, std::move(data));
   }
 }
 

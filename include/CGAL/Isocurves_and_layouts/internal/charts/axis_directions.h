@@ -39,9 +39,6 @@ namespace internal {
 // An element of either group.
 using Direction = int;
 
-template <int N>
-using Ray_group = Rotation_group<(N % 3 == 0) ? 6 : 4>;
-
 // In the chart behind a transition.
 template <typename Group = Quarter_turns>
 Direction turned(const Direction direction, const typename Group::Element g)

@@ -169,32 +169,29 @@ void read_charts(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
 }
 
 // The rest: `seams` are the transitions that were read off the uv map.
-template <typename SeamGroup, typename ConcurrencyTag, typename TriangleMesh, typename Halfedge,
-          typename Group>
+template <typename ConcurrencyTag, typename TriangleMesh, typename Halfedge, typename Group>
 void add_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                      const Transition_data<Halfedge>& seams, Basic_chart_mesh<Group>& mesh)
 {
-  constexpr int turns = Group::order / SeamGroup::order; // of the group, in each of the seams
   mesh.extent = seams.extent;
   mesh.violation = seams.violation;
   mesh.is_exact = seams.is_exact;
   for(const auto& edge : seams.edges) {
-    const auto rotation = Group::element(turns * SeamGroup::turns(edge.rotation));
-    add_transition(mesh, numbering.corner(edge.halfedge), rotation);
+    add_transition(mesh, numbering.corner(edge.halfedge), edge.rotation);
     add_transition(mesh, numbering.corner(opposite(edge.halfedge, tmesh)),
-                   Group::inverse(rotation));
+                   Group::inverse(edge.rotation));
   }
   mark_singular_vertices<ConcurrencyTag>(mesh);
 }
 
-template <typename SeamGroup, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
-Basic_chart_mesh<Ray_group<SeamGroup::order> >
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
+Basic_chart_mesh<Group>
 build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                  const HalfedgeUVMap& uv_map, const Transition_data<Halfedge>& seams)
 {
-  Basic_chart_mesh<Ray_group<SeamGroup::order> > mesh;
+  Basic_chart_mesh<Group> mesh;
   read_charts<CGAL::Sequential_tag>(tmesh, numbering, uv_map, mesh);
-  add_transitions<SeamGroup, CGAL::Sequential_tag>(tmesh, numbering, seams, mesh);
+  add_transitions<CGAL::Sequential_tag>(tmesh, numbering, seams, mesh);
   return mesh;
 }
 
@@ -210,12 +207,11 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
     return refusal;
   if(faces(tmesh).size() == 0)
     return Refusal(Outcome::INVALID_ARGUMENT, "the mesh has no face; was it read?");
-  using Seam_group = Symmetry_group<NamedParameters>;
-  static_assert(std::is_same_v<Group, Ray_group<Seam_group::order> >,
+  static_assert(std::is_same_v<Group, Symmetry_group<NamedParameters> >,
                 "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
                 "4 only; triangles those of 3 and 6");
   Transition_data<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> seams;
-  call_both<ConcurrencyTag>([&] { seams = read_transitions<Seam_group>(tmesh, uv_map, np); },
+  call_both<ConcurrencyTag>([&] { seams = read_transitions<Group>(tmesh, uv_map, np); },
                             [&] {
                               if(!numbering.refusal())
                                 read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
@@ -228,7 +224,7 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
     return Refusal(Outcome::NOT_SEAMLESS,
                    "the map is not exactly seamless: sides of edges differ by up to " +
                      short_number(seams.violation) + "; call snap_to_seamless() first");
-  add_transitions<Seam_group, ConcurrencyTag>(tmesh, numbering, seams, mesh);
+  add_transitions<ConcurrencyTag>(tmesh, numbering, seams, mesh);
   return std::nullopt;
 }
 

@@ -47,11 +47,12 @@ class Seam_estimator
   using Element = typename Group::Element;
 
 public:
+  // \param order of the symmetry
   // \param tolerance the largest residual that a rotation may have, in scaled units
-  Seam_estimator(const Surface& surface, const double scale, const double tolerance,
-                 const std::vector<Edge_ends>& ends, const Vertex_incidences& incidences,
-                 std::vector<Edge>& edges)
-    : m_surface(surface), m_scale(scale), m_tolerance(tolerance), m_ends(ends),
+  Seam_estimator(const Surface& surface, const int order, const double scale,
+                 const double tolerance, const std::vector<Edge_ends>& ends,
+                 const Vertex_incidences& incidences, std::vector<Edge>& edges)
+    : m_surface(surface), m_order(order), m_scale(scale), m_tolerance(tolerance), m_ends(ends),
       m_incidences(incidences), m_edges(edges), m_is_decided(edges.size(), true),
       m_is_soft(edges.size(), false), m_is_by_surroundings(edges.size(), false),
       m_number_of_undecided(incidences.size(), 0), m_is_border(incidences.size(), UNKNOWN)
@@ -158,8 +159,8 @@ private:
       if(!edge.is_cut || (edge.is_exact && edge.length > 64 * m_surface.epsilon()))
         continue;
       int number = 0;
-      for(int turns = 0; turns < Group::order; ++turns)
-        number += is_admissible(i, Group::element(turns)) ? 1 : 0;
+      for(int turns = 0; turns < m_order; ++turns)
+        number += is_admissible(i, Group::element(turns, m_order)) ? 1 : 0;
       if(number < 2)
         continue;
       m_is_decided[i] = false;
@@ -315,6 +316,7 @@ private:
   }
 
   const Surface& m_surface;
+  int m_order;
   double m_scale, m_tolerance;
   const std::vector<Edge_ends>& m_ends;
   const Vertex_incidences& m_incidences;

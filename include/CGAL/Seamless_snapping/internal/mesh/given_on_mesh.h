@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
+#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -64,7 +65,8 @@ auto given_transitions(const TriangleMesh& tmesh, const NamedParameters& np)
   if constexpr(is_given<decltype(halfedge_rotation)>)
     rotation = [halfedge_rotation](const Halfedge h)
       { return static_cast<int>(get(halfedge_rotation, h) % Group::order); };
-  return Given_transitions<Group, Halfedge>(std::move(is_cut), std::move(rotation));
+  return Given_transitions<Group, Halfedge>(order_of_symmetry<NamedParameters>, std::move(is_cut),
+                                            std::move(rotation));
 }
 
 // The residual, relative to the extent, up to which a map counts as seamless by default.

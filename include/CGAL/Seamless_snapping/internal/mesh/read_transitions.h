@@ -60,24 +60,26 @@ struct Transition_data
   double violation = 0;
 };
 
-// What the caller knows about cuts and rotations, if anything. The types of the maps that tell it
-// are unknown here, so that all calls share the code.
+// The order of the symmetry, and what the caller knows about cuts and rotations, if anything. The
+// types of the maps that tell it are unknown here, so that all calls share the code.
 template <typename Group, typename Halfedge>
 class Given_transitions
 {
 public:
   // \param is_cut,rotation of a halfedge; empty if they are not known
-  Given_transitions(std::function<bool(Halfedge)> is_cut, std::function<int(Halfedge)> rotation)
-    : m_is_cut(std::move(is_cut)), m_rotation(std::move(rotation))
+  Given_transitions(const int order, std::function<bool(Halfedge)> is_cut,
+                    std::function<int(Halfedge)> rotation)
+    : m_order(order), m_is_cut(std::move(is_cut)), m_rotation(std::move(rotation))
   { }
 
+  int order() const { return m_order; }
   bool has_cuts() const { return bool(m_is_cut); }
   bool has_rotations() const { return bool(m_rotation); }
 
   bool is_cut(const Halfedge h) const { return has_cuts() && m_is_cut(h); }
 
   typename Group::Element rotation(const Halfedge h) const
-  { return has_rotations() ? Group::element(m_rotation(h)) : Group::identity(); }
+  { return has_rotations() ? Group::element(m_rotation(h), m_order) : Group::identity(); }
 
   // Whether what is given of an edge with the halfedges `g` and `h` fits together.
   bool is_consistent(const Halfedge g, const Halfedge h) const
@@ -107,10 +109,11 @@ public:
     if(has_rotations())
       rotation = [this, &halfedges](const OtherHalfedge h)
         { return m_rotation(halfedges[std::size_t(h)]); };
-    return {is_cut, rotation};
+    return {m_order, is_cut, rotation};
   }
 
 private:
+  int m_order;
   std::function<bool(Halfedge)> m_is_cut;
   std::function<int(Halfedge)> m_rotation;
 };
@@ -124,7 +127,8 @@ double transition_violation(const Edge_sides& sides,
   const Edge_vectors vectors(sides);
   const bool is_known = given.has_rotations() || (given.has_cuts() && !given.is_cut(h));
   Mismatched_edge<Halfedge> edge;
-  set_rotation<Group>(edge, vectors, is_known ? given.rotation(h) : vectors.best_fit<Group>(scale),
+  set_rotation<Group>(edge, vectors, is_known ? given.rotation(h)
+                                              : vectors.best_fit<Group>(scale, given.order()),
                       scale);
   return edge.residual;
 }
@@ -184,7 +188,7 @@ private:
       if(g != Group::inverse(m_given.rotation(m_surface.opposite(edge.halfedge)))) {
         fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
              " has rotations that are not inverse to each other; those of opposite halfedges must "
-             "add up to a multiple of " + std::to_string(Group::order));
+             "add up to a multiple of " + std::to_string(m_given.order()));
         return false;
       }
       if(g != Group::identity() && !edge.is_cut) {
@@ -193,8 +197,9 @@ private:
         return false;
       }
     } else {
-      set_rotation<Group>(edge, vectors, edge.is_cut ? vectors.best_fit<Group>(m_scale)
-                                                     : Group::identity(), m_scale);
+      set_rotation<Group>(edge, vectors,
+                          edge.is_cut ? vectors.best_fit<Group>(m_scale, m_given.order())
+                                      : Group::identity(), m_scale);
     }
     return true;
   }
@@ -240,7 +245,7 @@ private:
     for(const Mismatched_edge<Halfedge>& edge : data.edges)
       edges.push_back(edge.sides);
     return m_given.has_cuts() || m_given.has_rotations()
-      ? std::string() : hint_on_symmetry(edges, m_tolerance * data.extent, Group::order);
+      ? std::string() : hint_on_symmetry(edges, m_tolerance * data.extent, m_given.order());
   }
 
   // Returns false if an edge takes a rotation from its surroundings that misses by too much.
@@ -258,8 +263,9 @@ private:
     const Vertex_incidences incidences = vertex_incidences(numbers.size(), ends);
     if(!m_given.has_rotations()) {
       data.number_of_edges_decided_by_surroundings =
-        Seam_estimator<Group, Surface>(m_surface, m_scale, m_tolerance * (data.extent * m_scale),
-                                       ends, incidences, data.edges).run();
+        Seam_estimator<Group, Surface>(m_surface, m_given.order(), m_scale,
+                                       m_tolerance * (data.extent * m_scale), ends, incidences,
+                                       data.edges).run();
       if(data.number_of_edges_decided_by_surroundings > 0 && !check_residuals(data))
         return false;
     }

@@ -56,16 +56,17 @@ constexpr int largest_number_of_roundings = 8;
 template <typename Group>
 std::vector<Corner_index>
 corners_at_grid_points(const Flat_surface& surface,
-                       const Aligned_edges<Group, Corner_index>& aligned_edges, const double scale)
+                       const Aligned_edges<Group, Corner_index>& aligned_edges, const double scale,
+                       const int order)
 {
   std::vector<Corner_index> result;
   for(const Corner_index first : surface.one_per_vertex())
-    if(unfolded_angle<Group>(surface, first, scale) > 2 * Group::order - 0.5 &&
+    if(unfolded_angle<Group>(surface, first, scale, order) > 2 * order - 0.5 &&
        !has_border_at_target(surface, first))
       result.push_back(first);
   for(const auto& edge : aligned_edges.edges())
     if(surface.is_border(surface.opposite(edge.halfedge)) &&
-       unfolded_angle<Group>(surface, edge.halfedge, scale) > Group::order - 0.5)
+       unfolded_angle<Group>(surface, edge.halfedge, scale, order) > order - 0.5)
       result.push_back(edge.halfedge);
   return result;
 }
@@ -79,6 +80,7 @@ class Integer_grid_snapper
   using typename Base::Aligned;
   using typename Base::Cuts;
   using Base::m_flip_repair;
+  using Base::m_given;
   using Base::m_options;
   using Base::m_report;
   using Base::m_surface;
@@ -114,8 +116,8 @@ private:
     if(auto refusal = check_range())
       return refusal;
     if(!m_has_spread) // else the displacement may hide them by folds
-      m_grid_points =
-        corners_at_grid_points<Group>(m_surface, aligned_edges, unit_scale(transitions.extent));
+      m_grid_points = corners_at_grid_points<Group>(
+        m_surface, aligned_edges, unit_scale(transitions.extent), m_given.order());
     Constraint_list<Corner_index> constraints = m_options.constraints;
     constraints.grid_points = m_grid_points;
     Cuts cuts;
@@ -261,8 +263,8 @@ private:
   {
     const Aligned aligned_edges(m_surface, m_options.edges_to_align,
                                 m_options.tolerance * m_report.extent);
-    const auto corners = corners_at_grid_points<Group>(m_surface, aligned_edges,
-                                                       unit_scale(m_report.extent));
+    const auto corners = corners_at_grid_points<Group>(
+      m_surface, aligned_edges, unit_scale(m_report.extent), m_given.order());
     return std::any_of(corners.begin(), corners.end(), [&](const Corner_index h) {
       const Uv u = m_surface.uv(h);
       return u[0] != std::round(u[0]) || u[1] != std::round(u[1]);

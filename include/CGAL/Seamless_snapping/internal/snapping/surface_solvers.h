@@ -46,13 +46,8 @@
   PREFIX template Snapping_report Integer_grid_snapper<GROUP, MAY_UNTANGLE>::run();
 
 #define CGAL_SEAMLESS_SNAPPING_INSTANTIATE_SURFACE_SOLVERS(PREFIX)                                 \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<1>)                            \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<2>)                            \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<3>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<4>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_COMPLEX(PREFIX, Rotation_group<6>)                            \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<2>)                            \
-  CGAL_SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<3>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<4>)                            \
   CGAL_SEAMLESS_SNAPPING_INSTANTIATE_CHANGES(PREFIX, Rotation_group<6>)                            \
   PREFIX template class Untangler<double>;                                                         \

@@ -101,16 +101,16 @@ public:
     return Group::norm(missing);
   }
 
-  // The element of least residual, as in [EBCK13]; the first of several.
+  // The element of least residual, as in [EBCK13], of symmetry n; the first of several.
   template <typename Group>
-  typename Group::Element best_fit(const double scale) const
+  typename Group::Element best_fit(const double scale, const int n) const
   {
     typename Group::Element best = Group::identity();
     double least = residual<Group>(best, scale);
-    for(int turns = 1; turns < Group::order; ++turns) {
-      const double other = residual<Group>(Group::element(turns), scale);
+    for(int turns = 1; turns < n; ++turns) {
+      const double other = residual<Group>(Group::element(turns, n), scale);
       if(other < least) {
-        best = Group::element(turns);
+        best = Group::element(turns, n);
         least = other;
       }
     }
@@ -167,14 +167,14 @@ inline double change_of_sum(const Uv& a, const Uv& b)
                     std::numeric_limits<double>::denorm_min());
 }
 
-// Whether [MC19] Eq. (4) holds for some element.
+// Whether [MC19] Eq. (4) holds for some element of symmetry n.
 template <typename Group>
-bool satisfies_some_transition(const Edge_sides& s)
+bool satisfies_some_transition(const Edge_sides& s, const int n)
 {
   if(s.are_identical())
     return true;
-  for(int turns = 0; turns < Group::order; ++turns)
-    if(satisfies_transition<Group>(s, Group::element(turns)))
+  for(int turns = 0; turns < n; ++turns)
+    if(satisfies_transition<Group>(s, Group::element(turns, n)))
       return true;
   return false;
 }

@@ -15,10 +15,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The rotations of transitions, as groups of integer matrices, for rotational symmetries of order
-// N = 1, 2, 4 in Cartesian coordinates, and N = 3, 6 in coordinates of the lattice basis
-// u = a + b w, where w is the unit vector at 60 degrees. In Cartesian coordinates no rotation by 60
-// degrees is exact: sqrt(3) is irrational.
+// The rotations of transitions, as groups of integer matrices: by multiples of 90 degrees in
+// Cartesian coordinates, and of 60 degrees in coordinates of the lattice basis u = a + b w, where w
+// is the unit vector at 60 degrees. In Cartesian coordinates no rotation by 60 degrees is exact:
+// sqrt(3) is irrational. Rotational symmetries of order n = 1, 2, 4 have rotations of the first
+// group, those of n = 3, 6 of the second. The order is known at run time only, so that all share
+// the code of two groups.
 
 #include <algorithm>
 #include <array>
@@ -48,14 +50,13 @@ struct Signed_functional
 template <int N>
 class Rotation_group
 {
-  static_assert(N == 1 || N == 2 || N == 3 || N == 4 || N == 6,
-                "only these rotations are integer matrices in some basis of the plane");
+  static_assert(N == 4 || N == 6, "the others are subgroups of these");
 
 public:
   static constexpr std::size_t dimension = 2;
   static constexpr int order = N;
   // Whether matrices only swap coordinates and change signs, which no rounding can harm.
-  static constexpr bool is_signed_permutation = (N != 3 && N != 6);
+  static constexpr bool is_signed_permutation = (N == 4);
   // Isocurves run where one of these is constant; the group permutes them up to the sign.
   static constexpr int number_of_functionals = is_signed_permutation ? 2 : 3;
 
@@ -68,11 +69,12 @@ public:
   static constexpr Element compose(const Element g, const Element h) { return (g + h) % N; }
   static constexpr Element inverse(const Element g) { return (N - g) % N; }
 
-  // The element of any number of turns by 360 / N degrees, also a negative one.
-  static constexpr Element element(const int turns) { return (turns % N + N) % N; }
+  // The element of any number of turns by 360 / n degrees, also a negative one. \pre n divides N
+  static constexpr Element element(const int turns, const int n = N)
+  { return (N / n * turns % N + N) % N; }
 
-  // The least number of turns, from 0 on.
-  static constexpr int turns(const Element g) { return g; }
+  // The least number of these turns, from 0 on.
+  static constexpr int turns(const Element g, const int n = N) { return g * n / N; }
 
   static constexpr const Matrix& matrix(const Element g) { return matrices[std::size_t(g)]; }
 
@@ -184,15 +186,7 @@ private:
   static constexpr double height = 0.86602540378443864676; // of the lattice's triangle: sqrt(3) / 2
 
   static constexpr Matrix generator()
-  {
-    switch(N) {
-    case 1: return {{{{1, 0}}, {{0, 1}}}};
-    case 2: return {{{{-1, 0}}, {{0, -1}}}};
-    case 3: return {{{{-1, -1}}, {{1, 0}}}};
-    case 4: return {{{{0, -1}}, {{1, 0}}}};
-    default: return {{{{0, -1}}, {{1, 1}}}};
-    }
-  }
+  { return {{{{0, -1}}, {{1, is_signed_permutation ? 0 : 1}}}}; }
 
   // A plain array: those of the library can't be assigned to in constant expressions of C++17.
   struct Table
@@ -219,11 +213,12 @@ private:
   static constexpr Table matrices = table();
 };
 
-using Trivial = Rotation_group<1>;
-using Half_turns = Rotation_group<2>;
-using Third_turns = Rotation_group<3>;
 using Quarter_turns = Rotation_group<4>;
 using Sixth_turns = Rotation_group<6>;
+
+// That which has the rotations of symmetry n.
+template <int n>
+using Group_of_order = Rotation_group<n % 3 == 0 ? 6 : 4>;
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Which transition group the named parameters ask for. The parameter's type tells, so that a call
-// compiles the code of one group only.
+// Which rotational symmetry the named parameters ask for. The parameter's type tells, so that a
+// call compiles the code of one group only.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
@@ -58,7 +58,7 @@ constexpr int order_of_symmetry =
     Rotational_symmetry<4> >::type> >::value;
 
 template <typename NamedParameters>
-using Symmetry_group = Rotation_group<order_of_symmetry<NamedParameters> >;
+using Symmetry_group = Group_of_order<order_of_symmetry<NamedParameters> >;
 
 constexpr double default_rounding_tolerance = 0.01;
 
