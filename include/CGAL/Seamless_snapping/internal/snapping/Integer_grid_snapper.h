@@ -98,13 +98,7 @@ class Integer_grid_snapper
 public:
   using Base::Base;
 
-  Snapping_report run()
-  {
-    const std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
-    if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
-      round_new_cones();
-    return this->report(refusal);
-  }
+  Snapping_report run();
 
 private:
   std::optional<Refusal> snap()
@@ -326,6 +320,16 @@ private:
   bool m_has_spread = false; // the last roundings
   std::vector<Corner_index> m_grid_points;
 };
+
+// Outside of the class, so that programs that share a library can share this, too.
+template <typename Group, bool may_untangle>
+Snapping_report Integer_grid_snapper<Group, may_untangle>::run()
+{
+  const std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
+  if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
+    round_new_cones();
+  return this->report(refusal);
+}
 
 } // namespace internal
 } // namespace Seamless_snapping
