@@ -38,18 +38,18 @@ class Flat_surface
 public:
   using Halfedge = Corner_index;
 
-  // \param put_index(h, i) is to keep the index i of a halfedge of the input, for get_index(h)
+  // \param index receives the index of each halfedge of the input
   // \param originals receives the halfedge of the input for each index
   // \pre all faces of the input have three corners
-  template <typename Surface, typename PutIndex, typename GetIndex>
-  Flat_surface(const Surface& input, const PutIndex& put_index, const GetIndex& get_index,
+  template <typename Surface, typename IndexMap>
+  Flat_surface(const Surface& input, const IndexMap& index,
                std::vector<typename Surface::Halfedge>& originals)
     : m_number_of_vertices(input.number_of_vertices()), m_format(input.format()),
       m_epsilon(input.epsilon())
   {
     using Original = typename Surface::Halfedge;
     const auto add = [&](const Original h) {
-      put_index(h, Halfedge(originals.size()));
+      put(index, h, Halfedge(originals.size()));
       originals.push_back(h);
     };
     for(const Original first : input.one_per_face()) {
@@ -65,17 +65,17 @@ public:
         if(input.is_border(h))
           add(h);
     for(const Original h : originals) {
-      m_opposite.push_back(get_index(input.opposite(h)));
+      m_opposite.push_back(get(index, input.opposite(h)));
       m_vertex.push_back(input.vertex(h));
       if(input.is_border(h)) {
-        m_next_of_border.push_back(get_index(input.next(h)));
-        m_prev_of_border.push_back(get_index(input.prev(h)));
+        m_next_of_border.push_back(get(index, input.next(h)));
+        m_prev_of_border.push_back(get(index, input.prev(h)));
       }
     }
     for(const Original e : input.one_per_edge())
-      m_edges.push_back(get_index(e));
+      m_edges.push_back(get(index, e));
     for(const Original h : input.one_per_vertex())
-      m_vertices.push_back(h == input.null_halfedge() ? no_index : get_index(h));
+      m_vertices.push_back(h == input.null_halfedge() ? no_index : get(index, h));
     for(Halfedge h = 0; h < number_of_corners(); h += 3)
       m_faces.push_back(h);
   }

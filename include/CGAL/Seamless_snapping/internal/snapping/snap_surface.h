@@ -150,36 +150,27 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   return report;
 }
 
-// The same for the map times a number, to an integer-grid map if that is asked for: in a copy,
-// which is written back if all succeeds.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                            const NamedParameters& np, const double scale)
+// The same for the map times a number, in a copy, which is written back if all succeeds.
+// \param index is to take the index of each halfedge
+template <typename Snapper, typename Group, typename Surface, typename IndexMap>
+Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& index,
+                          const Given_transitions<Group, typename Surface::Halfedge>& given,
+                          const Snapping_options<typename Surface::Halfedge>& options)
 {
   if(!(scale > 0 && std::isfinite(scale)))
     return refused<Snapping_report>(
       Report(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite"));
-  auto input = uv_surface(tmesh, uv_map, np);
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
     if(refusal)
       return refused<Snapping_report>(*refusal);
-  const auto index = get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh);
-  const auto index_of = [&](const auto h) { return get(index, h); };
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> originals;
-  Flat_surface surface(input, [&](const auto h, const Corner_index i) { put(index, h, i); },
-                       index_of, originals);
+  std::vector<typename Surface::Halfedge> originals;
+  Flat_surface surface(input, index, originals);
   const std::vector<Uv> before = surface.all_uv();
   for(Corner_index h = 0; h < surface.number_of_corners(); ++h)
     surface.set_uv(h, {scale * surface.uv(h)[0], scale * surface.uv(h)[1]});
-  const auto original_given = given_transitions<Group>(tmesh, np);
-  const auto given = original_given.template renumbered<Corner_index>(originals);
-  const auto options = snapping_options<Group>(tmesh, np).renumbered(index_of);
-  constexpr bool untangles = may_untangle<Group, NamedParameters>();
-  using Snapper = std::conditional_t<is_given<NamedParameters, CGAL::internal_np::integer_grid_t>,
-                                     Integer_grid_snapper<Group, untangles>,
-                                     Surface_snapper<Group, Flat_surface, untangles> >;
-  Snapping_report report = Snapper(surface, given, options).run();
-  note_coinciding_border_edges(tmesh, report);
+  const auto given_here = given.template renumbered<Corner_index>(originals);
+  const auto options_here = options.renumbered([&](const auto h) { return get(index, h); });
+  Snapping_report report = Snapper(surface, given_here, options_here).run();
   if(!report)
     return report;
   const double area = compare_with_input<Group>(before, scale, surface, report);
@@ -190,13 +181,30 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_m
     return report;
   }
   report.status = Outcome::SNAPPED;
-  using Change = Corner_change<typename decltype(input)::Halfedge, Uv>;
+  using Change = Corner_change<typename Surface::Halfedge, Uv>;
   if(const auto refusal = write_all_or_nothing(
        before.size(), [&](const std::size_t i)
        { return Change{originals[i], before[i], surface.uv(Corner_index(i))}; },
        [&](const auto h) { return input.uv(h); },
        [&](const Change& change, const Uv& to) { input.set_uv(change.corner, to); }))
     refuse(report, *refusal);
+  return report;
+}
+
+// To an integer-grid map, if that is asked for.
+template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
+Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                            const NamedParameters& np, const double scale)
+{
+  constexpr bool untangles = may_untangle<Group, NamedParameters>();
+  using Snapper = std::conditional_t<is_given<NamedParameters, CGAL::internal_np::integer_grid_t>,
+                                     Integer_grid_snapper<Group, untangles>,
+                                     Surface_snapper<Group, Flat_surface, untangles> >;
+  auto surface = uv_surface(tmesh, uv_map, np);
+  Snapping_report report = snap_copy<Snapper>(
+    surface, scale, get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh),
+    given_transitions<Group>(tmesh, np), snapping_options<Group>(tmesh, np));
+  note_coinciding_border_edges(tmesh, report);
   return report;
 }
 
