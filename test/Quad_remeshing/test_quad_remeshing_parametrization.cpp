@@ -16,6 +16,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/subdivision_method_3.h>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -240,7 +242,7 @@ void test_wanted_cross_with_given_rotations()
   const Mesh mesh = grid(6);
   const P::Triangle_surface surface = flat_surface(mesh);
   double seconds = 0;
-  P::Timed_solver<P::Default_solver> solver(seconds);
+  P::Timed_solver solver(seconds);
   const std::size_t size = std::size_t(surface.number_of_faces());
   const std::vector<double> before =
     P::cross_field(surface, P::wanted_field(surface, P::Parametrization_options()), 0, solver);
@@ -602,8 +604,9 @@ void test_other_types()
         <= 1e-6 * measured.largest_violation);
   CHECK_EQUAL(float_report.number_of_flipped_faces,
               measured.degenerate_faces + measured.flipped_faces);
-  CHECK(QR::snap_to_seamless(mesh, float_uv));
-  CHECK(QR::is_seamless(mesh, float_uv));
+  for(const Halfedge h : mesh.halfedges())
+    uv[h] = Point_2(float_uv[h].x(), float_uv[h].y());
+  CHECK(QR::snap_to_seamless(mesh, uv) && QR::is_seamless(mesh, uv));
 
   CGAL::Polyhedron_3<Kernel> polyhedron;
   CGAL::make_icosahedron<CGAL::Polyhedron_3<Kernel>, Point_3>(polyhedron);
@@ -611,8 +614,15 @@ void test_other_types()
   const auto points = get(CGAL::vertex_point, polyhedron);
   CHECK(QR::approximate_seamless_parametrization(polyhedron, polyhedron_uv,
                                                   CGAL::parameters::vertex_point_map(points)));
-  CHECK(QR::snap_to_seamless(polyhedron, polyhedron_uv));
-  CHECK(QR::is_seamless(polyhedron, polyhedron_uv));
+  Mesh copy;
+  std::vector<std::pair<CGAL::Polyhedron_3<Kernel>::Halfedge_handle, Halfedge> > halfedges;
+  CGAL::copy_face_graph(
+    polyhedron, copy,
+    CGAL::parameters::halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
+  const Uv_map copy_uv = new_uv_map(copy);
+  for(const auto& [original, h] : halfedges)
+    copy_uv[h] = get(polyhedron_uv, original);
+  CHECK(QR::snap_to_seamless(copy, copy_uv) && QR::is_seamless(copy, copy_uv));
 }
 
 // --- bad input -----------------------------------------------------------------------------------
@@ -811,8 +821,8 @@ void test_matrix_of_many_terms(const std::size_t size, const std::size_t number_
 {
   namespace P = QR::internal::parametrization;
   double seconds = 0;
-  P::Timed_solver<P::Default_solver> solver(seconds);
-  P::Sparse_system<P::Default_solver> system(size, solver);
+  P::Timed_solver solver(seconds);
+  P::Sparse_system system(size, solver);
   for(const unsigned int seed : {3u, 4u}) {
     const auto for_each_term = [&](const auto& f) {
       for(std::size_t i = 0; i < size; ++i)
@@ -852,7 +862,7 @@ void test_parts_of_a_map()
   const Mesh mesh = perturbed(icosphere(4), 0.01, 5);
   const P::Triangle_surface surface = flat_surface(mesh);
   double seconds = 0;
-  P::Timed_solver<P::Default_solver> solver(seconds);
+  P::Timed_solver solver(seconds);
   const std::size_t size = std::size_t(surface.number_of_faces());
   std::vector<double> angles =
     P::cross_field(surface, P::wanted_field(surface, P::Parametrization_options()), 0, solver);
@@ -864,14 +874,14 @@ void test_parts_of_a_map()
   const P::Surface_complex complex(surface, cuts.is_cut(), rotation, angles);
   const QR::internal::Free_coordinates<Quarter_turns> coordinates(complex.complex());
   const Coordinate_table table(coordinates, complex.number_of_sectors());
-  P::Sparse_system<P::Default_solver> system(coordinates.number_of_unknowns(), solver);
+  P::Sparse_system system(coordinates.number_of_unknowns(), solver);
   P::factor_poisson(surface, complex, table, std::vector<double>(size, 1), system);
   const Unknowns smooth = P::solve_poisson(
     surface, [&](const auto h) { return P::wanted_difference(surface, angles, h); }, complex, table,
     std::vector<double>(size, 1), system);
 
-  P::Timed_solver<P::Default_solver> solver_of_product(seconds); // the matrix another way
-  P::Sparse_system<P::Default_solver> product(smooth.size(), solver_of_product);
+  P::Timed_solver solver_of_product(seconds); // the matrix another way
+  P::Sparse_system product(smooth.size(), solver_of_product);
   P::add_product(
     surface, complex, table,
     [&](const auto h) { return 1 / std::tan(surface.angle[surface.next(h)]); }, product);

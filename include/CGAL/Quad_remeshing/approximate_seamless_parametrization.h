@@ -18,16 +18,16 @@
 // A producer of approximately seamless parametrizations: from any triangle mesh to per-corner
 // coordinates that `snap_to_seamless()` makes exact.
 
+#include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/Default_solver.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Seamless_parametrizer.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
-#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
@@ -44,13 +44,10 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingParametrizing
 
-The status and the figures that `approximate_seamless_parametrization()` returns.
-Converts to `bool`: `true` if and only if the coordinates were written.
-
-\tparam VertexDescriptor the vertex descriptor of the mesh
+The status and the figures that `approximate_seamless_parametrization()` returns, but for those
+that name vertices. Converts to `bool`: `true` if and only if the coordinates were written.
 */
-template <typename VertexDescriptor>
-struct Parametrization_report
+struct Parametrization_figures
   : public Report
 {
   /// \name Topology
@@ -68,11 +65,6 @@ struct Parametrization_report
 
   /// \name Field
   /// @{
-  /*!
-  The singular vertices in the interior, each with its index: in quarter turns, +1 for a corner of a
-  cube (valence 3 of a quadrangulation), -1 for valence 5.
-  */
-  std::vector<std::pair<VertexDescriptor, int> > cones;
   /*!
   The number of quarter turns that the borders make, relative to the field: together with the
   indices of the cones it adds up to \f$ 4 \chi \f$, which has been verified in integers.
@@ -92,9 +84,6 @@ struct Parametrization_report
   std::size_t number_of_flips_before_untangling = 0; ///< what this number was without untangling
   /// what untangling took: iterations over as many faces as the mesh has, rounded up
   std::size_t number_of_untangling_iterations = 0;
-  /// with `release_alignment`, the edges that are not aligned although they were to be, each by its
-  /// vertices
-  std::vector<std::pair<VertexDescriptor, VertexDescriptor> > released_edges;
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< largest difference of the sides of a cut edge after rotation
   /// @}
@@ -105,6 +94,27 @@ struct Parametrization_report
   std::vector<std::pair<std::string, double> > step_times;
   double seconds_in_solvers = 0; ///< the part of it that sparse factorizations and solves took
   /// @}
+};
+
+/*!
+\ingroup PkgQuadRemeshingParametrizing
+
+What `approximate_seamless_parametrization()` returns.
+
+\tparam VertexDescriptor the vertex descriptor of the mesh
+*/
+template <typename VertexDescriptor>
+struct Parametrization_report
+  : public Parametrization_figures
+{
+  /*!
+  The singular vertices in the interior, each with its index: in quarter turns, +1 for a corner of a
+  cube (valence 3 of a quadrangulation), -1 for valence 5.
+  */
+  std::vector<std::pair<VertexDescriptor, int> > cones;
+  /// with `release_alignment`, the edges that are not aligned although they were to be, each by its
+  /// vertices
+  std::vector<std::pair<VertexDescriptor, VertexDescriptor> > released_edges;
 };
 
 namespace internal {
@@ -164,7 +174,7 @@ void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
                        const Parametrization_result& result, HalfedgeUVMap uv_map)
 {
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
+  using FT = typename Uv_number<HalfedgeUVMap>::type;
   for(std::size_t h = 0; h < numbering.halfedges_of_corners().size(); ++h) {
     const std::array<double, 2>& uv = result.uv[result.sector[h]];
     put(uv_map, numbering.halfedges_of_corners()[h], Point_2(FT(uv[0]), FT(uv[1])));
@@ -193,8 +203,6 @@ template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameter
 void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters& np, Report& report)
 {
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Point_2>::Kernel::FT;
   using Solver = typename internal_np::Lookup_named_param_def<
     internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
 
@@ -209,7 +217,9 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
                         CGAL::Static_boolean_property_map<Edge, false>()),
                  chosen(np, internal_np::align_border, false), surface);
   const Parametrization_options options = read_options(tmesh, numbering, surface, np);
-  const Parametrization_result result = parametrize<Solver, FT>(surface, options, report);
+  const Parametrization_result result = parametrize(
+    surface, options, Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
+    make_solver<Solver>, static_cast<Parametrization_figures&>(report));
   write_coordinates(numbering, result, uv_map);
   write_transitions(tmesh, numbering, surface, result, np);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)

@@ -49,13 +49,13 @@ inline bool is_large(const Triangle_surface& surface) { return surface.number_of
 // more, which ends it. A round is as much work for one flip as for many: where they are few on a
 // large surface, `untangle(unknowns)` may end it, and returns whether it left none.
 // \param system with the coefficients 0
-template <typename Solver, typename Untangle, typename Report>
+template <typename Untangle, typename Report>
 std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
                       const Coordinate_table& table, const long number_of_rounds,
-                      const Untangle& untangle, Sparse_system<Solver>& system, Report& report)
+                      const Untangle& untangle, Sparse_system& system, Report& report)
 {
   constexpr std::size_t faces_of_a_flip = 2000;
   const std::size_t few_flips =
@@ -94,10 +94,9 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
 
 // The free unknowns of coordinates that meet all constraints, up to roundings.
 // \param system factorized for weights of 1
-template <typename Solver>
-std::vector<double>
+inline std::vector<double>
 unknowns_of(const Triangle_surface& surface, const Coordinates& uv, const Surface_complex& complex,
-            const Coordinate_table& table, Sparse_system<Solver>& system)
+            const Coordinate_table& table, Sparse_system& system)
 {
   const auto difference = [&](const Corner_index h) {
     const auto &p = uv[complex.sector(surface.prev(h))], &q = uv[complex.sector(h)];
@@ -164,7 +163,7 @@ private:
 };
 
 // Invariant: the edges that were released are aligned no more, all others are as they were.
-template <typename Solver, typename Report>
+template <typename Report>
 class Positive_solver
 {
   using Coordinate_rows = Free_coordinates<Quarter_turns>;
@@ -174,9 +173,10 @@ public:
   Positive_solver(Triangle_surface& surface, const std::vector<char>& is_cut,
                   const std::vector<Quarter_turns::Element>& rotation,
                   const std::vector<double>& angles, const std::vector<int>& index,
-                  const Parametrization_options& options, Report& report)
+                  const Parametrization_options& options, const Make_solver make_solver,
+                  Report& report)
     : m_surface(surface), m_is_cut(is_cut), m_rotation(rotation), m_angles(angles),
-      m_index(index), m_options(options), m_solver(report.seconds_in_solvers),
+      m_index(index), m_options(options), m_solver(report.seconds_in_solvers, make_solver),
       m_report(report)
   { }
 
@@ -188,8 +188,7 @@ public:
       make_complex_of_faces_with_area();
       const Coordinates reached = m_uv; // in the last round, before attempts close by
       bool is_untangled = false;
-      std::optional<Sparse_system<Solver> > system(std::in_place, m_rows->number_of_unknowns(),
-                                                   m_solver);
+      std::optional<Sparse_system> system(std::in_place, m_rows->number_of_unknowns(), m_solver);
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
@@ -206,7 +205,7 @@ public:
       std::vector<std::size_t> stuck;
       const double iterations_before = m_iterations_left;
       m_uv = m_rows->evaluate(unknowns);
-      m_solver.solver = Solver(); // frees memory
+      m_solver.reset(); // frees memory
       system.reset();
       if(number_of_flips(m_surface, *m_complex, m_uv) > 0)
         stuck = untangle(unknowns, m_options.may_release ? Untangling::NEAR_BY
@@ -255,7 +254,7 @@ private:
 
   // What untangling reached before edges were released meets the constraints that are left: goes
   // on from there if it has fewer flips.
-  void keep_better(const Coordinates& uv, Sparse_system<Solver>& system,
+  void keep_better(const Coordinates& uv, Sparse_system& system,
                    std::vector<double>& unknowns)
   {
     std::vector<double> reached = unknowns_of(m_surface, uv, *m_complex, *m_table, system);
@@ -360,7 +359,7 @@ private:
   const std::vector<double>& m_angles;
   const std::vector<int>& m_index; // per vertex
   const Parametrization_options& m_options;
-  Timed_solver<Solver> m_solver;
+  Timed_solver m_solver;
   Report& m_report;
   double m_iterations_left = 0, m_iterations = 0; // of untangling, over all faces
   std::optional<Surface_complex> m_complex;

@@ -32,13 +32,10 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -131,17 +128,18 @@ void measure(const Triangle_surface& surface, const std::vector<char>& is_cut,
   }
 }
 
-template <typename FT, typename Report>
-void scale_coordinates(const int exponent, Coordinates& uv, Report& report)
+template <typename Report>
+void scale_coordinates(const int exponent, const Number_format& format, Coordinates& uv,
+                       Report& report)
 {
   constexpr double largest_extent = 1e300; // snap_to_seamless() refuses larger coordinates
   const bool has_extent = report.extent > 0;
   report.extent = std::ldexp(report.extent, exponent);
   report.violation = std::ldexp(report.violation, exponent);
   // No coordinate is larger, as one vertex of each component is at the origin.
-  const double extent = rounded_to<FT>(report.extent);
+  const double extent = rounded_to(format, report.extent);
   if(!(extent <= largest_extent)
-     || (has_extent && extent < CGAL::to_double((std::numeric_limits<FT>::min)())))
+     || (has_extent && extent < std::ldexp(1., format.minimum_exponent + format.digits - 1)))
     throw Refusal(Outcome::INVALID_ARGUMENT,
                   "the coordinates leave the range of their number type: set target_edge_length to "
                   "about the length of an edge");
@@ -170,11 +168,12 @@ inline void update_indices(const Triangle_surface& surface, const Surface_comple
       result.cone_index[v] = Quarter_turns::order - int(std::lround(sum[v] / quarter_turn));
 }
 
-// `FT` is the number type that the coordinates are rounded to. The surface loses the alignment of
-// edges that are released.
-template <typename Solver, typename FT, typename Report>
+// Coordinates are rounded to `format`. The surface loses the alignment of edges that are released.
+template <typename Report>
 Parametrization_result parametrize(Triangle_surface& surface,
-                                     const Parametrization_options& options, Report& report)
+                                   const Parametrization_options& options,
+                                   const Number_format& format, const Make_solver make_solver,
+                                   Report& report)
 {
   Step_timer timer(report, options.verbose);
   Parametrization_result result;
@@ -189,7 +188,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
   std::vector<double> angles, log_size = options.log_size;
   Wanted_field wanted;
   {
-    Timed_solver<Solver> solver(report.seconds_in_solvers);
+    Timed_solver solver(report.seconds_in_solvers, make_solver);
     if(options.curvature_adaptivity > 1)
       adapt_to_curvature(surface, diffused_curvature(surface, solver),
                          options.curvature_adaptivity, log_size);
@@ -211,7 +210,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
                           singular, matching, result.released))
     singular = singularities(surface, topo, matching);
   if(options.least_cone_distance > 0) {
-    Timed_solver<Solver> solver(report.seconds_in_solvers);
+    Timed_solver solver(report.seconds_in_solvers, make_solver);
     if(cancel_cones(surface, wanted, std::ldexp(options.least_cone_distance, -surface.exponent),
                     singular.index, angles, matching, solver))
       singular = singularities(surface, topo, matching);
@@ -235,8 +234,8 @@ Parametrization_result parametrize(Triangle_surface& surface,
   surface.bending = std::vector<double>();
   timer.finish("cut graph");
 
-  Positive_solver<Solver, Report> solver(surface, graph.is_cut(), rotation, angles, singular.index,
-                                         options, report);
+  Positive_solver<Report> solver(surface, graph.is_cut(), rotation, angles, singular.index, options,
+                                 make_solver, report);
   solver.run(options.number_of_untangling_iterations);
   result.uv = solver.take();
   update_indices(surface, solver.complex(), result);
@@ -258,7 +257,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
   const double unit = std::frexp(options.target_edge_length, &exponent);
   for(auto& p : result.uv)
     for(double& x : p)
-      x = rounded_to<FT>(x / unit);
+      x = rounded_to(format, x / unit);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     result.sector.push_back(complex.sector(h));
     report.number_of_aligned_edges += (surface.is_aligned[h] && surface.represents_edge(h)) ? 1 : 0;
@@ -267,7 +266,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
 
   report.number_of_flipped_faces = number_of_flips(surface, complex, result.uv);
   measure(surface, graph.is_cut(), rotation, complex, result.uv, report);
-  scale_coordinates<FT>(surface.exponent - exponent, result.uv, report);
+  scale_coordinates(surface.exponent - exponent, format, result.uv, report);
   result.is_cut = graph.is_cut();
   result.rotation = rotation;
   timer.finish("measuring");

@@ -177,10 +177,9 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
 
 // Cancels opposite cones of up to that distance, and makes the field the wanted one with the new
 // rotations. Returns whether there were some.
-template <typename Solver>
-bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wanted,
-                  const double distance, const std::vector<int>& index,
-                  std::vector<double>& angles, Matching& matching, Timed_solver<Solver>& solver)
+inline bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wanted,
+                         const double distance, const std::vector<int>& index,
+                         std::vector<double>& angles, Matching& matching, Timed_solver& solver)
 {
   std::vector<char> is_fixed;
   for(const Complex& direction : wanted.prescribed)

@@ -93,16 +93,15 @@ inline Wanted_field restrict(const Clusters& clusters, const Cross_graph& graph,
   return result;
 }
 
-template <typename Solver>
-Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
-                                const unsigned int seed, Timed_solver<Solver>& solver)
+inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
+                                       const unsigned int seed, Timed_solver& solver)
 {
   if(wanted.strength == 0)
     return smoothest_field(graph, wanted.prescribed, seed, solver);
   Prescribed_field crosses = wanted.crosses;
   for(Complex& z : crosses)
     z *= wanted.strength;
-  Cross_field_system<Solver> system(graph, wanted.prescribed, wanted.strength, 1., solver);
+  Cross_field_system system(graph, wanted.prescribed, wanted.strength, 1., solver);
   return system.solve(crosses);
 }
 
@@ -132,9 +131,8 @@ inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescrib
     }
 }
 
-template <typename Solver>
-Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& wanted,
-                                 const unsigned int seed, Timed_solver<Solver>& solver)
+inline Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& wanted,
+                                        const unsigned int seed, Timed_solver& solver)
 {
   constexpr std::size_t largest_direct_size = 50000;
   if(graph.size() <= largest_direct_size)
@@ -149,9 +147,8 @@ Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& w
 }
 
 // Returns the angle of one direction of the cross of each face, in the layout of the face.
-template <typename Solver>
-std::vector<double> cross_field(const Triangle_surface& surface, const Wanted_field& wanted,
-                                const unsigned int seed, Timed_solver<Solver>& solver)
+inline std::vector<double> cross_field(const Triangle_surface& surface, const Wanted_field& wanted,
+                                       const unsigned int seed, Timed_solver& solver)
 {
   std::vector<double> angles;
   angles.reserve(surface.number_of_faces());

@@ -160,9 +160,8 @@ inline void check_prescribed_indices(const Triangle_surface& surface, const Topo
 
 // The smallest deviation across each halfedge that has the given indices around the vertices: the
 // gradient of a vertex function, which is 0 on the border.
-template <typename Solver>
-std::vector<double> deviation_of_cones(const Triangle_surface& surface,
-                                       const std::vector<int>& index, Timed_solver<Solver>& solver)
+inline std::vector<double> deviation_of_cones(const Triangle_surface& surface,
+                                              const std::vector<int>& index, Timed_solver& solver)
 {
   std::vector<std::size_t> unknown(surface.number_of_vertices(), none);
   std::vector<char> has_border(surface.number_of_components, false);
@@ -179,7 +178,7 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
   }
 
   const auto weight = [&](const Corner_index h) { return 1 / dual_weight(surface, h); };
-  Sparse_system<Solver> system(count, solver);
+  Sparse_system system(count, solver);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const std::size_t i = unknown[surface.vertex(h)], j = unknown[surface.source(h)];
     if(surface.is_border_edge(h) || i == none)
@@ -208,12 +207,12 @@ std::vector<double> deviation_of_cones(const Triangle_surface& surface,
 // The smoothest field with the given rotations: turns each cross that is not fixed such that the
 // squared deviations become smallest, plus the squared angles to the nearest directions of given
 // crosses, with their lengths as weights.
-template <typename Solver>
-void smoothen_matched_field(const Triangle_surface& surface, const std::vector<char>& is_fixed,
-                            const Prescribed_field& wanted, std::vector<double>& angles,
-                            Matching& matching, Timed_solver<Solver>& solver)
+inline void smoothen_matched_field(const Triangle_surface& surface,
+                                   const std::vector<char>& is_fixed,
+                                   const Prescribed_field& wanted, std::vector<double>& angles,
+                                   Matching& matching, Timed_solver& solver)
 {
-  Sparse_system<Solver> system(surface.number_of_faces(), solver);
+  Sparse_system system(surface.number_of_faces(), solver);
   std::vector<double> b(surface.number_of_faces(), 0);
   std::vector<char> has_anchor(surface.number_of_components, false);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
@@ -249,10 +248,9 @@ void smoothen_matched_field(const Triangle_surface& surface, const std::vector<c
       matching.deviation[h] += turn[surface.face(h)] - turn[surface.face(surface.opposite(h))];
 }
 
-template <typename Solver>
-std::vector<double> field_with_cones(const Triangle_surface& surface, const Topology& topo,
-                                     const std::vector<int>& index, Matching& matching,
-                                     Timed_solver<Solver>& solver)
+inline std::vector<double> field_with_cones(const Triangle_surface& surface, const Topology& topo,
+                                            const std::vector<int>& index, Matching& matching,
+                                            Timed_solver& solver)
 {
   check_prescribed_indices(surface, topo, index);
   const std::vector<double> deviation = deviation_of_cones(surface, index, solver);

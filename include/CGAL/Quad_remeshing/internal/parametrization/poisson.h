@@ -50,9 +50,9 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
 
 // Adds the coefficients of the sum over the halfedges of weight * |uv difference|^2, by a product
 // of matrices: this takes less time where coordinates are long sums.
-template <typename Weight, typename Solver>
+template <typename Weight>
 void add_product(const Triangle_surface& surface, const Surface_complex& complex,
-                 const Coordinate_table& table, const Weight& weight, Sparse_system<Solver>& system)
+                 const Coordinate_table& table, const Weight& weight, Sparse_system& system)
 {
   using Matrix = Eigen::SparseMatrix<double>;
   using Term = Eigen::Triplet<double>;
@@ -86,10 +86,9 @@ inline double cotangent_weight(const Triangle_surface& surface, const std::vecto
 
 // The matrix of `solve_poisson()`, factorized.
 // \param system with the coefficients 0
-template <typename Solver>
-void factor_poisson(const Triangle_surface& surface, const Surface_complex& complex,
-                    const Coordinate_table& table, const std::vector<double>& weights,
-                    Sparse_system<Solver>& system)
+inline void factor_poisson(const Triangle_surface& surface, const Surface_complex& complex,
+                           const Coordinate_table& table, const std::vector<double>& weights,
+                           Sparse_system& system)
 {
   const auto weight_of = [&](const Corner_index h)
   { return cotangent_weight(surface, weights, h); };
@@ -114,13 +113,13 @@ void factor_poisson(const Triangle_surface& surface, const Surface_complex& comp
 // as a sum over the edges of each face. Returns the values of the free unknowns.
 // \param wanted_difference along a halfedge, in its face
 // \param system factorized for these weights
-template <typename Solver, typename Difference>
+template <typename Difference>
 std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const Difference& wanted_difference,
                                   const Surface_complex& complex,
                                   const Coordinate_table& table,
                                   const std::vector<double>& weights,
-                                  Sparse_system<Solver>& system)
+                                  Sparse_system& system)
 {
   std::vector<double> right_hand_side(system.dimension(), 0);
   Sparse_row row;

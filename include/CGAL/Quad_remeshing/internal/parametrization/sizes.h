@@ -68,16 +68,14 @@ void read_sizes(const Flat_numbering<TriangleMesh>& numbering, const Triangle_su
 // What edges are bent by, times their lengths, over the area around: the sum of the sizes of the
 // principal curvatures, roughly; diffused over a part of each component, so that noise makes no
 // cones. No value is negative.
-template <typename Solver>
-std::vector<double> diffused_curvature(const Triangle_surface& surface,
-                                       Timed_solver<Solver>& solver)
+inline std::vector<double> diffused_curvature(const Triangle_surface& surface, Timed_solver& solver)
 {
   constexpr double distance = 0.08; // relative to the root of the component's area
   const std::vector<double> mean_area = component_means(surface, surface.area);
   std::vector<std::size_t> faces(surface.number_of_components, 0);
   for(const std::size_t c : surface.component)
     ++faces[c];
-  Sparse_system<Solver> system(surface.number_of_vertices(), solver);
+  Sparse_system system(surface.number_of_vertices(), solver);
   std::vector<double> bending(surface.number_of_vertices(), 0);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const std::size_t v = surface.vertex(h), c = surface.component[surface.face(h)];

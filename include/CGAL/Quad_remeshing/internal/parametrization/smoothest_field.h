@@ -35,13 +35,12 @@ namespace parametrization {
 // The linear systems of field design: with the connection Laplacian L of crosses and the diagonal
 // matrix M of the areas, relative to the mean of the component, they read (a M + b L) z = M r,
 // where z is kept on the prescribed nodes.
-template <typename Solver>
 class Cross_field_system
 {
 public:
   Cross_field_system(const Cross_graph& graph, const Prescribed_field& prescribed,
                      const double mass_factor, const double laplace_factor,
-                     Timed_solver<Solver>& solver)
+                     Timed_solver& solver)
     : m_graph(graph)
     , m_prescribed(prescribed)
     , m_unknown(graph.size(), none)
@@ -111,7 +110,7 @@ private:
   const Prescribed_field& m_prescribed;
   std::vector<std::size_t> m_unknown;
   std::size_t m_number_of_unknowns;
-  Sparse_system<Solver> m_system;
+  Sparse_system m_system;
   std::vector<double> m_boundary_terms;
 };
 
@@ -136,9 +135,8 @@ inline void normalize_components(const Cross_graph& graph, Prescribed_field& fie
 
 // The eigenvector of the smallest eigenvalue by inverse iteration, in components without any
 // prescribed node; the harmonic field in the others.
-template <typename Solver>
-Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribed_field& prescribed,
-                                const unsigned int seed, Timed_solver<Solver>& solver)
+inline Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribed_field& prescribed,
+                                       const unsigned int seed, Timed_solver& solver)
 {
   const double shift = 1e-3 / static_cast<double>(graph.size()) / graph.mean_mass;
   std::vector<char> has_prescribed(graph.number_of_components, false);
@@ -154,7 +152,7 @@ Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribed_field
   for(Complex& z : field)
     z = std::polar(1., random.get_double(-pi, pi));
 
-  Cross_field_system<Solver> system(graph, prescribed, shift, 1., solver);
+  Cross_field_system system(graph, prescribed, shift, 1., solver);
   for(int i = 0; i < number_of_iterations; ++i) {
     for(std::size_t f = 0; f < graph.size(); ++f)
       if(has_prescribed[graph.component[f]])
@@ -172,14 +170,13 @@ Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribed_field
 // Alternates short diffusion with normalization: the harmonic field is smooth where it is long, and
 // noisy where it is short; this moves it towards the smoothest field of unit crosses. Diffusion
 // over a few edge lengths removes pairs of cones that cancel out.
-template <typename Solver>
-void smoothen_unit_field(const Cross_graph& graph, const Prescribed_field& prescribed,
-                         Prescribed_field& field, Timed_solver<Solver>& solver)
+inline void smoothen_unit_field(const Cross_graph& graph, const Prescribed_field& prescribed,
+                                Prescribed_field& field, Timed_solver& solver)
 {
   constexpr int number_of_rounds = 8;
   normalize_each(field);
   for(const double time : {100., 10.}) {
-    Cross_field_system<Solver> system(graph, prescribed, 1 / graph.mean_mass, time, solver);
+    Cross_field_system system(graph, prescribed, 1 / graph.mean_mass, time, solver);
     for(int i = 0; i < number_of_rounds; ++i) {
       field = system.solve(field);
       normalize_each(field);
@@ -187,9 +184,9 @@ void smoothen_unit_field(const Cross_graph& graph, const Prescribed_field& presc
   }
 }
 
-template <typename Solver>
-Prescribed_field smoothest_field(const Cross_graph& graph, const Prescribed_field& prescribed,
-                                 const unsigned int seed, Timed_solver<Solver>& solver)
+inline Prescribed_field smoothest_field(const Cross_graph& graph,
+                                        const Prescribed_field& prescribed, const unsigned int seed,
+                                        Timed_solver& solver)
 {
   Prescribed_field field = harmonic_field(graph, prescribed, seed, solver);
   smoothen_unit_field(graph, prescribed, field, solver);
