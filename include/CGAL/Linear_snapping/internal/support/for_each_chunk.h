@@ -60,13 +60,13 @@ void for_each_chunk(std::vector<Chunk> chunks, const Function& f)
 }
 
 // Calls f() and g(), at the same time if there are several threads.
-template <typename ConcurrencyTag, typename F, typename G>
-void call_both(const F& f, const G& g)
+template <typename ConcurrencyTag>
+void call_both(const std::function<void()>& f, const std::function<void()>& g)
 {
-  std::array<std::function<void()>, 2> calls{std::cref(f), std::cref(g)};
-  CGAL::for_each<ConcurrencyTag>(calls, [](std::function<void()>& call) {
+  std::array<const std::function<void()>*, 2> calls{&f, &g};
+  CGAL::for_each<ConcurrencyTag>(calls, [](const std::function<void()>* const call) {
     const Protect_exact_arithmetic protect;
-    call();
+    (*call)();
     return true;
   });
 }

@@ -28,11 +28,11 @@
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -185,28 +185,25 @@ public:
     if constexpr(is_given<decltype(face_map)>)
       of_faces = locate(result.faces(), [&](const auto f)
                         { return Place_of_quads{middle(result, f), side(result, f)}; });
-    const auto write_vertex = [&]([[maybe_unused]] const auto& vertices) {
-      if constexpr(is_given<decltype(vertex_map)>)
-        put(vertex_map, vertices.second, of_vertices[vertices.first]);
-    };
-    const auto write_face = [&]([[maybe_unused]] const auto& faces) {
-      if constexpr(is_given<decltype(face_map)>)
-        put(face_map, faces.second, of_faces[faces.first]);
-    };
-    const auto write_feature = [&]([[maybe_unused]] const auto& halfedges) {
-      if constexpr(is_given<decltype(feature_map)>)
-        put(feature_map, edge(halfedges.second, quads),
-            bool(is_feature[result.edge(halfedges.first)]));
-    };
+    using Traits = boost::graph_traits<QuadMesh>;
+    std::vector<std::pair<Mesh::Vertex_index, typename Traits::vertex_descriptor> > vertices;
+    std::vector<std::pair<Mesh::Halfedge_index, typename Traits::halfedge_descriptor> > halfedges;
+    std::vector<std::pair<Mesh::Face_index, typename Traits::face_descriptor> > faces;
     CGAL::copy_face_graph(
       result, quads,
-      CGAL::parameters::halfedge_to_halfedge_output_iterator(
-                          boost::make_function_output_iterator(write_feature))
-                       .vertex_to_vertex_output_iterator(
-                          boost::make_function_output_iterator(write_vertex))
-                       .face_to_face_output_iterator(
-                          boost::make_function_output_iterator(write_face)),
+      CGAL::parameters::halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges))
+                       .vertex_to_vertex_output_iterator(std::back_inserter(vertices))
+                       .face_to_face_output_iterator(std::back_inserter(faces)),
       CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
+    if constexpr(is_given<decltype(vertex_map)>)
+      for(const auto& [v, copy] : vertices)
+        put(vertex_map, copy, of_vertices[v]);
+    if constexpr(is_given<decltype(face_map)>)
+      for(const auto& [f, copy] : faces)
+        put(face_map, copy, of_faces[f]);
+    if constexpr(is_given<decltype(feature_map)>)
+      for(const auto& [h, copy] : halfedges)
+        put(feature_map, edge(copy, quads), bool(is_feature[result.edge(h)]));
   }
 
 private:

@@ -80,10 +80,13 @@ public:
   // \param read_size of the quads at a vertex
   // \param mirror on whose upper side the surface is to be
   template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-            typename ReadDirection, typename ReadSize>
-  Surface_to_remesh(const TriangleMesh& tmesh, const VertexPointMap& point_map,
-                    const EdgeIsConstrainedMap& is_feature, const ReadDirection& read_direction,
-                    const ReadSize& read_size, const std::optional<Mirror>& mirror)
+            typename Traits = boost::graph_traits<TriangleMesh> >
+  Surface_to_remesh(
+    const TriangleMesh& tmesh, const VertexPointMap& point_map,
+    const EdgeIsConstrainedMap& is_feature,
+    const std::function<Kernel::Vector_3(typename Traits::face_descriptor)>& read_direction,
+    const std::function<double(typename Traits::vertex_descriptor)>& read_size,
+    const std::optional<Mirror>& mirror)
     : m_mesh(), m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
       m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
