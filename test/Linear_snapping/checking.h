@@ -5,6 +5,8 @@
 #ifndef SEAMLESS_SNAPPING_TEST_CHECKING_H
 #define SEAMLESS_SNAPPING_TEST_CHECKING_H
 
+#include <boost/config.hpp>
+
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -25,8 +27,9 @@ inline Counts& counts()
   return instance;
 }
 
-// Returns whether the check passed, so that callers can add context of their own.
-inline bool record(bool passed, const char* expression, const char* file, int line)
+// Returns whether the check passed, so that callers can add context of their own. These functions
+// are called, not copied to each of hundreds of checks.
+BOOST_NOINLINE inline bool record(bool passed, const char* expression, const char* file, int line)
 {
   if(passed) {
     ++counts().passed;
@@ -38,13 +41,19 @@ inline bool record(bool passed, const char* expression, const char* file, int li
 }
 
 template <typename A, typename B>
-bool record_equal(const A& a, const B& b, const char* expression, const char* file, int line)
+BOOST_NOINLINE bool record_equal(const A& a, const B& b, const char* expression, const char* file,
+                                 int line)
 {
   const bool equal = (a == b);
   record(equal, expression, file, line);
   if(!equal)
     std::cerr << "    left: " << a << "\n   right: " << b << std::endl;
   return equal;
+}
+
+BOOST_NOINLINE inline void tell_where(const std::string& context)
+{
+  std::cerr << "    in " << context << std::endl;
 }
 
 inline void skip(const std::string& what)
@@ -62,7 +71,7 @@ inline void skip(const std::string& what)
 #define CHECK_IN(context, condition)                                                               \
   do {                                                                                             \
     if(!CHECK(condition))                                                                          \
-      std::cerr << "    in " << (context) << std::endl;                                            \
+      checking::tell_where(context);                                                               \
   } while(false)
 
 inline int report_checks()
