@@ -3,7 +3,6 @@
 // by about the height of the slivers. The map without noise then is such a solution, for all faces
 // at once, so that whatever is positive in the disturbed map must stay so.
 
-#include "Polyhedron_copy.h"
 #include "orientation_checks.h"
 #include "orientation_data.h"
 #include "orientation_flips.h"
@@ -216,12 +215,12 @@ void test_other_types()
     slivers::make_slivers(mesh, uv, height, 1, seed, [](const auto&, const auto&) { return true; });
     CHECK_IN(context, exact_check::check_edges(mesh, uv).is_exact());
     uv_noise::perturb(mesh, uv, 3 * height, seed);
-    test_meshes::Polyhedron_copy<Float_kernel> copy(mesh);
+    auto copy = mesh;
     const auto np = SS::parameters::tolerance(0.1);
     tally.add(snap(mesh, uv,
                    np.edge_is_cut_map(known.edge_is_cut).halfedge_rotation_map(known.rotations),
                    exact_check::No_edge_aligned(), context));
-    snap(copy.polyhedron, copy.uv, np, exact_check::No_edge_aligned(), context, true);
+    snap(copy, test_meshes::uv_map(copy), np, exact_check::No_edge_aligned(), context, true);
   }
   tally.print(context);
   CHECK(tally.lost > 0 && tally.remaining == 0);

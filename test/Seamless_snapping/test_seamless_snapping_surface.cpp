@@ -12,7 +12,6 @@
 #include <CGAL/Timer.h>
 
 #include <limits>
-#include <map>
 #include <memory>
 #include <random>
 #include <sstream>
@@ -266,18 +265,38 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Halfedge = Mesh::Halfedge_index;
 using Point_2 = Kernel::Point_2;
 
-// Has values for some halfedges only, and throws where others are asked for.
-struct Partial_map
+// Keeps the values of corners in places that they may share. Throws where others are asked for, and
+// after some writing or reading.
+struct Map_of_places
 {
   using key_type = Halfedge;
   using value_type = Point_2;
   using reference = const Point_2&;
   using category = boost::lvalue_property_map_tag;
 
-  std::shared_ptr<std::map<Halfedge, Point_2> > values;
+  std::shared_ptr<std::vector<Point_2> > values = std::make_shared<std::vector<Point_2> >();
+  std::vector<std::size_t> places; // of halfedges
+  std::shared_ptr<long> credit = std::make_shared<long>((std::numeric_limits<long>::max)());
+  std::shared_ptr<long> reads = std::make_shared<long>((std::numeric_limits<long>::max)());
 
-  friend const Point_2& get(const Partial_map& map, Halfedge h) { return map.values->at(h); }
-  friend void put(const Partial_map& map, Halfedge h, const Point_2& p) { map.values->at(h) = p; }
+  void add(const Point_2& p)
+  {
+    places.push_back(values->size());
+    values->push_back(p);
+  }
+
+  friend const Point_2& get(const Map_of_places& map, Halfedge h)
+  {
+    if(--*map.reads == 0)
+      throw std::runtime_error("no more to read");
+    return map.values->at(map.places[h]);
+  }
+  friend void put(const Map_of_places& map, Halfedge h, const Point_2& p)
+  {
+    if(--*map.credit == 0)
+      throw std::runtime_error("no credit");
+    map.values->at(map.places[h]) = p;
+  }
 };
 
 void test_no_values_on_border()
@@ -286,10 +305,12 @@ void test_no_values_on_border()
     Mesh mesh = named.mesh;
     const auto uv = test_meshes::uv_map(mesh);
     uv_noise::perturb(mesh, uv, 1e-9, 1);
-    const Partial_map map{ std::make_shared<std::map<Halfedge, Point_2> >() };
+    Map_of_places map;
     for(const auto h : mesh.halfedges())
-      if(!mesh.is_border(h))
-        (*map.values)[h] = uv[h];
+      if(mesh.is_border(h))
+        map.places.push_back((std::numeric_limits<std::size_t>::max)());
+      else
+        map.add(uv[h]);
     const auto np = SS::parameters::align_border(named.align_border).repair_flips(true);
     bool is_read = false;
     try {
@@ -302,34 +323,6 @@ void test_no_values_on_border()
     CHECK_IN(named.name, !is_read);
   }
 }
-
-// Keeps the values of corners in places that they may share, and throws after some writing or
-// reading.
-struct Shared_map
-{
-  using key_type = Halfedge;
-  using value_type = Point_2;
-  using reference = Point_2;
-  using category = boost::read_write_property_map_tag;
-
-  std::shared_ptr<std::vector<Point_2> > values;
-  std::vector<std::size_t> places; // of halfedges
-  std::shared_ptr<long> credit = std::make_shared<long>((std::numeric_limits<long>::max)());
-  std::shared_ptr<long> reads = std::make_shared<long>((std::numeric_limits<long>::max)());
-
-  friend Point_2 get(const Shared_map& map, Halfedge h)
-  {
-    if(--*map.reads == 0)
-      throw std::runtime_error("no more to read");
-    return (*map.values)[map.places[h]];
-  }
-  friend void put(const Shared_map& map, Halfedge h, const Point_2& p)
-  {
-    if(--*map.credit == 0)
-      throw std::runtime_error("no credit");
-    (*map.values)[map.places[h]] = p;
-  }
-};
 
 // Two inner vertices of a disc in the same place, each with other noise at all corners but one,
 // that is shared; signs of zeros are mixed.
@@ -350,11 +343,9 @@ void test_shared_places()
     else if(uv[h].x() == 0)
       uv[h] = Point_2(random() % 2 == 0 ? 0. : -0., uv[h].y());
   }
-  Shared_map map{ std::make_shared<std::vector<Point_2> >(), {} };
-  for(const auto h : mesh.halfedges()) {
-    map.places.push_back(map.values->size());
-    map.values->push_back(uv[h]);
-  }
+  Map_of_places map;
+  for(const auto h : mesh.halfedges())
+    map.add(uv[h]);
   const auto places = map.places;
   map.places[mesh.halfedge(a)] = map.places[mesh.halfedge(b)];
   const Bits before = all_bits(mesh, map);
