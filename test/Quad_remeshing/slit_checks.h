@@ -247,6 +247,25 @@ inline CGAL::Exact_rational exact_area(const Mesh& mesh, const UV_map& uv)
 
 // As long as no face is flipped, the cells are as many as the area says; an integer-grid map is
 // what has them all. Repairs of faces that roundings have turned over make no new cones.
+// Whether the report tells the changes of the coordinates of corners.
+inline bool tells_changes(const QR::Snapping_report& report, const Mesh& mesh, const UV_map uv,
+                          const std::vector<Point_2>& before)
+{
+  double largest = 0, sum = 0, squares = 0, number = 0;
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      for(int c = 0; c < 2; ++c) {
+        const double change = std::abs(uv[h][c] - before[std::size_t(h)][c]);
+        largest = (std::max)(largest, change);
+        sum += change;
+        squares += change * change;
+        ++number;
+      }
+  const auto is_near = [](const double a, const double b) { return std::abs(a - b) <= 1e-12 * b; };
+  return is_near(report.largest_change, largest) && is_near(report.mean_change, sum / number) &&
+         is_near(report.rms_change, std::sqrt(squares / number));
+}
+
 inline void check_cut_surfaces()
 {
   std::size_t number_complete = 0, number_off_grid = 0;
@@ -256,9 +275,15 @@ inline void check_cut_surfaces()
     make_map_with_cuts(random, mesh);
     const UV_map uv = square_complex::uv_map(mesh);
     const bool align = seed % 4 != 0;
+    std::vector<Point_2> before;
+    for(const auto h : mesh.halfedges())
+      before.push_back(uv[h]);
+    const auto seams = QR::measure_seamlessness(mesh, uv);
     const auto snapped = QR::snap_to_seamless(
       mesh, uv, QR::parameters::integer_grid(true).align_border(align).rounding_tolerance(100.));
-    bool is_right = CHECK(bool(snapped));
+    bool is_right = CHECK(bool(snapped)) && CHECK(tells_changes(snapped, mesh, uv, before)) &&
+                    CHECK_EQUAL(snapped.extent, seams.extent) &&
+                    CHECK(snapped.violation_before >= seams.violation - 1e-12 * seams.extent);
     if(!is_right || !snapped.lost_faces.empty())
       continue;
     std::vector<Point_3> points;

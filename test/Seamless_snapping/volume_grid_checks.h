@@ -178,6 +178,11 @@ inline Snapping_report round_and_check(Tet_map& map, const double scale, const s
   CHECK_IN(name, is_grid(map) && !is_grid(before));
   CHECK_IN(name, volume_grid_reference::is_integer(volume_grid_reference::volume(map)));
   CHECK_IN(name, report.lost_faces.empty() && volume_reference::lost_cells(before, map) == 0);
+  // each sector counts, and has no more corners than there are
+  CHECK_IN(name, report.mean_change <= report.rms_change &&
+                   report.rms_change <= report.largest_change * (1 + 1e-12));
+  CHECK_IN(name, report.rms_change * std::sqrt(3.) * double(map.corners.size()) >=
+                   report.largest_change);
   const auto measure = Snapping::measure_volume_integer_grid(map.cells, Double_map{&map});
   CHECK_IN(name, measure.number_of_singular_edges >= counts.singular_edges);
   CHECK_IN(name, std::abs(measure.volume - CGAL::to_double(volume_grid_reference::volume(map))) <

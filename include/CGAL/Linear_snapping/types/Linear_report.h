@@ -87,13 +87,15 @@ struct Linear_report
   /// bounding box of the coordinates
   double extent = 0;
   /// the largest violation of a constraint by the input; for surfaces and volumes, of a transition
-  /// or an alignment
+  /// (along two edges of a facet) or an alignment
   double violation_before = 0;
   double largest_change = 0;    ///< the largest absolute change of a value
-  /// the mean absolute change (of each sector, for surfaces and volumes)
+  /// the mean absolute change (of each sector, for surfaces and volumes; of each corner of a surface
+  /// with `integer_grid` or `grid_scale`)
   double mean_change = 0;
   double rms_change = 0;        ///< the root-mean-square change, over the same values
-  /// the same for the real-valued least-squares optimum that was approximated
+  /// the same for the real-valued least-squares optimum that was approximated; 0 for volumes, and
+  /// with `integer_grid` or `grid_scale`
   double optimal_rms_change = 0;
   /*!
   for `snap_to_linear_constraints()`: the distance of the result from the input, in terms of that of

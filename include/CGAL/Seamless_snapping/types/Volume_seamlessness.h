@@ -43,7 +43,7 @@ struct Volume_seamlessness
   std::size_t number_of_flipped_cells = 0;    ///< cells of negative orientation
   std::size_t number_of_degenerate_cells = 0; ///< cells of no volume
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
-  double violation = 0; ///< the largest violation of a transition
+  double violation = 0; ///< the largest violation of a transition, along two edges of a facet
   /// the largest change of a coordinate that would have to be constant on an aligned facet or edge
   double misalignment = 0;
 

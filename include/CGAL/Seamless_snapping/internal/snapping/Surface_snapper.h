@@ -143,6 +143,10 @@ protected:
     aligned_edges = Aligned(m_surface, m_options.edges_to_align,
                             m_options.tolerance * transitions.extent);
     m_report.violation_before = (std::max)(transitions.violation, aligned_edges.violation());
+    if(!m_violation_of_input) {
+      m_violation_of_input = m_report.violation_before;
+      m_extent_of_input = m_report.extent;
+    }
     return aligned_edges.refusal() ? aligned_edges.refusal() : m_options.constraints.refusal;
   }
 
@@ -211,6 +215,10 @@ protected:
       refuse(m_report, *refusal);
       m_report.certificate = refusal->certificate;
     }
+    if(m_violation_of_input) { // steps on the way to integers begin at others
+      m_report.violation_before = *m_violation_of_input;
+      m_report.extent = m_extent_of_input;
+    }
     m_report.run.number_of_untangling_iterations =
       m_options.number_of_untangling_iterations - m_iterations;
     m_timer.finish("release of memory");
@@ -226,6 +234,9 @@ protected:
   std::size_t m_iterations; // that the search for repairs may still take
 
 private:
+  std::optional<double> m_violation_of_input;
+  double m_extent_of_input = 0;
+
   void fill_in(const Transition_data<Halfedge>& transitions)
   {
     m_report.run.number_of_faces = m_surface.number_of_faces();
@@ -259,7 +270,7 @@ private:
     m_report.rms_change = writer.changes().root_mean_square();
     // no exact solution can undercut that sum of squares
     m_report.optimal_rms_change = snapped.optimal_changes.root(writer.changes().sum_of_weights());
-    m_report.grid_step = snapped.unit;
+    m_report.grid_step = m_report.linear_solver.number_of_constraints > 0 ? snapped.unit : 0;
     m_report.status = Outcome::SNAPPED;
     m_timer.finish("writing");
     return std::nullopt;

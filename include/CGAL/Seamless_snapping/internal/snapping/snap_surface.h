@@ -18,6 +18,7 @@
 // From the arguments of `snap_to_seamless()` to a run, on the mesh itself or on a copy, and its
 // report.
 
+#include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
@@ -58,7 +59,7 @@ template <typename Group>
 double compare_with_input(const std::vector<Uv>& input, const double scale,
                           const Flat_surface& result, Snapping_report& report)
 {
-  report.largest_change = 0;
+  Magnitudes changes;
   report.lost_faces.clear();
   report.remaining_flips.clear();
   double area = 0;
@@ -68,7 +69,7 @@ double compare_with_input(const std::vector<Uv>& input, const double scale,
       const Uv& u = before[k] = input[first + k];
       const Uv& v = after[k] = result.uv(Corner_index(first + k));
       for(const double change : Group::to_cartesian({v[0] - scale * u[0], v[1] - scale * u[1]}))
-        report.largest_change = (std::max)(report.largest_change, std::abs(change));
+        changes.add(change);
     }
     area += ((after[1][0] - after[0][0]) * (after[2][1] - after[0][1]) -
              (after[1][1] - after[0][1]) * (after[2][0] - after[0][0])) / 2;
@@ -76,6 +77,10 @@ double compare_with_input(const std::vector<Uv>& input, const double scale,
       (orientation(before) == CGAL::POSITIVE ? report.lost_faces : report.remaining_flips)
         .push_back(first / 3);
   }
+  report.largest_change = changes.largest();
+  report.mean_change = changes.mean();
+  report.rms_change = changes.root_mean_square();
+  report.optimal_rms_change = 0; // that of a step
   return area;
 }
 

@@ -17,6 +17,7 @@
 
 // The function `snap_volume_to_seamless()` for a volume in plain arrays, a step a line.
 
+#include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
@@ -42,6 +43,20 @@ namespace internal {
 // noise: some rotation, cut, or alignment was misread.
 constexpr double largest_change_in_violations = 10;
 constexpr double least_noise_in_tolerances = 0.01;
+
+// Changes of coordinates, where each sector counts once.
+inline void fill_in_changes(const Volume_sectors& sectors, const std::vector<Uvw>& before,
+                            const std::vector<Uvw>& after, Snapping_report& report)
+{
+  Magnitudes changes;
+  for(std::size_t s = 0; s < sectors.corners.size(); ++s)
+    for(const Corner_index i : sectors.corners[s])
+      for(std::size_t c = 0; c < 3; ++c)
+        changes.add(after[std::size_t(i)][c] - before[std::size_t(i)][c],
+                    1. / static_cast<double>(sectors.corners[s].size()));
+  report.mean_change = changes.mean();
+  report.rms_change = changes.root_mean_square();
+}
 
 class Flat_volume_snapper
 {
@@ -106,7 +121,7 @@ public:
                      "the result failed its exact verification and was discarded; please report "
                      "this");
     m_report.largest_change = change.size;
-    fill_in_changes(sectors, snapped);
+    fill_in_changes(sectors, m_volume.coordinates, snapped, m_report);
     m_timer.finish("verification");
     m_report.status = Outcome::SNAPPED;
     return std::nullopt;
@@ -134,27 +149,6 @@ private:
     m_report.run.number_of_nodes = places.places.size();
     m_report.run.number_of_cut_branches = sectors.sheet_element.size();
     m_report.run.number_of_align_branches = sectors.number_of_levels;
-  }
-
-  // Each sector counts once.
-  void fill_in_changes(const Volume_sectors& sectors, const std::vector<Uvw>& snapped)
-  {
-    const double unit = m_report.grid_step;
-    double sum = 0, squares = 0;
-    for(std::size_t s = 0; s < sectors.corners.size(); ++s) {
-      double sum_here = 0, squares_here = 0;
-      for(const Corner_index i : sectors.corners[s])
-        for(std::size_t c = 0; c < 3; ++c) {
-          const double change = std::abs(snapped[std::size_t(i)][c] - m_volume.uvw(i)[c]) / unit;
-          sum_here += change;
-          squares_here += change * change;
-        }
-      sum += sum_here / static_cast<double>(sectors.corners[s].size());
-      squares += squares_here / static_cast<double>(sectors.corners[s].size());
-    }
-    const double size = 3 * static_cast<double>(sectors.number_of_sectors());
-    m_report.mean_change = sum / size * unit;
-    m_report.rms_change = std::sqrt(squares / size) * unit;
   }
 
   Refusal not_seamless(const Volume_transitions& transitions) const

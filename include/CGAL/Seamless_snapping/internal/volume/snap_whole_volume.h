@@ -135,6 +135,7 @@ private:
                      "the repaired map failed its exact verification and was discarded; please "
                      "report this");
     m_volume.coordinates.swap(u);
+    fill_in_changes(structure.sectors, input, m_volume.coordinates, m_report);
     m_report.run.number_of_faces_without_area = number_without_volume(structure);
     m_timer.finish("verification");
     return std::nullopt;
