@@ -46,8 +46,12 @@ namespace internal {
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 auto uv_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
-  return Uv_surface(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np),
-                    is_given<NamedParameters, CGAL::internal_np::vertex_index_t>);
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::vertex_index_t>)
+    // not by CGAL's function, which asserts what is a status here
+    return Uv_surface(tmesh, uv_map,
+                      CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_index), true);
+  else
+    return Uv_surface(tmesh, uv_map, CGAL::get_initialized_vertex_index_map(tmesh, np));
 }
 
 template <typename Group, typename TriangleMesh, typename NamedParameters>
