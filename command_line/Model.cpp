@@ -31,7 +31,8 @@ std::string with_options(const std::string& message)
      "; ask for a number of quads by --number, which finds integers for each map without flips, or "
      "raise it to at least that"},
     {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
-    {"and at most maximum_number", "and at most --maximum-number"},
+    {"and at most maximum_number; see target_number_of_quads and target_edge_length",
+     "and at most --maximum-number; see --number, --edge-length, and --sizes"},
     {"by grid_scale, or call extract_quad_soup()",
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
      "a mesh of quads"},

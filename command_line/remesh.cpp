@@ -211,10 +211,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
 
 std::string why_not(const QR::Remeshing_report& report, const Model& model)
 {
-  static const char* const words[][2] = {
-    {"shrink the map by --grid-scale, or ask", "ask"},
-    {"and at most --maximum-number",
-     "and at most --maximum-number; see --number, --edge-length, and --sizes"}};
+  static const char* const words[][2] = {{"shrink the map by --grid-scale, or ask", "ask"}};
   return with_words(in_words_of_user(to_string(report.status) + (": " + report.message), model),
                     words);
 }

@@ -1496,6 +1496,25 @@ void test_locations()
   const auto np = parameters::target_number_of_quads(1000);
   check_locations(mesh, np, 1e-12);
   check_locations(mesh, np.symmetry_plane(Kernel::Plane_3(1, 0, 0, 0)), 0.05);
+  // squares of such lengths overflow, or vanish
+  Mesh scaled = mesh, quads, scaled_quads;
+  const auto of_vertex = quads.add_property_map<Vertex, Location>("v:location").first;
+  CHECK(bool(QR::quad_remesh(mesh, quads, np, parameters::vertex_location_map(of_vertex))));
+  for(const int exponent : {600, -600}) {
+    for(const auto v : mesh.vertices()) {
+      const Point_3& p = mesh.point(v);
+      scaled.point(v) = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                std::ldexp(p.z(), exponent));
+    }
+    scaled_quads.clear();
+    const auto of_scaled =
+      scaled_quads.add_property_map<Vertex, Location>("v:location").first;
+    CHECK(bool(QR::quad_remesh(scaled, scaled_quads, np,
+                               parameters::vertex_location_map(of_scaled))));
+    CHECK_EQUAL(scaled_quads.number_of_vertices(), quads.number_of_vertices());
+    for(const auto v : quads.vertices())
+      CHECK(of_scaled[v] == of_vertex[v]);
+  }
 }
 
 // What surfaces to remesh have if none is given.
@@ -2362,6 +2381,19 @@ void test_refusals()
       slanted.uv[g] = Point_2(std::ldexp(slanted.uv[g].y(), -20) + slanted.uv[g].x(),
                               slanted.uv[g].y());
   check_refusal(slanted, Status::NOT_ALIGNED, "align_border");
+
+  // the copy that is remeshed has more faces, as theirs have border sides only
+  Mesh bow_tie;
+  for(const double x : {-1., 1.})
+    for(const double y : {-1., 1.})
+      bow_tie.add_vertex(Point_3(x, y, 0));
+  const Vertex middle = bow_tie.add_vertex(Point_3(0, 0, 0));
+  bow_tie.add_face(Vertex(1), Vertex(0), middle);
+  bow_tie.add_face(Vertex(2), Vertex(3), middle);
+  const auto report = QR::quad_remesh(bow_tie, quads);
+  CHECK(report.status == Status::NOT_MANIFOLD);
+  CHECK_IN(report.message, report.message.find("of face 0 ") != std::string::npos ||
+                             report.message.find("of face 1 ") != std::string::npos);
 }
 
 int main()

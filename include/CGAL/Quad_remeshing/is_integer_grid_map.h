@@ -69,7 +69,8 @@ struct Integer_grid_measure
   double area = 0;
 
   /// returns `true` if and only if the map is an integer-grid map, exactly, so that whole cells of
-  /// the grid cover the surface. Orientations are not looked at.
+  /// the grid cover the surface. Orientations are not looked at; but around flipped faces, angles
+  /// do not add up to what they were, and tell of cones that are no points of the grid.
   explicit operator bool() const
   {
     return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
@@ -220,7 +221,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 
 returns `true` if and only if a parametrization is an integer-grid map, exactly; see
 `measure_integer_grid()`, whose parameters it has. Then whole cells of the grid cover the surface:
-the extraction leaves out none of them. Orientations are not looked at.
+the extraction leaves out none of them. Orientations are not looked at, but for what flipped faces
+make of the angles around their vertices.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 

@@ -468,7 +468,8 @@ where fewer are wanted. The quad around a vertex of one edge is left out.
         - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`, and,
           at degenerate faces, `INVALID_ALIGNMENT`: as for
           `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
-          `INVALID_ARGUMENT` also if `symmetry_plane` has no normal or misses the mesh;
+          `INVALID_ARGUMENT` also if `symmetry_plane` has no normal, or no face is on its positive
+          side;
         - `NOT_POSITIVE`: faces stay flipped in the parametrization;
         - `TOO_LARGE`: there would be more quads than `maximum_number`;
         - `NO_FACE_GRAPH`: no number of quads was found that makes a mesh with its mirror image;

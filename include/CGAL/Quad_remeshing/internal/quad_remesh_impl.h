@@ -446,7 +446,7 @@ private:
                                 .known_fields(&m_known_fields));
     m_timer.finish("parametrization");
     if(!made)
-      return refuse(m_report, made);
+      return refuse(m_report, made.status, with_face_of_input(made.message));
     count_untangling(made.number_of_untangling_iterations);
     move_map_from_origin();
     for(const auto& [v, w] : made.released_edges)
@@ -471,6 +471,18 @@ private:
     for(std::size_t& face : m_report.remaining_flips)
       face = m_surface.original(face);
     return true;
+  }
+
+  // The parametrization counts the faces of the copy.
+  std::string with_face_of_input(std::string message) const
+  {
+    const std::string words = "a vertex of face ";
+    const std::size_t begin = message.find(words) + words.size();
+    if(message.find(words) == message.npos)
+      return message;
+    const std::size_t length = message.find_first_not_of("0123456789", begin) - begin;
+    return message.replace(begin, length, std::to_string(m_surface.original(
+                                            std::stoul(message.substr(begin, length)))));
   }
 
   // Those that may be spent on one map: the maps of all attempts together have so many as take a

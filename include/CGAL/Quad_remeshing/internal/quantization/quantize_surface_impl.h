@@ -52,7 +52,8 @@ inline bool check_options(const Quantization_options& options, Report& report)
          refuse(report, Outcome::INVALID_ARGUMENT,
                 "the target is " + (std::isnan(options.number_of_quads)
                                       ? "no number of" : short_number(options.number_of_quads)) +
-                  " quads; it must be at least 1 and at most 2^28, and at most maximum_number");
+                  " quads; it must be at least 1 and at most 2^28, and at most maximum_number; see "
+                  "target_number_of_quads and target_edge_length");
 }
 
 class Surface_coarsener

@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -44,9 +45,18 @@ namespace internal {
 // Barycentric coordinates of the projection to the plane of the triangle, cut off at 0. In a
 // triangle without area, those on its longest side.
 inline std::array<double, 3> barycentric_coordinates(
-  const std::array<std::array<double, 3>, 3>& triangle, const std::array<double, 3>& point)
+  std::array<std::array<double, 3>, 3> triangle, std::array<double, 3> point)
 {
   std::array<double, 3> result{};
+  double size = 0;
+  for(const auto& p : triangle)
+    for(const double x : p)
+      size = (std::max)(size, std::abs(x));
+  // so that products neither overflow nor vanish
+  const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+  for(auto* const p : {&triangle[0], &triangle[1], &triangle[2], &point})
+    for(double& x : *p)
+      x = std::ldexp(x, -exponent);
   const auto dot = [&](const std::size_t i, const std::size_t j, const std::array<double, 3>& p) {
     double sum = 0; // side from i to j, and from i to p
     for(std::size_t c = 0; c < 3; ++c)

@@ -121,9 +121,18 @@ class Quad_smoother
 public:
   Quad_smoother(Mesh& quads, const Mesh& surface)
     : m_quads(quads), m_surface(surface),
-      m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first),
-      m_tree(faces(surface).begin(), faces(surface).end(), surface)
+      m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first)
   {
+    const auto point = [&](const Mesh::Halfedge_index h)
+    { return surface.point(surface.target(h)); };
+    std::vector<Face> triangles; // CGAL intersects none without area, whose points others have, too
+    for(const Face f : faces(surface))
+      if(const auto h = halfedge(f, surface);
+         !CGAL::collinear(point(h), point(next(h, surface)), point(prev(h, surface))))
+        triangles.push_back(f);
+    if(triangles.empty())
+      triangles.assign(faces(surface).begin(), faces(surface).end());
+    m_tree.insert(triangles.begin(), triangles.end(), surface);
     m_tree.accelerate_distance_queries();
   }
 
