@@ -164,18 +164,19 @@ bool are_balanced(const Iterator begin, const Iterator end)
          end - begin;
 }
 
+using Faces_by_corners = std::map<Polygon, std::vector<std::size_t> >;
+
 // The faces that are there twice, turned either way, where two closed bodies meet. In a piece of
 // which all faces are, the two are no bodies, but the sides of a surface.
-std::vector<char> walls_of_bodies(const Surface_soup& surface)
+std::vector<char> walls_of_bodies(const Surface_soup& surface, const Faces_by_corners& by_corners)
 {
-  std::map<Polygon, std::vector<std::size_t> > by_corners;
-  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
-    by_corners[canonical(surface.polygons[f])].push_back(f);
   std::vector<char> result(surface.polygons.size(), 0);
   for(const auto& [corners, faces] : by_corners)
     if(faces.size() == 2 &&
        rotated(surface.polygons[faces[0]]) != rotated(surface.polygons[faces[1]]))
       result[faces[0]] = result[faces[1]] = 1;
+  if(std::find(result.begin(), result.end(), 1) == result.end())
+    return result;
   std::vector<Side> sides = all_sides(surface);
   boost::disjoint_sets_with_storage<> pieces(surface.polygons.size());
   for_each_key(sides, [&](const auto begin, const auto end) {
@@ -197,11 +198,15 @@ std::vector<char> walls_of_bodies(const Surface_soup& surface)
 // Keeps the first of the faces that have the same corners, but both faces of a wall.
 void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
 {
-  const std::vector<char> is_wall = walls_of_bodies(surface);
-  std::set<Polygon> known;
+  Faces_by_corners by_corners;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    by_corners[canonical(surface.polygons[f])].push_back(f);
+  std::vector<char> is_kept = walls_of_bodies(surface, by_corners);
+  for(const auto& [corners, faces] : by_corners)
+    is_kept[faces.front()] = 1;
   std::size_t n = 0;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i)
-    if(is_wall[i] || known.insert(canonical(surface.polygons[i])).second) {
+    if(is_kept[i]) {
       surface.polygons[n] = surface.polygons[i];
       surface.file_faces[n++] = surface.file_faces[i];
     }
@@ -392,20 +397,23 @@ std::vector<Shared_side> sides_of_bodies(const Surface_soup& surface, const Iter
 void separate_bodies(Surface_soup& surface)
 {
   std::vector<Side> sides = all_sides(surface);
-  std::vector<Shared_side> joined;
   bool are_bodies = false;
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    are_bodies = are_bodies || (end - begin > 2 && are_balanced(begin, end));
+  });
+  if(!are_bodies)
+    return;
+  std::vector<Shared_side> joined;
   const bool is_turned = is_inside_out(surface);
   for_each_key(sides, [&](const auto begin, const auto end) {
     if(end - begin == 2) {
       joined.push_back({*begin, *(begin + 1)});
     } else if(end - begin > 2 && are_balanced(begin, end)) {
-      are_bodies = true;
       for(const Shared_side& pair : sides_of_bodies(surface, begin, end, is_turned))
         joined.push_back(pair);
     }
   });
-  if(are_bodies)
-    take_apart(joined, surface);
+  take_apart(joined, surface);
 }
 
 // Takes surfaces of one side apart where faces meet last that are reached from one face in the order
