@@ -90,8 +90,8 @@ struct Linear_report
   /// (along two edges of a facet) or an alignment
   double violation_before = 0;
   double largest_change = 0;    ///< the largest absolute change of a value
-  /// the mean absolute change (of each sector, for surfaces and volumes; of each corner of a surface
-  /// with `integer_grid` or `grid_scale`)
+  /// the mean absolute change (of each sector, for surfaces and volumes; of each corner of a
+  /// surface with `integer_grid` or `grid_scale`)
   double mean_change = 0;
   double rms_change = 0;        ///< the root-mean-square change, over the same values
   /// the same for the real-valued least-squares optimum that was approximated; 0 for volumes, and
