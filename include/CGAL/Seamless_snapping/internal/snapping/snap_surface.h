@@ -35,8 +35,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
