@@ -1852,6 +1852,22 @@ void test_remeshing_of_long_triangles()
   CHECK(is_symmetric(mirrored, 0));
 }
 
+// For 50 quads that are wanted, 55 have a mean scaled Jacobian of 0.72, and 6 vertices leave the
+// surface or a feature.
+void test_few_quads_between_features()
+{
+  const Coin coin(false);
+  const auto report = QR::quad_remesh(
+    coin.mesh, *std::make_unique<Mesh>(),
+    parameters::target_number_of_quads(50).edge_is_constrained_map(coin.is_feature));
+  std::cout << "coin of few quads: " << report.number_of_quads << ", mean scaled Jacobian "
+            << report.mean_scaled_jacobian << ", " << report.message << std::endl;
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
+  CHECK(report.number_of_displaced_vertices == 0 && report.number_of_released_edges == 0);
+  CHECK(report.number_of_quads <= 90);
+  CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
+}
+
 // --- improvement of quads ------------------------------------------------------------------------
 
 void scale(Mesh& quads, const double factor)
@@ -2422,6 +2438,7 @@ int main()
     test_remeshing_of_long_triangles();
     test_few_quads();
     test_choice_of_map();
+    test_few_quads_between_features();
     test_edge_lengths();
     test_touching_bodies();
   }

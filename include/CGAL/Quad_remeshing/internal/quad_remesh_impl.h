@@ -203,6 +203,7 @@ private:
   // are shaped roughly, and the best two as usual.
   bool make_best_quads()
   {
+    add_larger_numbers();
     if(m_choices.size() < 2)
       return make_quads();
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
@@ -215,7 +216,8 @@ private:
     m_quads.clear_without_removing_property_maps();
     if(!make_quads())
       return false;
-    if(!m_report.message.empty() && fewest < m_choices.front().quantization.number_of_quads)
+    const std::size_t number = m_choices.front().quantization.number_of_quads;
+    if(fewest < number && double(number) > 1.1 * m_options.quantization.number_of_quads)
       m_report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
     return true;
   }
@@ -226,17 +228,9 @@ private:
                          const Move& move)
   {
     std::vector<std::pair<double, std::size_t> > order;
-    for(std::size_t i = 0; i < m_choices.size(); ++i) {
-      set_state(m_choices[i]);
-      m_quads.clear_without_removing_property_maps();
-      m_quads.set_recycle_garbage(false);
-      if(!extract())
-        continue;
-      Quad_smoother smoother(m_quads, surface_mesh());
-      move(Feature_lines(m_surface), smoother);
-      order.emplace_back(badness(smoother, samples), i);
-      m_timer.finish("smoothing");
-    }
+    for(std::size_t i = 0; i < m_choices.size(); ++i)
+      shape_choice(m_choices[i], move, [&](const Quad_smoother& smoother)
+                                       { order.emplace_back(badness(smoother, samples), i); });
     std::sort(order.begin(), order.end());
     std::vector<State> best;
     for(std::size_t k = 0; k < number && k < order.size(); ++k)
@@ -408,6 +402,61 @@ private:
     std::size_t i = 0;
     for(const auto e : surface_mesh().edges())
       m_surface.is_feature()[e] = bool(state.is_feature[i++]);
+  }
+
+  // Gives the quads of a choice a shape by `move(lines, smoother)`, and calls `measure(smoother)`.
+  template <typename Move, typename Measure>
+  void shape_choice(const State& choice, const Move& move, const Measure& measure)
+  {
+    set_state(choice);
+    m_quads.clear_without_removing_property_maps();
+    m_quads.set_recycle_garbage(false);
+    if(!extract())
+      return;
+    Quad_smoother smoother(m_quads, surface_mesh());
+    move(Feature_lines(m_surface), smoother);
+    measure(smoother);
+    m_timer.finish("smoothing");
+  }
+
+  // Between features, few quads may have a bad shape where a few more have a good one: larger
+  // numbers of the same map are choices, too.
+  void add_larger_numbers()
+  {
+    constexpr double good_shape = 0.9; // a mean scaled Jacobian
+    constexpr int most_steps = 5; // of a tenth
+    if(m_choices.empty() || !has_features())
+      return;
+    const State first = m_choices.front();
+    bool is_good = true;
+    shape_choice(first,
+                 [&](const Feature_lines& lines, Quad_smoother& smoother)
+                 { shape(lines, smoother, rounds_to_choose); },
+                 [&](const Quad_smoother& smoother)
+                 { is_good = smoother.measure_shape().mean_scaled_jacobian >= good_shape; });
+    Quantization_options options = m_options.quantization;
+    options.maximum_feature_loss = 0; // the features that it lets go are released already
+    const double number = (std::max)(options.number_of_quads,
+                                     double(first.quantization.number_of_quads));
+    for(int i = 1; !is_good && i <= most_steps && m_choices.size() < most_choices; ++i) {
+      options.number_of_quads = (1 + 0.1 * i) * number;
+      State larger = first;
+      larger.quantization = quantize_again(first.quantization, options);
+      larger.quantization.released_features = first.quantization.released_features;
+      if(larger.quantization && larger.quantization.number_of_quads >
+                                  m_choices.back().quantization.number_of_quads)
+        m_choices.push_back(larger);
+    }
+    m_timer.finish("quantization");
+    set_state(first);
+    m_quads.clear_without_removing_property_maps();
+  }
+
+  bool has_features() const
+  {
+    const auto edges = surface_mesh().edges();
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](const auto e) { return m_surface.is_feature()[e]; });
   }
 
   // An exactly seamless map without flips: where none was found with few cones, with all of them.
