@@ -214,10 +214,11 @@ coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cub
 unknowns that they link, but for the last reduction of the lattice, which is cut off after some
 seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away from the
 optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in a square
-is the mean of its four neighbors, implied values grow along the square, and are far. A single constraint with coefficients of 40 bits takes half a second for 100 unknowns, some
-ten seconds for 300 or 1,000; what is cut off is the closeness, not the exactness. The search with a
-grid for each unknown takes fractions of a millisecond for a few unknowns, some seconds at most for
-200 with coefficients of 40 bits.
+is the mean of its four neighbors, implied values grow along the square, and are far. A single
+constraint with coefficients of 40 bits takes half a second for 100 unknowns, some ten seconds for
+300 or 1,000; what is cut off is the closeness, not the exactness. The search with a grid for each
+unknown takes fractions of a millisecond for a few unknowns, some seconds at most for 200 with
+coefficients of 40 bits.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

@@ -88,7 +88,8 @@ public:
   // \param most_work multiplications of reductions, which cost most; more throw `Work_exceeded`
   // \pre 64-bit integers are for systems that have no others
   Kernel_lattice(const Integer_system& system, const double most_work)
-    : m_work_left(most_work), m_rows(system.number_of_rows()), m_vectors(system.number_of_columns()),
+    : m_work_left(most_work),
+      m_rows(system.number_of_rows()), m_vectors(system.number_of_columns()),
       m_users(system.number_of_columns()), m_lengths(system.number_of_columns(), 1.),
       m_marks(system.number_of_columns(), 0)
   {
