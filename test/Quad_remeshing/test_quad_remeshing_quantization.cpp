@@ -1706,6 +1706,15 @@ void test_refinement()
     return points;
   };
   CHECK(copy(true) == copy(false));
+  // where a triangle is divided into nine, sizes that are all the same stay so
+  Mesh one_triangle;
+  for(const auto& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)})
+    one_triangle.add_vertex(p);
+  one_triangle.add_face(Vertex(0), Vertex(1), Vertex(2));
+  const internal::Surface_to_remesh divided(one_triangle, one_triangle.points(), no_feature,
+                                            no_direction, no_size, std::nullopt);
+  CHECK_EQUAL(divided.mesh().number_of_faces(), 9u);
+  CHECK(!divided.has_sizes_that_vary());
 }
 
 // Few quads are shaped at more expense: without that, the mean here is 0.9526.

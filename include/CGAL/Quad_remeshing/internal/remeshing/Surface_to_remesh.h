@@ -250,11 +250,11 @@ private:
   {
     const double n = static_cast<double>(m_mesh.degree(f));
     std::array<double, 3> center{};
-    double size = 0;
+    double size = 0, count = 0; // the mean of equal sizes is exact: they are not to vary
     for(const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f))) {
       for(int c = 0; c < 3; ++c)
         center[std::size_t(c)] += m_mesh.point(v)[c] / n;
-      size += m_sizes[v] / n;
+      size += (m_sizes[v] - size) / ++count;
     }
     const Halfedge h = CGAL::Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
     m_mesh.point(m_mesh.target(h)) = Kernel::Point_3(center[0], center[1], center[2]);
