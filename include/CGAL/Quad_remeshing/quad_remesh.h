@@ -268,14 +268,17 @@ most three attempts. What has the fewest inverted quads is the result; these are
 report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
-long triangles, as of flat faces without vertices inside, if they cover a quarter of the area: those
-longer than four times their height, and than the side of one of 5,000 squares of the surface's
-area, in units of `vertex_sizing_map`. Longest edges are halved, those of the largest triangles
-first, until there are 40,000 more faces. Edges that are not Delaunay are flipped if both faces have
-the same direction by `face_direction_map` and lie in a plane, up to a millionth of the diagonal of
-the bounding box; so vertices of quads can lie off the input by about as much. Parts of features and
-of the border are features and border. Where no quads are found on the refined surface, the input is
-remeshed as it is.
+those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times
+the side of one of 5,000 squares of the surface's area: the edges there get three parts each. Then
+one quad has its corner at the tip, as that of a rectangle. Divided are also long triangles, as of
+flat faces without vertices inside, if they cover a quarter of the area: those longer than four
+times their height, and than the side of one of 5,000 squares of the surface's area, in units of
+`vertex_sizing_map`. Longest edges are halved, those of the largest triangles first, until there are
+40,000 more faces. Edges that are not Delaunay are flipped if both faces have the same direction by
+`face_direction_map` and lie in a plane, up to a millionth of the diagonal of the bounding box; so
+vertices of quads can lie off the input by about as much. Parts of features and of the border are
+features and border. Where no quads are found on the refined surface, the input is remeshed as it
+is.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the

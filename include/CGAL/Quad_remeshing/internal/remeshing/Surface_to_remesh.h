@@ -200,15 +200,33 @@ private:
     }
   }
 
-  // Divides all sides of the triangles with three aligned sides into three parts, one for each
-  // corner and one between, and leads edges from the centers of all faces around to their corners.
+  // Divides all sides of the triangles with three aligned sides, and the edges of tips, into three
+  // parts, and leads edges from the centers of all faces around to their corners.
   void divide(const std::vector<Face>& faces)
   {
+    double area = 0;
+    for(const Face f : faces) {
+      const Halfedge h = m_mesh.halfedge(f);
+      area += std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)),
+                                           m_mesh.point(m_mesh.target(h)),
+                                           m_mesh.point(m_mesh.target(m_mesh.next(h)))));
+    }
+    // Thirds of shorter edges would be small against quads.
+    const double least_length = 3 * std::sqrt(area / Surface_refiner::number_of_squares);
     std::set<Edge> sides;
-    for(const Face f : faces)
-      if(has_aligned_sides_only(f) && has_area(f))
-        for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
+    for(const Face f : faces) {
+      if(!has_area(f))
+        continue;
+      const bool has_aligned_sides = has_aligned_sides_only(f);
+      for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
+        if(has_aligned_sides)
           sides.insert(m_mesh.edge(h));
+        else if(is_aligned(h) && CGAL::squared_distance(m_mesh.point(m_mesh.source(h)),
+                                                        m_mesh.point(m_mesh.target(h))) >
+                                   least_length * least_length)
+          insert_edges_of_tip(h, sides);
+      }
+    }
     for(const Edge e : sides)
       divide_side(e);
     for(const Face f : faces)
@@ -216,12 +234,31 @@ private:
         divide_at_center(f);
   }
 
+  bool is_aligned(const Halfedge h) const
+  { return m_is_feature[m_mesh.edge(h)] || m_mesh.is_border(m_mesh.edge(h)); }
+
   bool has_aligned_sides_only(const Face f) const
   {
-    for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
-      if(!m_is_feature[m_mesh.edge(h)] && !m_mesh.is_border(m_mesh.edge(h)))
-        return false;
-    return true;
+    const auto sides = m_mesh.halfedges_around_face(m_mesh.halfedge(f));
+    return std::all_of(sides.begin(), sides.end(), [&](const Halfedge h) { return is_aligned(h); });
+  }
+
+  // Where a narrow sector of faces begins at `h`, whose target is between features or border: the
+  // field is opened there, which is to be far from the other ends of the edges.
+  void insert_edges_of_tip(Halfedge h, std::set<Edge>& sides) const
+  {
+    std::vector<Edge> edges{m_mesh.edge(h)};
+    double angle = 0;
+    do {
+      const Halfedge next = m_mesh.next(h);
+      angle += CGAL::approximate_angle(m_mesh.point(m_mesh.source(h)),
+                                       m_mesh.point(m_mesh.target(h)),
+                                       m_mesh.point(m_mesh.target(next)));
+      edges.push_back(m_mesh.edge(next));
+      h = m_mesh.opposite(next);
+    } while(!is_aligned(h) && angle < narrow_tip);
+    if(angle < narrow_tip)
+      sides.insert(edges.begin(), edges.end());
   }
 
   bool has_area(const Face f) const
@@ -263,6 +300,8 @@ private:
     for(const Halfedge g : m_mesh.halfedges_around_target(h))
       m_directions[m_mesh.face(g)] = m_directions[f];
   }
+
+  static constexpr double narrow_tip = 50; // degrees
 
   Mesh m_mesh;
   Feature_map m_is_feature;
