@@ -29,6 +29,7 @@ std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_featur
 {
   const auto is_inside = [&](const Edge e) { return is_feature[e] && !mesh.is_border(e); };
   boost::disjoint_sets_with_storage<> chains(mesh.num_edges());
+  std::vector<char> is_dead_end(mesh.num_vertices(), 0);
   for(const auto v : mesh.vertices()) {
     std::vector<Edge> at_vertex;
     for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -36,28 +37,31 @@ std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_featur
         at_vertex.push_back(mesh.edge(h));
     if(at_vertex.size() == 2)
       chains.union_set(std::size_t(at_vertex[0]), std::size_t(at_vertex[1]));
+    is_dead_end[std::size_t(v)] = at_vertex.size() == 1 && !mesh.is_border(v) ? 1 : 0;
   }
-  std::map<std::size_t, std::size_t> sizes; // of chains
+  std::map<std::size_t, std::vector<Edge> > edges_of_chain;
   double length = 0;
   for(const Edge e : mesh.edges())
     if(is_inside(e)) {
-      ++sizes[chains.find_set(std::size_t(e))];
+      edges_of_chain[chains.find_set(std::size_t(e))].push_back(e);
       length += PMP::edge_length(e, mesh);
     }
-  if(sizes.empty())
+  if(edges_of_chain.empty())
     return "";
   std::size_t number_of_edges = 0, singles = 0;
-  for(const auto& [chain, size] : sizes) {
-    number_of_edges += size;
-    singles += size == 1 ? 1 : 0;
+  for(const auto& [chain, edges] : edges_of_chain) {
+    number_of_edges += edges.size();
+    const Edge e = edges.front();
+    singles += edges.size() == 1 && (is_dead_end[std::size_t(mesh.vertex(e, 0))] ||
+                                     is_dead_end[std::size_t(mesh.vertex(e, 1))]) ? 1 : 0;
   }
   std::ostringstream os;
   os << "features: " << counted(number_of_edges, "edge") << " in "
-     << counted(sizes.size(), "chain") << ", of length " << length << " in sum\n";
+     << counted(edges_of_chain.size(), "chain") << ", of length " << length << " in sum\n";
   constexpr std::size_t few = 20;
-  if(singles > few && 2 * singles > sizes.size())
-    os << "note: " << singles << " of these chains are single edges, as noise makes them: a larger "
-          "--feature-angle keeps fewer\n";
+  if(singles > few && 2 * singles > edges_of_chain.size())
+    os << "note: " << singles << " of these chains are single edges that lead nowhere, as noise makes "
+          "them: a larger --feature-angle keeps fewer\n";
   return os.str();
 }
 

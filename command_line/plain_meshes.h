@@ -12,7 +12,7 @@
 #include <vector>
 
 // How many features there are inside, and in how many chains, each from end to end or as a loop; and
-// a note where most of these are single edges. Empty if there are none.
+// a note where most of these are single edges that lead nowhere. Empty if there are none.
 std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_feature);
 
 // Marks edges inside that are sharper than the angle, in degrees, as features, too.

@@ -1894,8 +1894,9 @@ void test_tips()
       is_feature[mesh.edge(mesh.halfedge(v, w))] = true;
   CHECK(CGAL::is_closed(mesh));
   for(const std::size_t number : {500, 2000}) {
+    Mesh quads;
     const auto report = QR::quad_remesh(
-      mesh, *std::make_unique<Mesh>(),
+      mesh, quads,
       parameters::target_number_of_quads(number).edge_is_constrained_map(is_feature));
     std::cout << "star: " << report.number_of_quads << " quads, least scaled Jacobian "
               << report.least_scaled_jacobian << ", mean " << report.mean_scaled_jacobian
