@@ -47,7 +47,7 @@ double sum_of_squares(const std::vector<Vector>& a, const std::vector<Vector>& b
 {
   double result = 0;
   for(std::size_t s = 0; s < a.size(); ++s)
-    for(const double x : internal::Rotation_group<N>::to_cartesian({a[s][0] - b[s][0],
+    for(const double x : internal::Group_of_order<N>::to_cartesian({a[s][0] - b[s][0],
                                                                     a[s][1] - b[s][1]}))
       result += x * x;
   return result;
@@ -56,9 +56,9 @@ double sum_of_squares(const std::vector<Vector>& a, const std::vector<Vector>& b
 template <int N>
 Measurement measure(Complex<N> complex, const int repeats, const unsigned int seed)
 {
-  using Solver = internal::Complex_solver<internal::Rotation_group<N> >;
+  using Solver = internal::Complex_solver<internal::Group_of_order<N> >;
   const auto format = internal::Number_format::of<double>();
-  internal::Snapped_coordinates<internal::Rotation_group<N> > snapped;
+  internal::Snapped_coordinates<internal::Group_of_order<N> > snapped;
   if(Solver(complex, format).solve(snapped))
     return {};
   complex.coordinates = snapped.coordinates;

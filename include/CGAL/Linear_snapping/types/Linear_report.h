@@ -105,7 +105,7 @@ struct Linear_report
   */
   double distance_ratio = 0;
   /// the spacing of the grid the constrained values were moved to; the coarsest, if there are
-  /// several
+  /// several; 0 if no value is constrained, as where corners of a surface are merged only
   double grid_step = 0;
   /// @}
 
