@@ -180,9 +180,10 @@ std::vector<char> walls_of_bodies(const Surface_soup& surface, const Faces_by_co
   std::vector<Side> sides = all_sides(surface);
   boost::disjoint_sets_with_storage<> pieces(surface.polygons.size());
   for_each_key(sides, [&](const auto begin, const auto end) {
+    const bool may_be_wall = are_balanced(begin, end);
     for(auto it = begin; it != end; ++it) {
       pieces.union_set(begin->face, it->face);
-      if(!are_balanced(begin, end))
+      if(!may_be_wall)
         result[it->face] = 0;
     }
   });

@@ -301,7 +301,7 @@ private:
       m_directions[m_mesh.face(g)] = m_directions[f];
   }
 
-  static constexpr double narrow_tip = 50; // degrees
+  static constexpr double narrow_tip = 50; // degrees, as `parametrization::narrow_sector`
 
   Mesh m_mesh;
   Feature_map m_is_feature;
