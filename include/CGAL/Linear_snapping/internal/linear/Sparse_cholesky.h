@@ -20,6 +20,7 @@
 // elsewhere. CHOLMOD works on dense blocks, which pays where the factor is dense: on large meshes,
 // and where cones couple the two coordinates.
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
@@ -35,13 +36,22 @@ __attribute__((weak)) int omp_get_max_active_levels();
 __attribute__((weak)) void omp_set_max_active_levels(int);
 }
 #endif
-#else
-#include <Eigen/SparseCholesky>
 #endif
 
 namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
+
+// Works on single numbers, which takes less time where the factor has few.
+template <typename Matrix>
+class Simplicial_cholesky : public Eigen::SimplicialLDLT<Matrix>
+{
+public:
+  // Of blocks, in the time that a factorization takes of the pattern that was analyzed last: those
+  // of single numbers take three times as long.
+  double number_of_multiplications()
+  { return 3 * this->m_nonZerosPerCol.template cast<double>().squaredNorm(); }
+};
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
 
@@ -151,12 +161,7 @@ public:
 #else
 
 template <typename Matrix>
-class Sparse_cholesky : public Eigen::SimplicialLDLT<Matrix>
-{
-public:
-  double number_of_multiplications()
-  { return this->m_nonZerosPerCol.template cast<double>().squaredNorm(); }
-};
+using Sparse_cholesky = Simplicial_cholesky<Matrix>;
 
 #endif
 

@@ -25,7 +25,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -161,12 +160,15 @@ public:
   // thousand multiplications, as many as the factor of 50,000 such triangles has for each.
   double cost_of_iteration()
   {
-    constexpr double multiplications = 8000;
     const double triangles = double(m_terms.size());
-    return !m_dense_solver ? triangles
-                           : (std::max)(triangles, (m_dense_solver->number_of_multiplications() +
-                                                    8 * double(m_places.size())) / multiplications);
+    const double of_factor = m_block_solver ? m_block_solver->number_of_multiplications()
+                                            : m_solver.number_of_multiplications();
+    return (std::max)(triangles,
+                      (of_factor + 8 * double(m_places.size())) / multiplications_over_a_triangle);
   }
+
+  // Of the pattern and its order of elimination, in the same units.
+  double cost_of_start() const { return double(m_terms.size()) + double(m_places.size()) / 10; }
 
   // What the unknowns that may change have changed by.
   const Vector& change() const { return m_sum; }
@@ -279,13 +281,13 @@ private:
     }
     // translations change nothing, where all triangles of a component are chosen
     m_hessian.diagonal() = (1 + 1e-9) * m_hessian.diagonal();
-    if(!m_dense_solver) {
+    if(!m_block_solver) {
       m_solver.factorize(m_hessian);
       return m_solver.solve(-gradient);
     }
-    m_dense_solver->factorize(m_hessian);
-    return m_dense_solver->info() == Eigen::Success
-             ? Vector(m_dense_solver->solve(-gradient))
+    m_block_solver->factorize(m_hessian);
+    return m_block_solver->info() == Eigen::Success
+             ? Vector(m_block_solver->solve(-gradient))
              : Vector::Constant(m_count, std::numeric_limits<FT>::quiet_NaN());
   }
 
@@ -305,11 +307,10 @@ private:
     for_each_entry([&](const int i, const int j) {
       m_places.push_back(&m_hessian.coeffRef(i, j) - m_hessian.valuePtr());
     });
-    constexpr Eigen::Index many = 24; // in a row: three times as many as where points are free
-    if(m_hessian.nonZeros() > many * m_count)
-      m_dense_solver.emplace().analyzePattern(m_hessian);
-    else
-      m_solver.analyzePattern(m_hessian);
+    m_solver.analyzePattern(m_hessian);
+    if(m_solver.number_of_multiplications() > multiplications_over_a_triangle *
+                                                double(m_terms.size()))
+      m_block_solver.emplace().analyzePattern(m_hessian);
   }
 
   FT least_determinant() const
@@ -333,15 +334,17 @@ private:
   }
 
   static constexpr FT smallest_regularization = 1e-10;
+  static constexpr double multiplications_over_a_triangle = 8000; // that take as long
 
   Eigen::Index m_count;
   Vector m_sum;
   std::vector<Term> m_terms;
   Sparse_matrix m_hessian;              // its lower triangle
   std::vector<std::ptrdiff_t> m_places; // among its values: of the entries of each term
-  Eigen::SimplicialLDLT<Sparse_matrix> m_solver; // of lower triangles
-  // in place of it where the translations of cuts make long rows, and large blocks in the factor
-  std::optional<Sparse_cholesky<Sparse_matrix> > m_dense_solver;
+  Simplicial_cholesky<Sparse_matrix> m_solver; // of lower triangles
+  // in place of it where factors take longer than triangles, as where the translations of cuts make
+  // long rows
+  std::optional<Sparse_cholesky<Sparse_matrix> > m_block_solver;
 };
 
 } // namespace internal

@@ -252,7 +252,8 @@ private:
       Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
       const double of_iteration = minimizer.cost_of_iteration();
       const double iterations = (std::min)(double(attempt.iterations), allowed / of_iteration);
-      cost += of_iteration * double(minimizer.run(std::size_t(iterations), regularization));
+      cost += minimizer.cost_of_start() +
+              of_iteration * double(minimizer.run(std::size_t(iterations), regularization));
       for(std::size_t k = 0; k < patch.size(); ++k)
         next.values[k] = start.values[k] + minimizer.change()[Eigen::Index(k)];
       move(patch, triangles, next.values);
