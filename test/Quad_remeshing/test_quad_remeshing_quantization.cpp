@@ -26,6 +26,7 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -403,9 +404,10 @@ void test_optimum()
       if(!CHECK(coarse.number_of_faces() <= 8))
         continue;
       const std::vector<double> scales{scale * input.steps[0]};
+      internal::Work work;
       Intrinsic_complex found =
-        internal::Unit_ladders(input, coarse, input.steps, 1).find(0, scale).complex;
-      internal::Complex_quantizer quantizer(input, found, scales);
+        internal::Unit_ladders(input, coarse, input.steps, 1, work).find(0, scale).complex;
+      internal::Complex_quantizer quantizer(input, found, scales, work);
       quantizer.improve();
       CHECK(quantizer.is_feasible());
       Exhaustive_search search(found, scales);
@@ -480,9 +482,10 @@ void test_strips_in_both_directions()
     const internal::Integer_mesh input = read_integers(map.mesh, map.uv, map.is_feature);
     for(const double scale : {0.05, 0.1, 0.2, 0.4}) {
       const std::vector<double> scales{scale * input.steps[0]};
+      internal::Work work;
       const Intrinsic_complex all = internal::make_complex(input);
       const Intrinsic_complex intrinsic =
-        internal::Unit_ladders(input, all, input.steps, 1).find(0, scale).complex;
+        internal::Unit_ladders(input, all, input.steps, 1, work).find(0, scale).complex;
       const internal::Strip_rules rules(intrinsic, scales);
       internal::Strip_finder finder(rules);
       for(Corner_index h = 0; h < intrinsic.number_of_halfedges(); h += 4)
@@ -610,7 +613,8 @@ void test_doubled_strips()
       Intrinsic_complex torus = quads_of_torus(m, n);
       const std::vector<int> angles = internal::angles_around_vertices(torus);
       CHECK_IN(context, internal::number_of_quads(torus) == m * n);
-      CHECK_IN(context, internal::Face_graph_mender(torus, {1.}).run());
+      internal::Work work;
+      CHECK_IN(context, internal::Face_graph_mender(torus, {1.}, work).run());
       CHECK_IN(context, internal::defect(torus, angles, &Intrinsic_corner::units).empty());
       CHECK_IN(context,
                internal::number_of_quads(torus) == (std::max)(m, 3) * (std::max)(n, 3));
@@ -643,8 +647,9 @@ void test_search()
     double before = 0;
     for(double wanted = 1; wanted < 1e4; wanted *= 1.25) {
       calls = 0;
+      internal::Work work;
       const auto found =
-        internal::Face_graph_search<decltype(quantize)>(quantize).run(wanted);
+        internal::Face_graph_search<decltype(quantize)>(quantize, work).run(wanted);
       const std::string context = "seed " + std::to_string(seed) + ", " + std::to_string(wanted) +
                                   " quads: " + std::to_string(found.number_of_quads) + " after " +
                                   std::to_string(before);
@@ -672,7 +677,8 @@ double searched_number(const Number& number, const Kind& kind, const double want
     result.number_of_quads = number(n);
     return result;
   };
-  return internal::Face_graph_search<decltype(quantize)>(quantize, maximum).run(wanted)
+  internal::Work work;
+  return internal::Face_graph_search<decltype(quantize)>(quantize, work, maximum).run(wanted)
     .number_of_quads;
 }
 
@@ -688,6 +694,30 @@ void test_choices_of_search()
   // what has too many quads, whether a face graph or not, ends the search
   CHECK(searched_number([](const double n) { return (std::max)(n, 60.); },
                         [](const double) { return 2; }, 50, 100) < 110);
+}
+
+// Where no work is left, the first face graph that is found is taken, and numbers grow fourfold
+// until then.
+void test_search_without_work()
+{
+  const std::vector<Intrinsic_complex> complexes = tori();
+  for(const double least : {1., 3e3, 1e5}) {
+    std::size_t calls = 0;
+    const auto quantize = [&](const double n) {
+      ++calls;
+      internal::Quantized_complex result;
+      result.complex = complexes[n < least ? 2 : 0];
+      result.scales = {1.};
+      result.number_of_quads = n < least ? 1.2 * n : 1.04 * n;
+      return result;
+    };
+    internal::Work none(0);
+    const auto found =
+      internal::Face_graph_search<decltype(quantize)>(quantize, none).run(1000);
+    CHECK(found.number_of_quads >= 950);
+    CHECK(internal::number_of_quads(found.complex) >= 9);
+    CHECK_IN(std::to_string(least), calls <= 7);
+  }
 }
 
 void test_numbers()
@@ -1265,6 +1295,54 @@ void test_remeshing()
   CHECK(quads.is_empty());
   CHECK(bool(QR::quad_remesh(square, quads, parameters::target_number_of_quads(100))));
   CHECK_EQUAL(quads.number_of_faces(), 100u);
+}
+
+// A square, and one of random heights.
+std::vector<Mesh> square_and_peaks(const unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Mesh> result(2);
+  for(const std::size_t height : {0u, 8u}) {
+    const auto point = [&](const std::size_t i, const std::size_t j)
+    { return Point_3(double(i), double(j), double(height) * double(random() % 1000) / 1000); };
+    CGAL::make_grid(10, 10, result[height > 0 ? 1 : 0], point, true);
+  }
+  return result;
+}
+
+// Where the work is spent, searches end, and the message tells so: what has no flips by then is
+// remeshed nevertheless. The work is counted, and the same at each run.
+void test_spent_work()
+{
+  const auto remesh = [](const Mesh& mesh, const double most, double& left) {
+    const auto np = parameters::target_number_of_quads(300);
+    internal::Surface_to_remesh surface =
+      internal::surface_to_remesh(mesh, internal::strip(np), std::nullopt);
+    internal::Remeshing_options options =
+      internal::remeshing_options(mesh, internal::strip(np), false);
+    *options.quantization.work = internal::Work(most);
+    Mesh quads;
+    const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature").first;
+    const QR::Remeshing_report report = internal::remesh(surface, options, quads, is_feature);
+    left = options.quantization.work->left();
+    CHECK_IN(report.message, (left == 0) == (report.message.find(internal::words_for_spent_work) !=
+                                             std::string::npos));
+    CHECK_EQUAL(quads.is_empty(), !report);
+    return report;
+  };
+  constexpr double most = internal::Work::most_work;
+  constexpr unsigned seed = 1;
+  std::cout << "spent work: peaks of seed " << seed << std::endl;
+  const std::vector<Mesh> meshes = square_and_peaks(seed);
+  for(std::size_t i = 0; i < 2; ++i) {
+    double left = 0, again = 0;
+    CHECK(bool(remesh(meshes[i], most, left)) && left > 0 && left < most);
+    remesh(meshes[i], most, again);
+    CHECK_EQUAL(left, again);
+    const QR::Remeshing_report report = remesh(meshes[i], 0, left);
+    CHECK_IN(report.message, bool(report));
+    CHECK_EQUAL(left, 0);
+  }
 }
 
 // Times a power of two, the quads are the same ones times this power, to the last bit; so are those
@@ -2486,8 +2564,10 @@ int main()
     test_doubled_strips();
     test_search();
     test_choices_of_search();
+    test_search_without_work();
     test_numbers();
     test_remeshing();
+    test_spent_work();
     test_sizes_of_quads();
     test_symmetry();
     test_locations();

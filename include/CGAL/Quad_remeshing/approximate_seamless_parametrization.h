@@ -26,6 +26,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/read_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -33,6 +34,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -143,11 +145,11 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   options.curvature_alignment = chosen(np, internal_np::curvature_alignment, 0.);
   options.curvature_adaptivity = chosen(np, internal_np::curvature_adaptivity, 1.);
   options.number_of_stiffening_rounds = chosen(np, internal_np::number_of_iterations, 5L);
-  const std::size_t in_a_minute =
-    untangling_iterations_in_a_minute(std::size_t(surface.number_of_faces()));
+  const auto most_iterations =
+    std::size_t(std::ceil(Work::most_work / double(surface.number_of_faces())));
   options.number_of_untangling_iterations =
     chosen(np, internal_np::untangling_iterations,
-           (std::min)(options.number_of_untangling_iterations, in_a_minute));
+           (std::min)(options.number_of_untangling_iterations, most_iterations));
   options.largest_cone_index =
     chosen(np, internal_np::largest_cone_index, options.largest_cone_index);
   options.least_cone_distance = chosen(np, internal_np::least_cone_distance, 0.);
@@ -380,8 +382,9 @@ report.
                           as many faces as the mesh has; each costs about as much as a stiffening
                           round. Where the factorization of a Newton step takes longer than the
                           faces, as with the translations of many cuts, an iteration counts as so
-                          many that take as long. Those after a release of features that has not
-                          helped count threefold. 0 for no untangling}
+                          many that take as long; so do the systems that are made and solved after
+                          a release of features. What follows a release that has not helped counts
+                          threefold. 0 for no untangling}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`500`, or, of large meshes, as many as make 16 million iterations over a
                       face: about a minute}

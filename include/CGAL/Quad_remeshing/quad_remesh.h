@@ -264,8 +264,8 @@ With `symmetry_plane`, they stay.
 
 Where quads are inverted even then, the features are released that are nearer to them than an edge
 of a quad, and all is made again; if that does not help, those within two edges. So there are at
-most three attempts. What has the fewest inverted quads is the result; these are counted in the
-report.
+most three attempts, if a quarter of the work is left that the first one took. What has the fewest
+inverted quads is the result; these are counted in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times
@@ -296,9 +296,7 @@ three ways; two more quantizations where there are far more quads than wanted, t
 features force. Where there are more than 1.1 times as many as wanted, and features neither force
 these nor are released, further maps are made, with more or fewer cones: for each halving of the
 number four times, and for each doubling up to about 1.5 times the fewest quads that are known,
-unless they have the same field. To untangle all of them, in all attempts, and to repair their
-flips, there are 16 million iterations over a face, which take about a minute; more expensive ones
-count for as many as take as long: see `approximate_seamless_parametrization()`. The
+unless they have the same field. The
 result has about as many quads as wanted, or as few as were found, which the message tells; and,
 unless features force quads or are released, at least 95 % of those that are made where fewer are
 wanted. Of at most 1,000, those of up to eight of these maps are compared, the fewest first, that
@@ -309,6 +307,15 @@ where fewer are wanted. Where there are features, and the rough shape of the few
 mean scaled Jacobian below 0.9, up to five larger numbers of the same map, in steps of a tenth up to
 half as many again, are among these eight: the message tells if such ones are taken that are more
 than 1.1 times as many as wanted. The quad around a vertex of one edge is left out.
+
+All searches, in all attempts, have a bound: the work of 16 million iterations of untangling over a
+face, of up to 4 microseconds each. Factorizations, releases of features, searches for strips and
+for the nearest place on the surface, and extractions count for as many as take as long. It is
+counted, not measured, so that results don't depend on the machine. Where it is spent, which the
+message tells, there are no further maps, attempts, and rounds: the first number of quads that makes
+a mesh is taken, and the report counts the quads that are inverted; where faces are flipped still,
+the status is `NOT_POSITIVE`. To improve the shape of quads, 3 million are kept. What has to be made
+in any case takes some seconds on 100,000 faces, and about as long for 10,000 quads.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -485,8 +492,8 @@ than 1.1 times as many as wanted. The quad around a vertex of one edge is left o
         The message names the place and the remedy.
 
 \par Complexity
-That of the steps. The parametrization takes most of the time, unless many numbers of quads are
-tried.
+That of the steps, with the bound of the work above. The parametrization takes most of the time,
+unless many numbers of quads are tried.
 
 \sa `quantize()`
 */
@@ -507,7 +514,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
     Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
     const bool is_refined = surface.refine();
     const Remeshing_report report = remesh(surface, options, result, is_feature);
-    if(report || !is_refined)
+    if(report || !is_refined || !options.quantization.work->is_left())
       return report;
     Surface_to_remesh input = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
     result.clear_without_removing_property_maps();

@@ -288,7 +288,8 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
 \par Complexity
 Linear in the number of faces, but for a logarithmic factor, until the coarse triangulation is
 found; then a shortest path on that for each move. Its size depends on the cones, corners, features,
-and border edges off isocurves only.
+and border edges off isocurves only. All moves together have the bound that `quad_remesh()` tells
+of: where it is spent, the first quads that are found are taken, and the message tells so.
 
 \sa `snap_to_seamless()`
 \sa `quad_remesh()`

@@ -33,6 +33,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -65,11 +66,10 @@ class Quad_remesher
   using Point = Surface_to_remesh::Kernel::Point_3;
 
 public:
-  // \param untangling_iterations those that are left, over all faces; counted down
   Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
-                const Feature_map& is_feature, std::size_t& untangling_iterations)
+                const Feature_map& is_feature)
     : m_surface(surface), m_options(options), m_quads(quads), m_is_feature(is_feature),
-      m_untangling_iterations(untangling_iterations), m_timer(m_report, options.verbose)
+      m_work(*options.quantization.work), m_timer(m_report, options.verbose)
   { }
 
   void run()
@@ -341,7 +341,8 @@ private:
       return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
              best.report.number_of_released_edges == 0 && rung >= lowest_rung &&
              rung >= wanted - most_lower &&
-             (rung <= wanted || 0.67 * number_on_ladder(rung) < least()); // 0.95 / sqrt(2)
+             (rung <= wanted || 0.67 * number_on_ladder(rung) < least()) && // 0.95 / sqrt(2)
+             m_work.is_left();
     };
     const auto try_map = [&](const double least_cone_distance) {
       set_state(start);
@@ -357,7 +358,8 @@ private:
       for(const int rung : {wanted + i, wanted - i})
         if(may_try(rung))
           try_map(least_cone_distance(rung));
-    if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0)
+    if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
+       m_work.is_left())
       try_map(0);
     set_state(best);
     keep_choices(least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.);
@@ -416,6 +418,7 @@ private:
     Quad_smoother smoother(m_quads, surface_mesh());
     move(Feature_lines(m_surface), smoother);
     measure(smoother);
+    m_work.spend(work_of(smoother));
     m_timer.finish("smoothing");
   }
 
@@ -438,7 +441,8 @@ private:
     options.maximum_feature_loss = 0; // the features that it lets go are released already
     const double number = (std::max)(options.number_of_quads,
                                      double(first.quantization.number_of_quads));
-    for(int i = 1; !is_good && i <= most_steps && m_choices.size() < most_choices; ++i) {
+    for(int i = 1; !is_good && i <= most_steps && m_choices.size() < most_choices &&
+                   m_work.is_left(); ++i) {
       options.number_of_quads = (1 + 0.1 * i) * number;
       State larger = first;
       larger.quantization = quantize_again(first.quantization, options);
@@ -465,7 +469,7 @@ private:
   {
     if(!parametrize(least_cone_distance))
       return false;
-    if(!m_report.remaining_flips.empty() && least_cone_distance > 0) {
+    if(!m_report.remaining_flips.empty() && least_cone_distance > 0 && m_work.is_left()) {
       m_known_fields.clear(); // repairs try more with all cones, also where the field is the same
       if(!parametrize(0))
         return false;
@@ -496,7 +500,8 @@ private:
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made.status, with_face_of_input(made.message));
-    count_untangling(made.number_of_untangling_iterations);
+    constexpr double of_map = 8; // for each face
+    count_iterations(of_map + double(made.number_of_untangling_iterations));
     move_map_from_origin();
     for(const auto& [v, w] : made.released_edges)
       release(surface_mesh().halfedge(v, w));
@@ -513,7 +518,7 @@ private:
     m_timer.finish("snapping");
     if(!snapped)
       return refuse(m_report, snapped);
-    count_untangling(snapped.run.number_of_untangling_iterations);
+    count_iterations(double(snapped.run.number_of_untangling_iterations));
     m_report.remaining_flips = snapped.remaining_flips;
     m_report.remaining_flips.insert(m_report.remaining_flips.end(), snapped.lost_faces.begin(),
                                     snapped.lost_faces.end());
@@ -534,13 +539,24 @@ private:
                                             std::stoul(message.substr(begin, length)))));
   }
 
-  // Those that may be spent on one map: the maps of all attempts together have so many as take a
-  // minute.
+  // Over all faces: those that may be spent on one map.
   std::size_t untangling_iterations(const std::size_t most) const
-  { return (std::min)(most, m_untangling_iterations); }
+  {
+    const double left = m_work.left() / double(surface_mesh().number_of_faces());
+    return (std::min)(most, std::size_t(std::ceil(left)));
+  }
 
-  void count_untangling(const std::size_t iterations)
-  { m_untangling_iterations -= untangling_iterations(iterations); }
+  static double work_of(const Quad_smoother& smoother)
+  {
+    constexpr double of_search = 2;
+    return of_search * double(smoother.number_of_searches());
+  }
+
+  bool has_work(const Quad_smoother& smoother) const
+  { return m_work.is_left_for_shape(work_of(smoother)); }
+
+  void count_iterations(const double iterations)
+  { m_work.spend(iterations * double(surface_mesh().number_of_faces())); }
 
   // To where all coordinates have bits of the same size, but for one. Near the origin, translations
   // may have finer bits than integers of 64 bits can hold beside the largest coordinate.
@@ -603,6 +619,7 @@ private:
     shape_and_improve(Feature_lines(m_surface), smoother);
     if(m_options.number_of_smoothing_rounds > 0 && !m_surface.mirror())
       mend(upper_sides, smoother);
+    m_work.spend(work_of(smoother));
     m_timer.finish("smoothing");
     if(m_surface.mirror())
       m_quads.collect_garbage();
@@ -631,10 +648,11 @@ private:
     return true;
   }
 
-  // All but what is left to mend.
+  // All but what is left to mend. Where the work is spent, in as few rounds as there are.
   void shape_and_improve(const Feature_lines& lines, Quad_smoother& smoother)
   {
-    shape(lines, smoother, shaping_rounds * m_options.number_of_smoothing_rounds);
+    shape(lines, smoother,
+          m_work.is_left() ? shaping_rounds * m_options.number_of_smoothing_rounds : 1);
     if(m_options.number_of_smoothing_rounds > 0)
       improve(lines, smoother);
   }
@@ -658,13 +676,15 @@ private:
     improver.move_vertices();
     if(improver.remove_vertices_of_two_edges() > 0)
       improver.move_vertices();
+    if(!has_work(smoother))
+      return;
     improver.move_vertices_of_flat_quads();
     if(Quad_collapser(m_quads, m_is_feature, smoother, false).run() > 0) {
       improver.move_vertices();
       improver.move_vertices_of_flat_quads();
     }
     Quad_divider divider(m_quads, m_is_feature, smoother);
-    for(int i = 0; i < 3 && divider.run() > 0; ++i) {
+    for(int i = 0; i < 3 && has_work(smoother) && divider.run() > 0; ++i) {
       improver.move_vertices();
       improver.move_vertices_of_flat_quads();
     }
@@ -679,7 +699,8 @@ private:
       change_points(rounded_to<float>);
     Quad_mender mender(m_quads, m_is_feature, smoother, m_options.has_single_precision);
     mender.run(false);
-    for(int i = 0; i < most_mending_rounds && upper_sides.update() > 0; ++i) {
+    for(int i = 0; i < most_mending_rounds && has_work(smoother) && upper_sides.update() > 0;
+        ++i) {
       Quad_collapser(m_quads, m_is_feature, smoother, m_options.has_single_precision).run();
       upper_sides.update();
       mender.run(true);
@@ -721,7 +742,7 @@ private:
   Quantization m_quantization;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
   std::vector<State> m_choices; // quads are made of the best one
-  std::size_t& m_untangling_iterations;
+  Work& m_work;
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
   Step_timer m_timer;
 };
@@ -732,13 +753,12 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
-  std::size_t untangling_iterations =
-    parametrization::untangling_iterations_in_a_minute(surface.mesh().number_of_faces());
+  const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
   bool may_try_again = true;
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept,
                            const double edges_to_release) {
-    Quad_remesher remesher(surface, options, mesh, is_kept, untangling_iterations);
+    Quad_remesher remesher(surface, options, mesh, is_kept);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
@@ -747,8 +767,14 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     before = remesher.report();
     return report;
   };
+  const double most_work = work.left();
   Remeshing_report best = attempt(quads, is_feature, 1);
+  const double of_attempt = most_work - work.left();
+  bool is_spent = false;
   for(int i = 0; i < 2 && may_try_again && best.number_of_inverted_quads > 0; ++i) {
+    is_spent = work.left() < of_attempt / 4;
+    if(is_spent)
+      break;
     Mesh mesh;
     const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
     Remeshing_report report = attempt(mesh, is_kept, 2);
@@ -766,6 +792,8 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                             boost::make_function_output_iterator(write)));
     best = report;
   }
+  if(is_spent || !work.is_left())
+    add_note(best, words_for_spent_work);
   return best;
 }
 
@@ -774,9 +802,7 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
-  std::size_t no_untangling = 0;
-  return Quad_remesher(surface, options, quads, is_feature, no_untangling)
-    .run_on_quads(quantization);
+  return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization);
 }
 
 // The wanted length of an edge at a place.

@@ -29,13 +29,6 @@ namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
-// Untangling takes about a minute for so many iterations over all faces.
-inline std::size_t untangling_iterations_in_a_minute(const std::size_t number_of_faces)
-{
-  constexpr std::size_t iterations_over_a_face = 16000000;
-  return iterations_over_a_face / (std::max)(number_of_faces, std::size_t(1)) + 1;
-}
-
 struct Parametrization_options
 {
   double target_edge_length = 1;

@@ -147,13 +147,15 @@ inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
 class Release_size
 {
 public:
+  static constexpr std::size_t most = 64;
+
   std::size_t get() const { return m_number; }
 
   // Returns whether the faces have become fewer.
   bool update(const std::size_t number_of_faces)
   {
     const bool is_less = number_of_faces < m_fewest_faces;
-    m_number = is_less ? 1 : (std::min)(2 * m_number, std::size_t(64));
+    m_number = is_less ? 1 : (std::min)(2 * m_number, most);
     m_fewest_faces = (std::min)(m_fewest_faces, number_of_faces);
     return is_less;
   }
@@ -188,6 +190,7 @@ public:
       make_complex_of_faces_with_area();
       const Coordinates reached = m_uv; // in the last round, before attempts close by
       bool is_untangled = false;
+      const double multiplications_before = m_solver.multiplications;
       std::optional<Sparse_system> system(std::in_place, m_rows->number_of_unknowns(), m_solver);
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
@@ -202,6 +205,9 @@ public:
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
       else if(!is_untangled)
         keep_better(reached, *system, unknowns);
+      if(round > 0)
+        spend((m_solver.multiplications - multiplications_before) / multiplications_over_a_face +
+              cost_of_complex());
       std::vector<std::size_t> stuck;
       const double iterations_before = m_iterations_left;
       m_uv = m_rows->evaluate(unknowns);
@@ -230,6 +236,23 @@ public:
   const std::vector<Corner_index>& released() const { return m_released; }
 
 private:
+  // Takes from what may be spent: after the first solution, all that follows from releases.
+  // \param work in iterations over a face
+  void spend(const double work)
+  {
+    const double iterations = work / double(m_surface.number_of_faces());
+    m_iterations_left -= (std::min)(iterations, m_iterations_left);
+    m_iterations += iterations;
+    m_report.number_of_untangling_iterations = std::size_t(std::ceil(m_iterations));
+  }
+
+  // What it takes to make it, or to make a system of it.
+  double cost_of_complex() const
+  {
+    return 2 * double(m_surface.number_of_faces()) +
+           double(m_table->number_of_terms_of_sums()) / 4;
+  }
+
   void make_complex()
   {
     m_complex.emplace(m_surface, m_is_cut, m_rotation, m_angles);
@@ -237,7 +260,8 @@ private:
     m_table.emplace(*m_rows, m_complex->number_of_sectors());
   }
 
-  // Releases edges where the constraints leave faces no area.
+  // Releases edges where the constraints leave faces no area: many at once where no iterations are
+  // left, so that there are few rounds.
   void make_complex_of_faces_with_area()
   {
     Release_size number_of_edges; // per face
@@ -246,9 +270,10 @@ private:
       for(std::vector<std::size_t> faces = degenerate_faces(); !faces.empty();
           faces = degenerate_faces()) {
         number_of_edges.update(faces.size());
-        if(!release(faces, number_of_edges.get()))
+        if(!release(faces, m_iterations_left > 0 ? number_of_edges.get() : Release_size::most))
           return;
         make_complex();
+        spend(cost_of_complex());
       }
   }
 
@@ -292,11 +317,8 @@ private:
     const Map_part part(m_surface, m_index, *m_complex, *m_table, unknowns.size(),
                         m_rows->evaluate(unknowns), faces);
     Untangler<double> untangler(part.map());
-    const double iterations = untangler.run(m_iterations_left, how) * double(faces.size()) /
-                              double(m_surface.number_of_faces());
-    m_iterations_left -= (std::min)(iterations, m_iterations_left);
-    m_iterations += iterations;
-    m_report.number_of_untangling_iterations = std::size_t(std::ceil(m_iterations));
+    const double all = double(m_surface.number_of_faces()), of_part = double(faces.size());
+    spend(untangler.run(m_iterations_left * all / of_part, how) * of_part);
     part.add(untangler.unknowns(), unknowns);
     m_uv = m_rows->evaluate(unknowns);
     std::vector<std::size_t> stuck = part.map().not_positive(untangler.unknowns());
@@ -352,6 +374,7 @@ private:
   }
 
   static constexpr std::size_t largest_number_of_rounds = 20;
+  static constexpr double multiplications_over_a_face = 8000; // that take as long as an iteration
 
   Triangle_surface& m_surface;
   const std::vector<char>& m_is_cut;

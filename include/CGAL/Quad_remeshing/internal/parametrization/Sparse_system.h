@@ -113,6 +113,8 @@ public:
     return solver().info() == Eigen::Success;
   }
 
+  double number_of_multiplications() { return solver().number_of_multiplications(); }
+
 private:
   bool has_pattern() const
   {
@@ -133,6 +135,8 @@ public:
   // \param lower_triangle which stays as it is until the last `solve()`
   virtual bool factor(Matrix_of_terms& lower_triangle) = 0;
   virtual bool solve(const std::vector<double>& right_hand_side, std::vector<double>& x) = 0;
+  // Of the last factorization; 0 where this is not known.
+  virtual double number_of_multiplications() { return 0; }
 };
 
 // `Solver` is a model of `SparseLinearAlgebraWithFactorTraits_d`, and gets the whole matrix, but
@@ -172,6 +176,13 @@ public:
     return success;
   }
 
+  double number_of_multiplications() override
+  {
+    if constexpr(std::is_same_v<Solver, Default_solver>)
+      return m_solver.number_of_multiplications();
+    return 0;
+  }
+
 private:
   using Matrix = typename Solver::Matrix;
   using Vector = typename Solver::Vector;
@@ -187,7 +198,8 @@ template <typename Solver>
 std::unique_ptr<Sparse_solver> make_solver()
 { return std::make_unique<Sparse_solver_of_type<Solver> >(); }
 
-// The time that factorizations and solves take is added to a counter of the caller.
+// The time that factorizations and solves take is added to a counter of the caller, and what they
+// take of work is counted.
 struct Timed_solver
 {
   explicit Timed_solver(double& s, const Make_solver m = make_solver<Default_solver>)
@@ -199,6 +211,7 @@ struct Timed_solver
   Make_solver make;
   std::unique_ptr<Sparse_solver> solver;
   double& seconds;
+  double multiplications = 0; // of factorizations
 };
 
 // Systems that follow each other share a solver, as long as it has one matrix at a time.
@@ -230,6 +243,7 @@ public:
     timer.start();
     const bool success = m_dimension == 0 || m_solver.solver->factor(*m_matrix);
     m_solver.seconds += timer.time();
+    m_solver.multiplications += m_solver.solver->number_of_multiplications();
     if(!success)
       throw Refusal(Outcome::SOLVER_FAILED, "a factorization failed");
   }

@@ -24,6 +24,7 @@
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,8 +40,9 @@ class Face_graph_mender
 {
 public:
   // \param scales wanted units per step of the input's grid, per part
-  Face_graph_mender(Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex), m_scales(scales)
+  // \param work receives what it takes
+  Face_graph_mender(Intrinsic_complex& complex, const std::vector<double>& scales, Work& work)
+    : m_complex(complex), m_scales(scales), m_work(work)
   { }
 
   // In 16 rounds at most, each of which extracts the quads. Returns whether they are a face graph
@@ -55,6 +57,9 @@ public:
       Chart_mesh mesh; // that of the extractor goes
       if(!extractor.template run<CGAL::Sequential_tag>([&] { mesh = extractor.mesh(); }))
         return false;
+      constexpr double of_extraction = 2; // for each quad and each triangle
+      m_work.spend(of_extraction * double(extractor.complex().cells.size() +
+                                          m_complex.corners.size() / 3));
       std::vector<Strip> strips = strips_across_double_edges(extractor.complex());
       if(strips.empty())
         return true;
@@ -125,7 +130,7 @@ private:
       { return s.length * t.vertices.size() < t.length * s.vertices.size(); });
     const std::size_t long_length = (std::max)(std::size_t(16), quads.cells.size() / 64);
     const Line_between_quads line(mesh);
-    Strip_moves moves(m_complex, m_scales);
+    Strip_moves moves(m_complex, m_scales, m_work);
     std::vector<char> is_mended(quads.darts.size(), false); // per vertex
     bool has_changed = false;
     for(const Strip& s : strips) {
@@ -159,6 +164,7 @@ private:
 
   Intrinsic_complex& m_complex;
   const std::vector<double>& m_scales;
+  Work& m_work;
   int m_round = 0;
 };
 

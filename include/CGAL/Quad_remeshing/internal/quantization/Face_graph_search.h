@@ -25,6 +25,7 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_mender.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +76,11 @@ class Face_graph_search
 public:
   // \param maximum_number of quads: what has more is neither checked nor searched on
   // \param stride in steps of 2.5 %, where quantizing takes long
-  explicit Face_graph_search(const Quantize& quantize,
-                             const double maximum_number = (std::numeric_limits<double>::max)(),
-                             const int stride = 1)
-    : m_quantize(quantize), m_maximum(maximum_number), m_stride(stride)
+  // \param work where none is left, numbers grow fourfold, and the first face graph is taken
+  Face_graph_search(const Quantize& quantize, Work& work,
+                    const double maximum_number = (std::numeric_limits<double>::max)(),
+                    const int stride = 1)
+    : m_quantize(quantize), m_work(work), m_maximum(maximum_number), m_stride(stride)
   { }
 
   // The result; or a quantization that is none, or has more quads than the largest number. It is
@@ -142,7 +144,8 @@ private:
     for(int d = 0; d <= most_divisions; ++d) {
       try_divisions(0, d);
       for(int step = m_first - interval;
-          step > 0 && step > m_first - 2 * steps_per_division; step -= interval)
+          step > 0 && step > m_first - 2 * steps_per_division && m_work.is_left();
+          step -= interval)
         try_divisions(step, d);
     }
   }
@@ -151,10 +154,13 @@ private:
   // that end before would not find it.
   void climb(const int begin)
   {
-    for(int step = begin; step < begin + most_steps + m_stride; step += m_stride)
+    constexpr double nothing = (std::numeric_limits<double>::max)();
+    for(int step = begin; step < begin + most_steps + m_stride;
+        step += m_work.is_left() ? m_stride : steps_per_division)
       for(int d = 0; d <= most_divisions; ++d) {
         const bool is_next_enough = step == begin && d > 0;
-        if(m_least <= number_at(is_next_enough ? step + m_stride : step))
+        if(m_least <= number_at(is_next_enough ? step + m_stride : step) ||
+           (m_least < nothing && !m_work.is_left()))
           return;
         const int divided = (std::max)(m_first, step - d * steps_per_division);
         if(at(divided).number_after(d) >= (1 - tolerance) * number_at(step))
@@ -197,7 +203,7 @@ private:
     result.complex = q.complex;
     refine(1 << divisions, result.complex);
     const double before = internal::number_of_quads(result.complex);
-    result.exists = Face_graph_mender(result.complex, q.scales).run();
+    result.exists = Face_graph_mender(result.complex, q.scales, m_work).run();
     result.number_of_quads += internal::number_of_quads(result.complex) - before;
     return result;
   }
@@ -210,6 +216,7 @@ private:
   }
 
   const Quantize& m_quantize;
+  Work& m_work;
   std::map<int, Quantized_complex> m_known;                 // by step
   std::map<std::pair<int, int>, Face_graph> m_face_graphs;  // by step and divisions
   double m_maximum;

@@ -53,8 +53,12 @@ public:
         return is_found();
       const bool is_back_narrower = there.width() == 0 || back.width() < there.width();
       (is_back_narrower && back.width() > 0 ? back : there).advance();
+      ++m_number_of_steps;
     }
   }
+
+  // Of all searches.
+  std::size_t number_of_steps() const { return m_number_of_steps; }
 
   bool is_found() const { return m_searches[m_found].has_closed(); }
 
@@ -83,6 +87,7 @@ private:
   const Strip_rules& m_rules;
   std::array<Strip_search, 2> m_searches;
   std::size_t m_found = 0; // the search that closed the strip
+  std::size_t m_number_of_steps = 0;
 };
 
 } // namespace internal

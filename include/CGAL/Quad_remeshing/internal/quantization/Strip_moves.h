@@ -21,6 +21,7 @@
 
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_finder.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,9 +47,20 @@ inline std::size_t few_moves(const Intrinsic_complex& complex)
 class Strip_moves
 {
 public:
-  Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex), m_rules(complex, scales), m_finder(m_rules)
+  // \param work receives what the moves take, but never ends them
+  Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales, Work& work)
+    : m_complex(complex), m_rules(complex, scales), m_finder(m_rules), m_work(work)
   { }
+
+  ~Strip_moves()
+  {
+    constexpr double part = 1. / 20; // of the unit, that a step of a search takes, or a change
+    m_work.spend(part * double(m_complex.corners.size() + m_finder.number_of_steps() +
+                               m_number_of_changes));
+  }
+
+  Strip_moves(const Strip_moves&) = delete;
+  Strip_moves& operator=(const Strip_moves&) = delete;
 
   // Moves that lower the sum of weighted squares of deviations, until there are few. Returns their
   // number. Starts with large gains come first: where there is no strip from one, none from a later
@@ -176,6 +188,7 @@ private:
   double make_changes(const std::int64_t times)
   {
     double difference = 0;
+    m_number_of_changes += m_changes.size();
     for(const Change& c : m_changes) {
       const Grid_vector change = multiplied(times, c.vector);
       if(m_complex.represents_edge(c.halfedge))
@@ -262,6 +275,8 @@ private:
   Intrinsic_complex& m_complex;
   Strip_rules m_rules;
   Strip_finder m_finder;
+  Work& m_work;
+  std::size_t m_number_of_changes = 0; // that were tried
   bool m_is_strip_found = false; // for the last move, made or not
   std::vector<Change> m_changes; // of the strip
 };

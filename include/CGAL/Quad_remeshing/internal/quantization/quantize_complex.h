@@ -20,6 +20,7 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
 #include <CGAL/Quad_remeshing/internal/quantization/flip.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,10 +72,11 @@ inline double number_of_quads_wanted(const Intrinsic_complex& complex,
 class Complex_quantizer
 {
 public:
+  // \param work where none is left, as little is spent as leads to feasible units
   // \pre the complex is compact
   Complex_quantizer(const Integer_mesh& input, Intrinsic_complex& complex,
-                    const std::vector<double>& scales)
-    : m_input(input), m_complex(complex), m_scales(scales),
+                    const std::vector<double>& scales, Work& work)
+    : m_input(input), m_complex(complex), m_scales(scales), m_work(work),
       m_angles(angles_around_vertices(complex))
   { }
 
@@ -105,7 +107,7 @@ public:
   // again. Returns the number of moves.
   std::size_t approach()
   {
-    const std::size_t moves = Strip_moves(m_complex, m_scales).improve(1);
+    const std::size_t moves = Strip_moves(m_complex, m_scales, m_work).improve(1);
     flip_edges();
     return moves;
   }
@@ -116,8 +118,9 @@ public:
     const std::size_t most_rounds =
       (std::max)(std::size_t(3), (std::min)(std::size_t(20), 80000 / m_complex.corners.size()));
     std::size_t sum = 0;
-    for(int i = 0; i < 3; ++i) {
-      const std::size_t moves = Strip_moves(m_complex, m_scales).improve(most_rounds);
+    for(int i = 0; i < 3 && (i == 0 || m_work.is_left()); ++i) {
+      const std::size_t moves = Strip_moves(m_complex, m_scales, m_work)
+                                  .improve(m_work.is_left() ? most_rounds : 1);
       sum += moves;
       if((moves <= few_moves(m_complex) && (i > 0 || has_many_faces(m_complex))) ||
          flip_edges() == 0)
@@ -132,7 +135,7 @@ public:
   {
     std::size_t sum = 0;
     double distance = std::numeric_limits<double>::infinity();
-    for(int i = 0; i < 4; ++i) {
+    for(int i = 0; i < 4 && m_work.is_left(); ++i) {
       const double ratio = number / number_of_quads(m_complex), before = distance;
       distance = std::abs(std::log(ratio));
       if((ratio > 0.95 && ratio < 1.05) || distance > 0.98 * before)
@@ -180,7 +183,7 @@ private:
   bool repair()
   {
     constexpr std::size_t most_failures = 4;
-    Strip_moves moves(m_complex, m_scales);
+    Strip_moves moves(m_complex, m_scales, m_work);
     std::size_t before = m_complex.corners.size(), number = before - 1; // of triangles left
     while(number > 0 && number < before) {
       before = number;
@@ -199,6 +202,7 @@ private:
   const Integer_mesh& m_input;
   Intrinsic_complex& m_complex;
   std::vector<double> m_scales; // wanted units per step of the input's grid, per part
+  Work& m_work;
   std::vector<int> m_angles;    // around vertices, in quarter turns
 };
 
@@ -222,8 +226,8 @@ public:
   // \param scales units per step of the input's grid, per part, at the scale 1
   // \pre the complex is compact
   Unit_ladders(const Integer_mesh& input, const Intrinsic_complex& complex,
-               const std::vector<double>& scales, const int number)
-    : m_input(input), m_complex(complex), m_scales(scales), m_number(number),
+               const std::vector<double>& scales, const int number, Work& work)
+    : m_input(input), m_complex(complex), m_scales(scales), m_work(work), m_number(number),
       m_rungs_per_doubling(has_many_faces(complex) ? 2 : 4)
   { }
 
@@ -261,10 +265,10 @@ private:
     const auto [found, is_new] = m_can_round.try_emplace(first, false);
     if(is_new) {
       Intrinsic_complex complex = m_complex;
-      found->second = Complex_quantizer(m_input, complex, scales(scale_at(first))).round();
+      found->second = Complex_quantizer(m_input, complex, scales(scale_at(first)), m_work).round();
     }
     return found->second &&
-           Complex_quantizer(m_input, rung.complex, scales(scale_at(height))).round();
+           Complex_quantizer(m_input, rung.complex, scales(scale_at(height)), m_work).round();
   }
 
   const Rung& at(const int ladder, const int i)
@@ -274,7 +278,7 @@ private:
       return found->second;
     const double height = i + offset(ladder), scale = scale_at(height);
     Rung rung{m_complex, scale, 0};
-    Complex_quantizer quantizer(m_input, rung.complex, scales(scale));
+    Complex_quantizer quantizer(m_input, rung.complex, scales(scale), m_work);
     if(quantizer.is_as_fine_as_input()) {
       quantizer.take_multiples_of_vectors();
     } else if(!round(height, rung)) {
@@ -293,6 +297,7 @@ private:
   const Integer_mesh& m_input;
   const Intrinsic_complex& m_complex;
   std::vector<double> m_scales;
+  Work& m_work;
   int m_number, m_rungs_per_doubling;
   std::map<int, bool> m_can_round;             // by rung, without an offset
   std::map<std::pair<int, int>, Rung> m_rungs; // by ladder and rung

@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Border_steps.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/types/Quantization.h>
 
 #include <cstddef>
@@ -41,6 +42,7 @@ struct Quantization_options
   double maximum_feature_loss = 0; // the part of the features' length that may be released
   bool is_coarsest = false; // as few as are found
   bool needs_face_graph = false; // of more quads, if there is none of so many
+  std::shared_ptr<Work> work = std::make_shared<Work>(); // that all searches share
 };
 
 // What is the same whatever number of quads is wanted.

@@ -130,9 +130,6 @@ private:
   Quantization& m_result;
 };
 
-inline void add_note(Quantization& result, const std::string& note)
-{ result.message += (result.message.empty() ? "" : "; ") + note; }
-
 // Invariant: the result tells why there are no units, if it is no success.
 class Unit_finder
 {
@@ -141,7 +138,7 @@ public:
               Quantization& result)
     : m_coarse(std::move(coarse)),
       m_ladders(m_coarse->input, m_coarse->complex, relative_steps(m_coarse->input),
-                (std::max)(1, (std::min)(8, 8000 / number_of_faces()))),
+                (std::max)(1, (std::min)(8, 8000 / number_of_faces())), *options.work),
       m_options(options), m_result(result)
   {
     if(m_options.is_coarsest)
@@ -165,6 +162,8 @@ public:
     if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
       add_note(m_result, counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
                " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
+    if(!m_options.work->is_left())
+      add_note(m_result, words_for_spent_work);
     if(has_too_many())
       return refuse(m_result, Outcome::TOO_LARGE,
                     "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
@@ -223,7 +222,8 @@ private:
     result.first_scale = start.first_scale / wanted;
     result.number_of_moves = start.number_of_moves;
     result.scales = m_ladders.scales(wanted);
-    Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales);
+    Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales,
+                                *m_options.work);
     result.number_of_moves += quantizer.improve();
     if(!is_coarsest)
       result.number_of_moves += quantizer.adjust(number_of_quads);
@@ -239,7 +239,8 @@ private:
     if(!m_options.needs_face_graph)
       return quantize(m_options.number_of_quads, m_options.is_coarsest);
     const auto quantize_to = [&](const double number) { return quantize(number, false); };
-    return Face_graph_search<decltype(quantize_to)>(quantize_to, m_options.maximum_number, stride())
+    return Face_graph_search<decltype(quantize_to)>(quantize_to, *m_options.work,
+                                                    m_options.maximum_number, stride())
       .run(m_options.number_of_quads);
   }
 

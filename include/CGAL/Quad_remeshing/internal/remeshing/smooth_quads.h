@@ -136,6 +136,9 @@ public:
     m_tree.accelerate_distance_queries();
   }
 
+  // For the nearest places on the surface, which take most of the time.
+  std::size_t number_of_searches() const { return m_number_of_searches; }
+
   // Where more than a tenth of the quads are inverted, as those of a map that is much distorted:
   // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
   // as some are inverted, and the mean shape gets better; at most 100 rounds.
@@ -276,26 +279,26 @@ public:
   // The nearest point of the surface.
   Space_vector nearest(const Space_vector& p) const
   {
-    const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]));
+    const Point q = tree().closest_point(Point(p[0], p[1], p[2]));
     return {q.x(), q.y(), q.z()};
   }
 
   // The same, faster: the search begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   {
-    const Point q = m_tree.closest_point(Point(p[0], p[1], p[2]),
+    const Point q = tree().closest_point(Point(p[0], p[1], p[2]),
                                          Point(near_by[0], near_by[1], near_by[2]));
     return {q.x(), q.y(), q.z()};
   }
 
   Face nearest_face(const Space_vector& p) const
-  { return m_tree.closest_point_and_primitive(Point(p[0], p[1], p[2])).second; }
+  { return tree().closest_point_and_primitive(Point(p[0], p[1], p[2])).second; }
 
   // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
   // faces to `side`.
   Face nearest_face(const Space_vector& p, const Space_vector& side) const
   {
-    const auto [place, nearest] = m_tree.closest_point_and_primitive(Point(p[0], p[1], p[2]));
+    const auto [place, nearest] = tree().closest_point_and_primitive(Point(p[0], p[1], p[2]));
     const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
     if(inner_product(normal, side) >= 0)
       return nearest;
@@ -333,6 +336,12 @@ public:
   }
 
 private:
+  const Tree& tree() const
+  {
+    ++m_number_of_searches;
+    return m_tree;
+  }
+
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
   static constexpr double distance_of_same_place = 1e-6; // on a surface of a size near 1
   static constexpr double cosine_of_opposite_sides = -0.999;
@@ -380,6 +389,7 @@ private:
   const Mesh& m_surface;
   Mesh::Property_map<Face, Space_vector> m_upper_sides;
   Tree m_tree;
+  mutable std::size_t m_number_of_searches = 0;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
 };

@@ -252,11 +252,13 @@ public:
   bool are_equal(const std::size_t sector, const std::size_t other, const std::size_t c) const
   { return m_coordinates.are_equal(2 * sector + c, 2 * other + c); }
 
+  std::size_t number_of_terms_of_sums() const { return m_coordinates.number_of_terms_of_sums(); }
+
   // Whether the mean coordinate is a long sum, as where features cross the cuts of many handles.
   bool has_long_sums() const
   {
     constexpr std::size_t many = 4; // without cuts and features, each is an unknown
-    return m_coordinates.number_of_terms_of_sums() > many * m_coordinates.size();
+    return number_of_terms_of_sums() > many * m_coordinates.size();
   }
 
   // row(target) - row(source), as it enters the energy of an edge.

@@ -1,0 +1,64 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_SUPPORT_WORK_H
+#define CGAL_QUAD_REMESHING_INTERNAL_SUPPORT_WORK_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+#include <CGAL/Linear_snapping/types/Report.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+
+#include <algorithm>
+#include <string>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// What searches may still take, all of them together. It is counted in iterations of untangling
+// over a face, of about 4 microseconds: whatever else takes time counts for as many as take as
+// long. So results don't depend on the machine.
+class Work
+{
+public:
+  explicit Work(const double most = most_work) : m_left(most) { }
+
+  void spend(const double work) { m_left -= work; }
+  double left() const { return (std::max)(m_left, 0.); }
+  bool is_left() const { return m_left > 0; }
+
+  // For the shape of quads, once so much is spent on it: some is kept for that.
+  bool is_left_for_shape(const double work) const { return m_left + most_for_shape > work; }
+
+  static constexpr double most_work = 16e6; // about a minute
+  static constexpr double most_for_shape = 3e6;
+
+private:
+  double m_left; // less than 0 where the last search took more
+};
+
+inline constexpr const char* words_for_spent_work =
+  "searches have ended at the bound of their work";
+
+// To what a report tells, once.
+inline void add_note(Report& report, const std::string& note)
+{
+  if(report.message.find(note) == std::string::npos)
+    report.message += (report.message.empty() ? "" : "; ") + note;
+}
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_SUPPORT_WORK_H
