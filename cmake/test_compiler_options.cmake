@@ -6,7 +6,7 @@
 function(try result compiler)
   set(executable "${WORK_DIR}/compiler_options")
   execute_process(
-    COMMAND "${compiler}" -std=c++17 -DNDEBUG ${ARGN} -I "${INCLUDE_DIR}"
+    COMMAND "${compiler}" -std=c++17 -DNDEBUG -Wfatal-errors ${ARGN} -I "${INCLUDE_DIR}"
             "${TEST_DIR}/test_linear_snapping_arithmetic.cpp" -o "${executable}"
     RESULT_VARIABLE compiled ERROR_VARIABLE messages)
   set(how FAILED)

@@ -9,8 +9,6 @@
 #include "checking.h"
 #include "floating_point_traps.h"
 
-#include <CGAL/FPU.h>
-
 #include <array>
 #include <cfenv>
 #include <cmath>
@@ -24,16 +22,16 @@ using namespace CGAL::Linear_snapping::internal;
 
 void test_rounding_modes()
 {
-  for(const auto mode : { CGAL_FE_UPWARD, CGAL_FE_DOWNWARD, CGAL_FE_TOWARDZERO }) {
-    CGAL::FPU_set_cw(CGAL::FPU_CW_t(mode));
+  for(const int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO }) {
+    std::fesetround(mode);
     const bool is_exact_alone = is_arithmetic_exact();
     bool is_exact = false;
     {
       const Protect_exact_arithmetic protect;
       is_exact = is_arithmetic_exact();
     }
-    const bool is_restored = CGAL::FPU_get_cw() == CGAL::FPU_CW_t(mode);
-    CGAL::FPU_set_cw(CGAL_FE_TONEAREST);
+    const bool is_restored = std::fegetround() == mode;
+    std::fesetround(FE_TONEAREST);
     CHECK(!is_exact_alone && is_exact && is_restored);
   }
 }
