@@ -29,6 +29,18 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
+# What other compilers make of headers is tested, too, where there is one.
+set(other_compiler g++)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(other_compiler clang++)
+endif()
+find_program(OTHER_COMPILER ${other_compiler})
+set(compilers "${CMAKE_CXX_COMPILER}")
+if(OTHER_COMPILER)
+  list(APPEND compilers "${OTHER_COMPILER}")
+endif()
+list(GET compilers -1 other_compiler)
+
 # Each header compiles alone, without a warning, but for what the library holds. The compiler's own
 # folder must not be named again: <cstdlib> and its like would not be found any more.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
@@ -87,16 +99,17 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     set_tests_properties(refused_types PROPERTIES FIXTURES_REQUIRED headers_from_elsewhere)
   endif()
 
-  # Within CGAL, too.
+  # Within CGAL, too, and all of them, with the other compiler.
   add_test(NAME into_cgal
     COMMAND "${CMAKE_COMMAND}"
       "-DPACKAGE_SOURCE_DIR=${PROJECT_SOURCE_DIR}"
       "-DWORK_DIR=${PROJECT_BINARY_DIR}/into_cgal"
       "-DINCLUDE_DIRS=${include_dirs}"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DOPTIONS=${header_options}"
+      "-DCOMPILER=${other_compiler}"
+      "-DOPTIONS=-std=c++17;-Wall;-Wextra;-Werror;\
+$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_into_cgal.cmake")
-  set_tests_properties(into_cgal PROPERTIES LABELS package COST 500
+  set_tests_properties(into_cgal PROPERTIES LABELS package COST 900
     SKIP_REGULAR_EXPRESSION "SKIPPED")
 endif()
 
@@ -240,15 +253,6 @@ endif()
 
 # Rounding and exact differences, with options and compilers of all kinds.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set(other_compiler g++)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    set(other_compiler clang++)
-  endif()
-  find_program(OTHER_COMPILER ${other_compiler})
-  set(compilers "${CMAKE_CXX_COMPILER}")
-  if(OTHER_COMPILER)
-    list(APPEND compilers "${OTHER_COMPILER}")
-  endif()
   add_test(NAME compiler_options
     COMMAND "${CMAKE_COMMAND}"
       "-DCOMPILERS=${compilers}"
@@ -258,20 +262,6 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       "-DWORK_DIR=${PROJECT_BINARY_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_compiler_options.cmake")
   set_tests_properties(compiler_options PROPERTIES LABELS package COST 800)
-  if(OTHER_COMPILER)
-    file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include"
-      "${PROJECT_SOURCE_DIR}/include/*.h")
-    list(TRANSFORM all_headers REPLACE "(.+)" "#include <\\1>\n")
-    list(JOIN all_headers "" all_headers)
-    set(source "${PROJECT_BINARY_DIR}/headers/all_headers.cpp")
-    file(GENERATE OUTPUT "${source}" CONTENT "${all_headers}")
-    add_test(NAME headers_with_other_compiler
-      COMMAND "${OTHER_COMPILER}" -std=c++17 -fsyntax-only -Wall -Wextra -Werror
-        -I "${PROJECT_SOURCE_DIR}/include"
-        "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>" "${source}"
-      COMMAND_EXPAND_LISTS)
-    set_tests_properties(headers_with_other_compiler PROPERTIES LABELS headers COST 700)
-  endif()
 endif()
 
 # The manual builds without a warning.

@@ -74,19 +74,17 @@ foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts
   endforeach()
 endforeach()
 
-# All public headers, with two programs, of which one adds parameters to those that are given, and
-# the other tells parameters from values. The headers of each package find all that they include
-# where the packages above it are not to be found. Without what the library holds, which takes long
-# and is no other code within CGAL.
+# All headers, with two programs, of which one adds parameters to those that are given, and the other
+# tells parameters from values. The headers of each package find all that they include where the
+# packages above it are not to be found.
 set(cgal "${WORK_DIR}/cgal")
 into_cgal("${cgal}")
-set(command "${COMPILER}" ${OPTIONS} -DCGAL_SEAMLESS_SNAPPING_COMPILED
+set(command "${COMPILER}" ${OPTIONS}
   -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include")
 set(source "${WORK_DIR}/packages.cpp")
 foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
   set(root "${cgal}/${package}")
-  file(GLOB headers RELATIVE "${root}/include" "${root}/include/CGAL/*/*.h"
-    "${root}/include/CGAL/*/IO/*.h")
+  file(GLOB_RECURSE headers RELATIVE "${root}/include" "${root}/include/*.h")
   foreach(header IN LISTS headers)
     file(APPEND "${source}" "#include <${header}>\n")
   endforeach()
@@ -102,4 +100,4 @@ foreach(program IN LISTS programs)
   file(APPEND "${source}"
     "#define main main_of_${name}\n#include \"${program}\"\n#undef main\n")
 endforeach()
-run(${command} "${source}")
+run(${command} -fsyntax-only "${source}")
