@@ -29,15 +29,17 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-# What other compilers make of headers is tested, too, where there is one.
-set(other_compiler g++)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(other_compiler clang++)
-endif()
-find_program(OTHER_COMPILER ${other_compiler})
+# What another compiler makes of headers and of programs is tested, too, where there is one.
 set(compilers "${CMAKE_CXX_COMPILER}")
-if(OTHER_COMPILER)
-  list(APPEND compilers "${OTHER_COMPILER}")
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(other_compiler g++)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(other_compiler clang++)
+  endif()
+  find_program(OTHER_COMPILER ${other_compiler})
+  if(OTHER_COMPILER)
+    list(APPEND compilers "${OTHER_COMPILER}")
+  endif()
 endif()
 list(GET compilers -1 other_compiler)
 
@@ -207,7 +209,12 @@ target_link_libraries(test_seamless_snapping_two_units PRIVATE seamless_snapping
 add_test(NAME test_seamless_snapping_two_units COMMAND test_seamless_snapping_two_units)
 set_tests_properties(test_seamless_snapping_two_units PROPERTIES LABELS headers)
 
-# A project of its own finds the package where it is installed, or takes it in as a sub-folder.
+# A project of its own finds the package where it is installed, or takes it in as a sub-folder, for
+# which it has the other compiler.
+set(compiler_installed "${CMAKE_CXX_COMPILER}")
+set(flags_installed "${CMAKE_CXX_FLAGS} ${option_for_speed}")
+set(compiler_subdirectory "${other_compiler}")
+set(flags_subdirectory "")
 foreach(way IN ITEMS installed subdirectory)
   add_test(NAME consumer_${way}
     COMMAND "${CMAKE_COMMAND}"
@@ -216,8 +223,8 @@ foreach(way IN ITEMS installed subdirectory)
       "-DPACKAGE_BINARY_DIR=${PROJECT_BINARY_DIR}"
       "-DWORK_DIR=${PROJECT_BINARY_DIR}/consumer_${way}"
       "-DGENERATOR=${CMAKE_GENERATOR}"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DCXX_FLAGS=${CMAKE_CXX_FLAGS} ${option_for_speed}"
+      "-DCOMPILER=${compiler_${way}}"
+      "-DCXX_FLAGS=${flags_${way}}"
       "-DCGAL_DIR=${CGAL_DIR}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_consumer.cmake")
   set_tests_properties(consumer_${way} PROPERTIES LABELS package COST 800)

@@ -74,9 +74,9 @@ foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts
   endforeach()
 endforeach()
 
-# All headers, with two programs, of which one adds parameters to those that are given, and the other
-# tells parameters from values. The headers of each package find all that they include where the
-# packages above it are not to be found.
+# All headers, with two programs, of which one adds parameters to those that are given, and the
+# other tells parameters from values. The headers of each package find all that they include where
+# the packages above it are not to be found.
 set(cgal "${WORK_DIR}/cgal")
 into_cgal("${cgal}")
 set(command "${COMPILER}" ${OPTIONS}

@@ -1,5 +1,6 @@
 # What README.md shows is so: its programs compile as they stand and print what it says, its
-# commands run, its CMake code is that of a project that is tested. Run by ctest, with the variables
+# commands run, its CMake code is that of a project that is tested, with the last program
+# (test_consumer.cmake). Run by ctest, with the variables
 # PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does not find
 # it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
 
@@ -44,16 +45,6 @@ function(next_block)
   endforeach()
 endfunction()
 
-# Compiles program `number` by the command that README.md tells, which is faster without
-# optimization.
-function(compile number options libraries)
-  string(REPLACE "-lgmp -lmpfr" "${libraries}" command "${compile_command}")
-  string(REPLACE "g++" "'${COMPILER}' ${options}" command "${command}")
-  string(REPLACE "-O2" "-O0" command "${command}")
-  string(REPLACE "app" "app_${number}" command "${command}")
-  run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
-endfunction()
-
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}")
 file(CREATE_LINK "${PACKAGE_SOURCE_DIR}/include" "${WORK_DIR}/include" SYMBOLIC)
@@ -74,7 +65,6 @@ while(NOT language STREQUAL "")
   elseif(language STREQUAL "sh" AND content MATCHES "^seamless ")
     string(APPEND commands "${content}")
   elseif(language STREQUAL "cmake")
-    string(REPLACE "(app " "(consumer " content "${content}")
     string(REPLACE "\n" ";" lines "${content}")
     foreach(line IN LISTS lines)
       string(FIND "${project}" "${line}" position)
@@ -89,13 +79,14 @@ endwhile()
 if(number_of_programs LESS 2 OR compile_command STREQUAL "" OR commands STREQUAL "")
   message(FATAL_ERROR "README.md lacks programs or commands, or they are not found")
 endif()
-# The last one, without GMP.
-foreach(i RANGE 1 ${number_of_programs})
-  if(i LESS number_of_programs)
-    compile(${i} "" "-lgmp -lmpfr")
-  else()
-    compile(${i} "-DCGAL_DISABLE_GMP -DCMAKE_OVERRIDDEN_DEFAULT_ENT_BACKEND=BOOST_BACKEND" "")
-  endif()
+# By the command that README.md tells, which is faster without optimization. The last program is
+# that of the project.
+string(REPLACE "g++" "'${COMPILER}'" compile_command "${compile_command}")
+string(REPLACE "-O2" "-O0" compile_command "${compile_command}")
+math(EXPR last "${number_of_programs} - 1")
+foreach(i RANGE 1 ${last})
+  string(REPLACE "app" "app_${i}" command "${compile_command}")
+  run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
   run("${WORK_DIR}/app_${i}")
   if(NOT out STREQUAL expected_${i})
     message(SEND_ERROR "program ${i} prints\n${out}instead of\n${expected_${i}}")
