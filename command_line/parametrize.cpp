@@ -7,10 +7,10 @@
 #include "Repairs.h"
 #include "commands.h"
 #include "directions.h"
+#include "features.h"
 #include "files.h"
 #include "json_report.h"
 #include "pictures/picture.h"
-#include "plain_meshes.h"
 #include "words.h"
 
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
@@ -35,7 +35,7 @@ struct Parametrize_options
 {
   std::string input, output, field, approximate, picture, report;
   Plain_reading_options reading;
-  double feature_angle = 0; // in degrees; 0: no features
+  Feature_options features;
   double curvature = 0;
   bool align_border = false;
   bool overwrite = false;
@@ -52,8 +52,7 @@ struct Parametrize_options
                     "standard output, in the OBJ format.\n");
     options.add_file("input", input);
     options.add_file("output", output);
-    options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
-                "align edges that are sharper (default: 0, which aligns none)");
+    features.add_to(options, "align");
     options.add("align-border", align_border, "align border edges");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature");
@@ -181,9 +180,7 @@ void parametrize(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  if(options.feature_angle > 0)
-    mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
-  os << summary_of_features(model.mesh, model.is_feature);
+  options.features.mark(model, os);
   const std::size_t released = release_one_of_three(model.mesh, model.is_feature);
   if(released > 0)
     os << "not aligned, as all three of a face would be: " << counted(released, "feature edge")

@@ -7,85 +7,16 @@
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
-
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_feature)
-{
-  const auto is_inside = [&](const Edge e) { return is_feature[e] && !mesh.is_border(e); };
-  boost::disjoint_sets_with_storage<> chains(mesh.num_edges());
-  std::vector<char> is_dead_end(mesh.num_vertices(), 0);
-  for(const auto v : mesh.vertices()) {
-    std::vector<Edge> at_vertex;
-    for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-      if(h != Mesh::null_halfedge() && is_inside(mesh.edge(h)))
-        at_vertex.push_back(mesh.edge(h));
-    if(at_vertex.size() == 2)
-      chains.union_set(std::size_t(at_vertex[0]), std::size_t(at_vertex[1]));
-    is_dead_end[std::size_t(v)] = at_vertex.size() == 1 && !mesh.is_border(v) ? 1 : 0;
-  }
-  std::map<std::size_t, std::vector<Edge> > edges_of_chain;
-  double length = 0;
-  for(const Edge e : mesh.edges())
-    if(is_inside(e)) {
-      edges_of_chain[chains.find_set(std::size_t(e))].push_back(e);
-      length += PMP::edge_length(e, mesh);
-    }
-  if(edges_of_chain.empty())
-    return "";
-  std::size_t number_of_edges = 0, singles = 0;
-  for(const auto& [chain, edges] : edges_of_chain) {
-    number_of_edges += edges.size();
-    const Edge e = edges.front();
-    singles += edges.size() == 1 && (is_dead_end[std::size_t(mesh.vertex(e, 0))] ||
-                                     is_dead_end[std::size_t(mesh.vertex(e, 1))]) ? 1 : 0;
-  }
-  std::ostringstream os;
-  os << "features: " << counted(number_of_edges, "edge") << " in "
-     << counted(edges_of_chain.size(), "chain") << ", of length " << length << " in sum\n";
-  constexpr std::size_t few = 20;
-  if(singles > few && 2 * singles > edges_of_chain.size())
-    os << "note: " << singles << " of these chains are single edges that lead nowhere, as noise makes "
-          "them: a larger --feature-angle keeps fewer\n";
-  return os.str();
-}
-
-void mark_sharp_edges(const double angle, Mesh& mesh, Edge_bool_map& is_feature)
-{
-  const Edge_bool_map is_sharp = mesh.add_property_map<Edge, bool>("e:sharp", false).first;
-  PMP::detect_sharp_edges(mesh, angle, is_sharp);
-  for(const Edge e : mesh.edges())
-    is_feature[e] = is_feature[e] || (is_sharp[e] && !mesh.is_border(e));
-}
-
-std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)
-{
-  std::size_t result = 0;
-  for(const auto f : mesh.faces()) {
-    const auto around = mesh.halfedges_around_face(mesh.halfedge(f));
-    if(std::all_of(around.begin(), around.end(),
-                   [&](Halfedge h) { return is_feature[mesh.edge(h)]; })) {
-      is_feature[mesh.edge(mesh.halfedge(f))] = false;
-      ++result;
-    }
-  }
-  return result;
-}
 
 void check_quad_file(const std::string& filename)
 {

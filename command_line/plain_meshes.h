@@ -1,5 +1,4 @@
-// Meshes without texture coordinates: their features before a parametrization, and what is written
-// after an extraction of quads.
+// Meshes without texture coordinates: what is written after an extraction of quads.
 
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H
@@ -10,17 +9,6 @@
 #include <iosfwd>
 #include <string>
 #include <vector>
-
-// How many features there are inside, and in how many chains, each from end to end or as a loop; and
-// a note where most of these are single edges that lead nowhere. Empty if there are none.
-std::string summary_of_features(const Mesh& mesh, const Edge_bool_map& is_feature);
-
-// Marks edges inside that are sharper than the angle, in degrees, as features, too.
-void mark_sharp_edges(double angle, Mesh& mesh, Edge_bool_map& is_feature);
-
-// A face can be aligned along two of its edges at most. Returns the number of edges that are no
-// features any more.
-std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature);
 
 struct Quad_soup
 {

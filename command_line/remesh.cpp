@@ -8,6 +8,7 @@
 #include "attributes.h"
 #include "commands.h"
 #include "directions.h"
+#include "features.h"
 #include "files.h"
 #include "json_report.h"
 #include "patches.h"
@@ -68,8 +69,8 @@ struct Remesh_options
 {
   std::string input, output, field, sizes, symmetry, picture, patches, report;
   Plain_reading_options reading;
-  double number = 10000, maximum_number = 0, edge_length = 0, feature_angle = 0, feature_loss = 0,
-         adaptivity = 1;
+  double number = 10000, maximum_number = 0, edge_length = 0, feature_loss = 0, adaptivity = 1;
+  Feature_options features;
   std::optional<double> curvature;
   bool coarsest = false, verbose = false;
 
@@ -97,8 +98,7 @@ struct Remesh_options
                 "refuse to make more quads, where features force them\n"
                 "(default: 100 times the number wanted, and at least 100000);\n"
                 "only this allows --number and --edge-length more than 10 million");
-    options.add("feature-angle", "DEGREES", feature_angle, {0, 180},
-                "keep edges that are sharper (default: 0, which keeps none)");
+    features.add_to(options, "keep");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of these, from 0 to 1, that may be released where they\n"
                 "force quads: those that force most for their length go first (default: 0)");
@@ -216,15 +216,6 @@ std::string why_not(const QR::Remeshing_report& report, const Model& model)
                     words);
 }
 
-double length_of_features(const Model& model)
-{
-  double result = 0;
-  for(const Edge e : model.mesh.edges())
-    if(model.is_feature[e])
-      result += PMP::edge_length(e, model.mesh);
-  return result;
-}
-
 // That a plane has no half on its other side, which would be replaced; else nothing.
 std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mesh& mesh)
 {
@@ -327,10 +318,7 @@ void remesh(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  if(options.feature_angle > 0)
-    mark_sharp_edges(options.feature_angle, model.mesh, model.is_feature);
-  os << summary_of_features(model.mesh, model.is_feature);
-  outcome.length_of_features = length_of_features(model);
+  outcome.length_of_features = options.features.mark(model, os);
   if(options.feature_loss > 0 && outcome.length_of_features == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";

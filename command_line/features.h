@@ -1,0 +1,32 @@
+// The features of a mesh before a parametrization: which edges of a model are some.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
+
+#include "Model.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+class Options;
+
+// Which edges inside are features, besides those that the file marks.
+struct Feature_options
+{
+  double angle = 0; // in degrees: edges that are sharper
+  double length = 0; // of chains that lead nowhere: shorter ones are no features
+
+  // \param keep "keep" or "align", what is done with them
+  void add_to(Options& options, const std::string& keep);
+
+  // Marks them in the model, and tells how many there are, in how many chains, each from end to end
+  // or as a loop; and notes whether most of these are noise. Returns the length of all.
+  double mark(Model& model, std::ostream& os) const;
+};
+
+// A face can be aligned along two of its edges at most. Returns the number of edges that are no
+// features any more.
+std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature);
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
