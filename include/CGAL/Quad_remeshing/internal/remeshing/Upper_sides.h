@@ -47,17 +47,12 @@ public:
       m_starts[v] = nearest_face(v);
   }
 
-  // Whether a quad faces against the surface at its middle, and half way from there to each corner,
-  // as walks from all corners find it, or from those that are on no feature; and as what is nearest
-  // tells, or the quads beside it.
+  // Whether a quad faces against the surface below it, on the average; and against what is nearest,
+  // or the quads beside it.
   bool is_folded(const Face f) const
   {
     const Quad q = m_smoother.quad(f);
-    if(!is_suspicious(f, q))
-      return false;
-    const std::vector<Face> starts = faces_of_corners(f);
-    return std::all_of(starts.begin(), starts.end(),
-                       [&](const Face start) { return faces_against_surface(q, start); });
+    return is_suspicious(f, q) && inner_product(quad_normal(q), upper_side(f, q)) < 0;
   }
 
   // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
@@ -69,14 +64,7 @@ public:
       const Quad q = m_smoother.quad(f);
       m_smoother.upper_sides()[f] = Space_vector{};
       if(is_folded(f) || is_inverted(q)) {
-        Space_vector sum{};
-        for(const Face start : faces_of_corners(f))
-          for(const Point& p : places(q)) {
-            const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
-            for(std::size_t c = 0; c < 3; ++c)
-              sum[c] += n[c];
-          }
-        m_smoother.upper_sides()[f] = sum;
+        m_smoother.upper_sides()[f] = upper_side(f, q);
         ++number;
       }
     }
@@ -138,13 +126,18 @@ private:
     return result;
   }
 
-  bool faces_against_surface(const Quad& q, const Face start) const
+  // Where the surface faces below a quad: at its middle, and half way from there to each corner, as
+  // walks from all corners find it, or from those that are on no feature; the sum.
+  Space_vector upper_side(const Face f, const Quad& q) const
   {
-    const Space_vector own = quad_normal(q);
-    const std::array<Point, 5> places = this->places(q);
-    return std::all_of(places.begin(), places.end(), [&](const Point& p) {
-      return inner_product(own, m_smoother.normal_of_surface(walk(start, p))) < 0;
-    });
+    Space_vector sum{};
+    for(const Face start : faces_of_corners(f))
+      for(const Point& p : places(q)) {
+        const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
+        for(std::size_t c = 0; c < 3; ++c)
+          sum[c] += n[c];
+      }
+    return sum;
   }
 
   // To where no face around is nearer to a point; not over features.
