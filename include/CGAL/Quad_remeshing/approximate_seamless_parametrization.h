@@ -386,7 +386,7 @@ report.
                           a release of features. What follows a release that has not helped counts
                           threefold. 0 for no untangling}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{`500`, or, of large meshes, as many as make 16 million iterations over a
+    \cgalParamDefault{`500`, or, of large meshes, as many as make 20 million iterations over a
                       face: about a minute}
   \cgalParamNEnd
   \cgalParamNBegin{release_alignment}

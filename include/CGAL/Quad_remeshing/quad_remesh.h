@@ -308,8 +308,8 @@ mean scaled Jacobian below 0.9, up to five larger numbers of the same map, in st
 half as many again, are among these eight: the message tells if such ones are taken that are more
 than 1.1 times as many as wanted. The quad around a vertex of one edge is left out.
 
-All searches, in all attempts, have a bound: the work of 16 million iterations of untangling over a
-face, of up to 4 microseconds each. Factorizations, releases of features, searches for strips and
+All searches, in all attempts, have a bound: the work of 20 million iterations of untangling over a
+face, of about 3 microseconds each. Factorizations, releases of features, searches for strips and
 for the nearest place on the surface, and extractions count for as many as take as long. It is
 counted, not measured, so that results don't depend on the machine. Where it is spent, which the
 message tells, there are no further maps, attempts, and rounds: the first number of quads that makes

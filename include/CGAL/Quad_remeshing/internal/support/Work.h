@@ -26,7 +26,7 @@ namespace Quad_remeshing {
 namespace internal {
 
 // What searches may still take, all of them together. It is counted in iterations of untangling
-// over a face, of about 4 microseconds: whatever else takes time counts for as many as take as
+// over a face, of about 3 microseconds: whatever else takes time counts for as many as take as
 // long. So results don't depend on the machine.
 class Work
 {
@@ -36,11 +36,12 @@ public:
   void spend(const double work) { m_left -= work; }
   double left() const { return (std::max)(m_left, 0.); }
   bool is_left() const { return m_left > 0; }
+  bool is_mostly_left() const { return m_left > 0.85 * most_work; }
 
   // For the shape of quads, once so much is spent on it: some is kept for that.
   bool is_left_for_shape(const double work) const { return m_left + most_for_shape > work; }
 
-  static constexpr double most_work = 16e6; // about a minute
+  static constexpr double most_work = 20e6; // about a minute
   static constexpr double most_for_shape = 3e6;
 
 private:
