@@ -175,6 +175,19 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
 
+// Whether more room between features may help.
+inline bool has_flaws(const Remeshing_report& report)
+{
+  constexpr double good_shape = 0.95; // a mean scaled Jacobian
+  return !report || report.number_of_released_edges > 0 || report.number_of_inverted_quads > 0 ||
+         report.number_of_displaced_vertices > 0 || report.mean_scaled_jacobian < good_shape;
+}
+
+// Makes them of another copy of the surface; those that were made before stay if they are better.
+Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
+                              const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
+                              const Surface_to_remesh::Feature_map& is_feature);
+
 // Gives the quads of a quantization a better shape.
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
@@ -277,8 +290,13 @@ times their height, and than the side of one of 5,000 squares of the surface's a
 40,000 more faces. Edges that are not Delaunay are flipped if both faces have the same direction by
 `face_direction_map` and lie in a plane, up to a millionth of the diagonal of the bounding box; so
 vertices of quads can lie off the input by about as much. Parts of features and of the border are
-features and border. Where no quads are found on the refined surface, the input is remeshed as it
-is.
+features and border. Where features are released, vertices displaced, or quads inverted, or their
+mean scaled Jacobian is less than 0.95, all is made once more with large triangles divided, too,
+which leave a map no room between features: those longer than four such sides, if they and the long
+ones cover a quarter of the area, and 85 % of the work is left (see below). Of the two results, that
+is taken with fewer inverted quads, and then with the better mean scaled Jacobian, less half of the
+part of the features' length that is released.
+Where no quads are found on refined surfaces, the input is remeshed as it is.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -511,14 +529,20 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   using namespace internal;
   const auto& parameters = strip(np1);
   const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
-    Surface_to_remesh surface = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
-    const bool is_refined = surface.refine();
-    const Remeshing_report report = remesh(surface, options, result, is_feature);
-    if(report || !is_refined || !options.quantization.work->is_left())
+    const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
+    const Work& work = *options.quantization.work;
+    Surface_to_remesh surface = copy();
+    const bool is_refined = surface.refine(true);
+    Remeshing_report report = remesh(surface, options, result, is_feature);
+    if(has_flaws(report) && work.is_mostly_left()) {
+      Surface_to_remesh finer = copy();
+      if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
+        report = remesh_again(finer, options, report, result, is_feature);
+    }
+    if(report || !is_refined || !work.is_left())
       return report;
-    Surface_to_remesh input = surface_to_remesh(tmesh, parameters, mirror_of(parameters));
-    result.clear_without_removing_property_maps();
-    return remesh(input, options, result, is_feature);
+    Surface_to_remesh input = copy();
+    return remesh_again(input, options, report, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }

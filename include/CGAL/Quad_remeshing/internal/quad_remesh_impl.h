@@ -51,6 +51,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -747,6 +748,29 @@ private:
   Step_timer m_timer;
 };
 
+// By others, with their features.
+inline void replace_quads(const Surface_to_remesh::Mesh& others,
+                          const Surface_to_remesh::Feature_map& is_feature_of_others,
+                          Surface_to_remesh::Mesh& quads,
+                          const Surface_to_remesh::Feature_map& is_feature)
+{
+  quads.clear_without_removing_property_maps();
+  const auto write = [&](const auto& halfedges) {
+    is_feature[quads.edge(halfedges.second)] =
+      is_feature_of_others[others.edge(halfedges.first)];
+  };
+  CGAL::copy_face_graph(others, quads,
+                        CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                          boost::make_function_output_iterator(write)));
+}
+
+// To the report of what is taken: those of what is not.
+inline void add_steps(const Remeshing_report& of_others, Remeshing_report& report)
+{
+  report.step_times.insert(report.step_times.end(), of_others.step_times.begin(),
+                           of_others.step_times.end());
+}
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
@@ -778,22 +802,37 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     Mesh mesh;
     const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
     Remeshing_report report = attempt(mesh, is_kept, 2);
-    report.step_times.insert(report.step_times.begin(), best.step_times.begin(),
-                             best.step_times.end());
-    best.step_times = report.step_times;
-    if(!report || report.number_of_inverted_quads >= best.number_of_inverted_quads)
-      continue;
-    quads.clear_without_removing_property_maps();
-    const auto write = [&](const auto& halfedges) {
-      is_feature[quads.edge(halfedges.second)] = is_kept[mesh.edge(halfedges.first)];
-    };
-    CGAL::copy_face_graph(mesh, quads,
-                          CGAL::parameters::halfedge_to_halfedge_output_iterator(
-                            boost::make_function_output_iterator(write)));
-    best = report;
+    if(report && report.number_of_inverted_quads < best.number_of_inverted_quads) {
+      replace_quads(mesh, is_kept, quads, is_feature);
+      std::swap(report, best);
+    }
+    add_steps(report, best);
   }
   if(is_spent || !work.is_left())
     add_note(best, words_for_spent_work);
+  return best;
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
+                              const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
+                              const Surface_to_remesh::Feature_map& is_feature)
+{
+  using Mesh = Surface_to_remesh::Mesh;
+  const double length_of_features = surface.length_of_features();
+  const auto badness = [&](const Remeshing_report& r) {
+    const double released =
+      length_of_features > 0 ? r.length_of_released_edges / length_of_features : 0;
+    return std::tuple(!r, r.number_of_inverted_quads, released / 2 - r.mean_scaled_jacobian);
+  };
+  Mesh mesh;
+  const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  Remeshing_report best = before, report = remesh(surface, options, mesh, is_kept);
+  if(badness(report) < badness(best)) {
+    replace_quads(mesh, is_kept, quads, is_feature);
+    std::swap(report, best);
+  }
+  add_steps(report, best);
   return best;
 }
 

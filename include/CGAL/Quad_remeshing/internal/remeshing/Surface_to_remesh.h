@@ -119,11 +119,12 @@ public:
   Surface_to_remesh(const Surface_to_remesh&) = delete; // the maps belong to the mesh
   Surface_to_remesh& operator=(const Surface_to_remesh&) = delete;
 
-  // Divides long triangles; returns whether there are any.
-  bool refine()
+  // Divides long triangles, and large ones unless these are to stay; returns whether there are any.
+  bool refine(const bool has_large_faces)
   {
     return CGAL::is_triangle_mesh(m_mesh) &&
-           Surface_refiner(m_mesh, m_is_feature, m_directions, m_sizes, m_originals).run();
+           Surface_refiner(m_mesh, has_large_faces, m_is_feature, m_directions, m_sizes,
+                           m_originals).run();
   }
 
   const Mesh& mesh() const { return m_mesh; }
@@ -147,6 +148,16 @@ public:
   double unscaled(const double x) const { return std::ldexp(x, m_exponent); }
 
   double scaled(const double x) const { return std::ldexp(x, -m_exponent); }
+
+  double length_of_features() const
+  {
+    double sum = 0;
+    for(const Edge e : m_mesh.edges())
+      if(m_is_feature[e])
+        sum += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)),
+                                                m_mesh.point(m_mesh.vertex(e, 1))));
+    return unscaled(sum);
+  }
 
   // The number of a face in the input.
   std::size_t original(const std::size_t face) const { return m_originals[face]; }

@@ -15,9 +15,10 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Divides long triangles, such as those of a flat face without vertices inside, where no cones
-// could lie: longest edges are halved (Rivara's longest-edge propagation), and edges between
-// triangles of a plane are flipped to Delaunay ones.
+// Divides long and large triangles, such as those of a flat face without vertices inside: no cones
+// could lie there, and few vertices leave a map no room between features. Longest edges are halved
+// (Rivara's longest-edge propagation), and edges between triangles of a plane are flipped to
+// Delaunay ones.
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -50,21 +51,26 @@ class Surface_refiner
   using Halfedge = Mesh::Halfedge_index;
 
 public:
-  // Triangles are long if they are longer than the side of one of so many squares, and than so many
-  // times their height. Where they cover less than such a share of the area, nothing is changed.
+  // Triangles are divided if they are longer than the side of one of so many squares, and than so
+  // many times their height; large ones, if they are longer than so many sides. Where these cover
+  // less than such a share of the area, nothing is changed.
   static constexpr double number_of_squares = 5000;
   static constexpr double longness = 4;
+  static constexpr double largest_length = 4;
   static constexpr double least_share = 0.25;
   static constexpr std::size_t most_new_faces = 40000;
 
+  // \param has_large_faces whether large triangles stay
   // \param sizes lengths count in units of them
   // \param originals per face: new ones get those of the faces that they are parts of
-  Surface_refiner(Mesh& mesh, const Mesh::Property_map<Edge, bool>& is_feature,
+  Surface_refiner(Mesh& mesh, const bool has_large_faces,
+                  const Mesh::Property_map<Edge, bool>& is_feature,
                   const Mesh::Property_map<Face, Vector>& directions,
                   const Mesh::Property_map<Vertex, double>& sizes,
                   std::vector<std::size_t>& originals)
-    : m_mesh(mesh), m_is_feature(is_feature), m_directions(directions), m_sizes(sizes),
-      m_originals(originals), m_most_faces(mesh.number_of_faces() + most_new_faces),
+    : m_mesh(mesh), m_has_large_faces(has_large_faces), m_is_feature(is_feature),
+      m_directions(directions), m_sizes(sizes), m_originals(originals),
+      m_most_faces(mesh.number_of_faces() + most_new_faces),
       m_most_flips(10 * (mesh.number_of_edges() + 2 * most_new_faces))
   { }
 
@@ -74,24 +80,24 @@ public:
   {
     if(!choose_lengths())
       return false;
-    double area_of_long_faces = 0;
+    double area_to_divide = 0;
     for(const Face f : m_mesh.faces())
-      if(push_if_long(f)) {
-        area_of_long_faces += area(f);
+      if(push_if_to_divide(f)) {
+        area_to_divide += area(f);
         for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f)))
           m_unchecked.push_back(m_mesh.edge(h));
       }
-    if(!(area_of_long_faces > least_share * m_area))
+    if(!(area_to_divide > least_share * m_area))
       return false;
     flip();
-    while(!m_long_faces.empty() && m_mesh.number_of_faces() + 2 <= m_most_faces) {
-      const auto [area, f] = m_long_faces.top();
-      m_long_faces.pop();
-      if(area != this->area(f) || !is_long(f))
+    while(!m_faces_to_divide.empty() && m_mesh.number_of_faces() + 2 <= m_most_faces) {
+      const auto [area, f] = m_faces_to_divide.top();
+      m_faces_to_divide.pop();
+      if(area != this->area(f) || !is_to_divide(f))
         continue; // it has changed since
       halve(longest_near(f));
       flip();
-      push_if_long(f);
+      push_if_to_divide(f);
     }
     return true;
   }
@@ -146,18 +152,19 @@ private:
     return result;
   }
 
-  bool is_long(const Face f) const
+  bool is_to_divide(const Face f) const
   {
     const double length = std::sqrt(vector(longest_side(f)).squared_length());
-    return length > m_length * size(f) &&
-           longness * std::sqrt(normal(f).squared_length()) < length * length;
+    const double sides = length / (m_length * size(f));
+    return (!m_has_large_faces && sides > largest_length) ||
+           (sides > 1 && longness * std::sqrt(normal(f).squared_length()) < length * length);
   }
 
-  bool push_if_long(const Face f)
+  bool push_if_to_divide(const Face f)
   {
-    const bool result = is_long(f);
+    const bool result = is_to_divide(f);
     if(result)
-      m_long_faces.emplace(area(f), f);
+      m_faces_to_divide.emplace(area(f), f);
     return result;
   }
 
@@ -187,7 +194,7 @@ private:
         divide_face(g);
     for(const Halfedge g : CGAL::halfedges_around_target(to_middle, m_mesh))
       if(!m_mesh.is_border(g)) {
-        push_if_long(m_mesh.face(g));
+        push_if_to_divide(m_mesh.face(g));
         m_unchecked.push_back(m_mesh.edge(m_mesh.prev(g)));
       }
   }
@@ -213,7 +220,7 @@ private:
       CGAL::Euler::flip_edge(h, m_mesh);
       ++m_number_of_flips;
       for(const Halfedge g : {h, o}) {
-        push_if_long(m_mesh.face(g));
+        push_if_to_divide(m_mesh.face(g));
         m_unchecked.push_back(m_mesh.edge(m_mesh.next(g)));
         m_unchecked.push_back(m_mesh.edge(m_mesh.prev(g)));
       }
@@ -257,13 +264,14 @@ private:
   }
 
   Mesh& m_mesh;
+  bool m_has_large_faces;
   Mesh::Property_map<Edge, bool> m_is_feature;
   Mesh::Property_map<Face, Vector> m_directions;
   Mesh::Property_map<Vertex, double> m_sizes;
   std::vector<std::size_t>& m_originals;
   std::size_t m_most_faces, m_most_flips, m_number_of_flips = 0;
   double m_area = 0, m_length = 0, m_height_of_flat = 0;
-  std::priority_queue<std::pair<double, Face> > m_long_faces; // the largest first
+  std::priority_queue<std::pair<double, Face> > m_faces_to_divide; // the largest first
   std::vector<Edge> m_unchecked; // which may have to be flipped
 };
 
