@@ -23,6 +23,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -142,6 +143,7 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
 {
   Quantization_options quantization = quantization_options(tmesh, np);
   quantization.needs_face_graph = true;
+  *quantization.work = Work::of_size(double(num_faces(tmesh)) + quantization.number_of_quads);
   return {quantization, chosen(np, internal_np::curvature_alignment, std::optional<double>()),
           chosen(np, internal_np::curvature_adaptivity, 1.),
           chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
@@ -327,9 +329,10 @@ half as many again, are among these eight: the message tells if such ones are ta
 than 1.1 times as many as wanted. The quad around a vertex of one edge is left out.
 
 All searches, in all attempts, have a bound: the work of 20 million iterations of untangling over a
-face, of about 3 microseconds each. Factorizations, releases of features, searches for strips and
-for the nearest place on the surface, and extractions count for as many as take as long. It is
-counted, not measured, so that results don't depend on the machine. Where it is spent, which the
+face, of about 3 microseconds each, or of 100 for each face and each wanted quad, if that is more.
+Factorizations, releases of features, searches for strips and for the nearest place on the surface,
+and extractions count for as many as take as long. It is counted, not measured, so that results
+don't depend on the machine. Where it is spent, which the
 message tells, there are no further maps, attempts, and rounds: the first number of quads that makes
 a mesh is taken, and the report counts the quads that are inverted; where faces are flipped still,
 the status is `NOT_POSITIVE`. To improve the shape of quads, 3 million are kept. What has to be made

@@ -543,7 +543,8 @@ private:
   // Over all faces: those that may be spent on one map.
   std::size_t untangling_iterations(const std::size_t most) const
   {
-    const double left = m_work.left() / double(surface_mesh().number_of_faces());
+    const double left = (std::min)(m_work.left(), Work::most_work) /
+                        double(surface_mesh().number_of_faces());
     return (std::min)(most, std::size_t(std::ceil(left)));
   }
 

@@ -31,12 +31,20 @@ namespace internal {
 class Work
 {
 public:
-  explicit Work(const double most = most_work) : m_left(most) { }
+  explicit Work(const double most = most_work) : m_most(most), m_left(most) { }
+
+  // For large surfaces more, as the shape of each quad takes some.
+  // \param number of faces and quads
+  static Work of_size(const double number)
+  {
+    constexpr double of_each = 100;
+    return Work((std::max)(most_work, of_each * number));
+  }
 
   void spend(const double work) { m_left -= work; }
   double left() const { return (std::max)(m_left, 0.); }
   bool is_left() const { return m_left > 0; }
-  bool is_mostly_left() const { return m_left > 0.85 * most_work; }
+  bool is_mostly_left() const { return m_left > 0.85 * m_most; }
 
   // For the shape of quads, once so much is spent on it: some is kept for that.
   bool is_left_for_shape(const double work) const { return m_left + most_for_shape > work; }
@@ -45,6 +53,7 @@ public:
   static constexpr double most_for_shape = 3e6;
 
 private:
+  double m_most;
   double m_left; // less than 0 where the last search took more
 };
 
