@@ -11,7 +11,6 @@
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <sstream>

@@ -19,7 +19,6 @@
 
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <vector>
