@@ -1,7 +1,9 @@
 // Thousands of random systems through snap_to_linear_constraints(), each compared with the exact
 // references: the verdict, the exactness of the result, its distance to the input, and that nothing
-// is touched where there is nothing to do or nothing to be done. Then those of the data folder.
+// is touched where there is nothing to do or nothing to be done. Then those of the data folder, and
+// what is told of long steps.
 
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/snap_to_linear_constraints.h>
 
 #include "checking.h"
@@ -25,6 +27,7 @@
 #include <map>
 #include <new>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -769,6 +772,35 @@ void test_files()
       test_file(path.string());
 }
 
+// How far a step has come is told while a timer lives that is to tell, and not again too soon.
+void test_signs_of_life()
+{
+  using Timer = CGAL::Linear_snapping::internal::Step_timer;
+  struct { std::vector<std::pair<std::string, double> > step_times; } report;
+  std::ostringstream os;
+  std::streambuf* const before = std::cerr.rdbuf(os.rdbuf());
+  const auto told = [&](const double seconds) {
+    os.str("");
+    Timer::tell(seconds, [] { return std::string("half"); });
+    return os.str();
+  };
+  std::vector<std::string> all{told(0)};
+  {
+    const Timer silent(report);
+    all.push_back(told(0));
+    const Timer verbose(report, true);
+    all.push_back(told(0));
+    all.push_back(told(1000));
+    {
+      const Timer inner(report, true);
+    }
+    all.push_back(told(0));
+  }
+  all.push_back(told(0));
+  std::cerr.rdbuf(before);
+  CHECK(all == std::vector<std::string>({"", "", "    half\n", "", "    half\n", ""}));
+}
+
 int main(int argc, char** argv)
 {
   const std::uint64_t seed = argc > 1 ? std::stoull(argv[1]) : 1;
@@ -803,5 +835,6 @@ int main(int argc, char** argv)
       test_long_numbers(seed + 70000 + i, bits, true);
     }
   test_files();
+  test_signs_of_life();
   return report_checks();
 }

@@ -433,7 +433,8 @@ report.
     \cgalParamExtra{Untangling uses that of \ref thirdpartyEigen "Eigen" in any case.}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the times of the steps are written to `std::cerr`}
+    \cgalParamDescription{whether the times of the steps are written to `std::cerr`, and every few
+                          seconds how far a search has come}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

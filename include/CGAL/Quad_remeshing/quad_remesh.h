@@ -449,7 +449,8 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the times of the steps are written to `std::cerr`}
+    \cgalParamDescription{whether the times of the steps are written to `std::cerr`, and every few
+                          seconds how far a search has come}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

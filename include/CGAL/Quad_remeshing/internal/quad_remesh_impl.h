@@ -95,7 +95,13 @@ public:
                      { return CGAL::squared_distance(p, s) < radius * radius; }))
         release(h);
     }
-    return m_report.number_of_released_edges > before;
+    const std::size_t number = m_report.number_of_released_edges - before;
+    if(number > 0)
+      Step_timer::tell(0, [&] {
+        return counted(m_report.number_of_inverted_quads, "inverted quad") + "; again without " +
+               counted(number, "feature edge") + " near by";
+      });
+    return number > 0;
   }
 
   // Also edges that earlier attempts have released.
@@ -497,7 +503,7 @@ private:
                                 .number_of_untangling_iterations(untangling_iterations(500))
                                 .largest_cone_index(largest_cone_index)
                                 .least_cone_distance(least_cone_distance)
-                                .known_fields(&m_known_fields));
+                                .known_fields(&m_known_fields).verbose(m_options.verbose));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made.status, with_face_of_input(made.message));

@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Times the steps of a function into its report and, if asked to, tells the error stream of each.
+// Times the steps of a function into its report and, if asked to, tells the error stream of each,
+// and how far a long one has come.
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 
@@ -35,8 +36,34 @@ class Step_timer
 public:
   template <typename Report>
   explicit Step_timer(Report& report, const bool verbose = false)
-    : m_step_times(report.step_times), m_verbose(verbose), m_start(Clock::now())
-  { }
+    : m_step_times(report.step_times), m_verbose(verbose), m_start(Clock::now()),
+      m_is_first(verbose && !s_is_verbose)
+  {
+    if(m_is_first) {
+      s_is_verbose = true;
+      s_told = m_start;
+    }
+  }
+
+  ~Step_timer()
+  {
+    if(m_is_first)
+      s_is_verbose = false;
+  }
+
+  Step_timer(const Step_timer&) = delete;
+  Step_timer& operator=(const Step_timer&) = delete;
+
+  // Tells what `words()` returns, wherever in the steps of a timer that is to tell, if nothing has
+  // been told for so many seconds.
+  template <typename Words>
+  static void tell(const double seconds, const Words& words)
+  {
+    if(!s_is_verbose || Clock::now() - s_told < std::chrono::duration<double>(seconds))
+      return;
+    std::cerr << "    " + words() + "\n" << std::flush;
+    s_told = Clock::now();
+  }
 
   // Ends the step that began when the previous one ended.
   void finish(const char* step)
@@ -60,6 +87,9 @@ private:
   std::vector<std::pair<std::string, double> >& m_step_times;
   bool m_verbose;
   Clock::time_point m_start;
+  bool m_is_first; // of the timers that tell
+  inline static thread_local bool s_is_verbose = false;
+  inline static thread_local Clock::time_point s_told{};
 };
 
 } // namespace internal

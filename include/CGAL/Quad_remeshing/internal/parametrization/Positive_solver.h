@@ -19,6 +19,7 @@
 // untangling, and, where alignment leaves no such coordinates, the release of edges.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Map_part.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
@@ -33,6 +34,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,9 @@ namespace parametrization {
 
 // Where it takes less time to look at few faces by themselves than at all.
 inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
+
+inline void tell_flips(const std::size_t number)
+{ Step_timer::tell(2, [&] { return counted(number, "flipped face") + " in the map"; }); }
 
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
@@ -80,6 +85,7 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     if(round < number_of_rounds && flips > 0)
       stiffen(surface, complex, uv, weights);
     report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
+    tell_flips(flips);
     if(round == 0 || flips < report.number_of_flipped_faces) {
       best.swap(unknowns);
       report.number_of_flipped_faces = flips;
@@ -219,6 +225,7 @@ public:
       if(!number_of_edges.update(stuck.size())) // what has not helped counts threefold
         m_iterations_left -=
           (std::min)(m_iterations_left, 2 * (iterations_before - m_iterations_left));
+      tell_flips(stuck.size());
       const bool is_last = round == largest_number_of_rounds || m_iterations_left == 0;
       if(!stuck.empty() && m_options.may_release && !is_last &&
          release(stuck, number_of_edges.get()))

@@ -15,10 +15,12 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace CGAL {
@@ -41,7 +43,14 @@ public:
     return Work((std::max)(most_work, of_each * number));
   }
 
-  void spend(const double work) { m_left -= work; }
+  void spend(const double work)
+  {
+    m_left -= work;
+    Step_timer::tell(5, [&] {
+      return std::to_string(std::lround(100 * (1 - left() / m_most))) +
+             " % of the bound of all searches is spent";
+    });
+  }
   double left() const { return (std::max)(m_left, 0.); }
   bool is_left() const { return m_left > 0; }
   bool is_mostly_left() const { return m_left > 0.85 * m_most; }

@@ -19,6 +19,8 @@
 // positive definite Hessian, while the regularization that lets triangles turn over is taken away.
 
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
@@ -32,6 +34,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -144,6 +147,11 @@ public:
   {
     std::size_t after_success = 0;
     for(std::size_t i = 0; i < largest_number_of_iterations; ++i) {
+      Step_timer::tell(5, [&] {
+        return "untangling " + counted(m_terms.size(), "face") + ": iteration " +
+               std::to_string(i + 1) + " of at most " +
+               std::to_string(largest_number_of_iterations);
+      });
       const FT before = energy(Vector::Zero(m_count), 0, regularization);
       const FT after = step(before, regularization);
       if(!(after < before) && regularization <= smallest_regularization)
