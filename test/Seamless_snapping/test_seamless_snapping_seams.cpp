@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>

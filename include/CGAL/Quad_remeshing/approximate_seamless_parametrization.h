@@ -361,7 +361,7 @@ report.
     \cgalParamDescription{a length on the surface: two cones of the field of opposite indices that
                           are not farther apart, along edges, cancel, the closest first. So there
                           are as few as large quads have room for. Cones on features and borders
-                          stay.}
+                          stay. Where sizes vary, it is that of their mean.}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
     \cgalParamExtra{Can't be combined with `cone_index_map`.}

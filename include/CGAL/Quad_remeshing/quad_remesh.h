@@ -254,9 +254,9 @@ remeshes a triangle mesh with quads only, about as many as wanted.
 
 The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
 `extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
-field that are less than about two edges of the wanted quads apart cancel, unless sizes vary.
-Borders are aligned, and so are feature edges: they become
-chains of edges of quads, whose vertices lie on them.
+field that are less than about two edges of the wanted quads apart cancel, unless
+`vertex_sizing_map` varies. Borders are aligned, and so are feature edges: they become chains of
+edges of quads, whose vertices lie on them.
 
 Where more than a tenth of the quads are inverted at first, as those of a map that is much
 distorted, all other vertices move to the middle of their neighbors, whatever becomes of quads on

@@ -325,13 +325,13 @@ private:
   // Of the map for the wanted number. Where that has more quads, and features neither force these
   // nor are released, of other maps, too: four for fewer quads, and those for more that may have
   // less than are known already. Of few quads, those of maps with up to a quarter more than the
-  // fewest, or the wanted number, are kept to choose from. Sizes that vary need all cones.
+  // fewest, or the wanted number, are kept to choose from. Sizes that are given need all cones.
   bool quantize_a_map()
   {
     constexpr int most_lower = 4;
     const double number =
       m_options.quantization.is_coarsest ? 1 : m_options.quantization.number_of_quads;
-    if(sizes_vary() || !(number >= 1))
+    if(m_surface.has_sizes_that_vary() || !(number >= 1))
       return make_map(0) && quantize();
     const State start = state();
     const int wanted = nearest_rung(number);

@@ -22,6 +22,7 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -36,10 +37,12 @@ namespace parametrization {
 inline double dual_weight(const double length, const double sum_of_areas)
 { return 1.5 * length * length / sum_of_areas; }
 
+// The same for both sides, also where lengths differ.
 inline double dual_weight(const Triangle_surface& surface, const Corner_index h)
 {
-  return dual_weight(surface.length[h], surface.area[surface.face(h)]
-                                        + surface.area[surface.face(surface.opposite(h))]);
+  const Corner_index g = surface.opposite(h);
+  return dual_weight(std::sqrt(surface.length[h] * surface.length[g]),
+                     surface.area[surface.face(h)] + surface.area[surface.face(g)]);
 }
 
 // One node for each face, or for a connected cluster of faces; neighbors share an edge.

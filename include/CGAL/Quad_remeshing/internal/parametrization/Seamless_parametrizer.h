@@ -202,6 +202,9 @@ Parametrization_result parametrize(Triangle_surface& surface,
       matching = match_crosses(surface, angles);
     }
   }
+  double cone_distance = std::ldexp(options.least_cone_distance, -surface.exponent);
+  if(!log_size.empty())
+    cone_distance *= measure_by_sizes(surface, log_size);
   timer.finish("field");
 
   Singularities singular = singularities(surface, topo, matching);
@@ -211,8 +214,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
     singular = singularities(surface, topo, matching);
   if(options.least_cone_distance > 0) {
     Timed_solver solver(report.seconds_in_solvers, make_solver);
-    if(cancel_cones(surface, wanted, std::ldexp(options.least_cone_distance, -surface.exponent),
-                    singular.index, angles, matching, solver))
+    if(cancel_cones(surface, wanted, cone_distance, singular.index, angles, matching, solver))
       singular = singularities(surface, topo, matching);
   }
   if(options.known_fields && !options.known_fields->insert(matching.turns).second)
@@ -227,8 +229,6 @@ Parametrization_result parametrize(Triangle_surface& surface,
   graph.connect(std::vector<char>(singular.index.begin(), singular.index.end()));
   const std::vector<Quarter_turns::Element> rotation =
     comb(surface, graph.is_cut(), matching, angles);
-  if(!log_size.empty())
-    measure_by_sizes(surface, log_size);
   matching = Matching(); // frees memory: the system that follows is large
   wanted = Wanted_field();
   surface.bending = std::vector<double>();

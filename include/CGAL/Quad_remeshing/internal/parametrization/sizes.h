@@ -150,8 +150,10 @@ inline void turn_by_sizes(Triangle_surface& surface, const std::vector<double>& 
 }
 
 // Lengths and areas of each face in units of its size: afterwards, the two sides of an edge differ.
-inline void measure_by_sizes(Triangle_surface& surface, const std::vector<double>& log_size)
+// Returns by how much lengths have become larger in the mean.
+inline double measure_by_sizes(Triangle_surface& surface, const std::vector<double>& log_size)
 {
+  const double area = std::accumulate(surface.area.begin(), surface.area.end(), 0.);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     const Corner_index h = 3 * f;
     const double factor = std::exp(-(log_size[surface.vertex(h)] + log_size[surface.vertex(h + 1)] +
@@ -160,6 +162,7 @@ inline void measure_by_sizes(Triangle_surface& surface, const std::vector<double
       surface.length[g] *= factor;
     surface.area[f] *= factor * factor;
   }
+  return std::sqrt(std::accumulate(surface.area.begin(), surface.area.end(), 0.) / area);
 }
 
 } // namespace parametrization
