@@ -12,10 +12,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <queue>
 #include <set>
 #include <string>
 #include <utility>
@@ -267,16 +270,30 @@ using Shared_side = std::array<Side, 2>; // of two faces
 
 bool has_one_direction(const Shared_side& s) { return s[0].source == s[1].source; }
 
-// Whether each face has to be turned to fit those from which it is reached, in the order of their
-// distances from the first face of a piece.
-std::vector<char> turned_faces(const std::vector<Shared_side>& shared,
-                               const std::size_t number_of_faces)
+// The faces of each piece in the order of their distances from its first one.
+struct Face_trees
+{
+  std::vector<std::size_t> entered_by; // per face: the number of a shared side, or `none`
+  std::vector<char> is_turned;         // per face: as it has to be to fit the one it is reached from
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  bool fits(const Shared_side& s) const
+  { return has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]); }
+};
+
+std::size_t face_across(const Shared_side& s, const std::size_t face)
+{ return s[s[0].face == face ? 1 : 0].face; }
+
+Face_trees face_trees(const std::vector<Shared_side>& shared, const std::size_t number_of_faces)
 {
   std::vector<std::vector<std::size_t> > shared_of(number_of_faces);
   for(std::size_t s = 0; s < shared.size(); ++s)
     for(const Side& side : shared[s])
       shared_of[side.face].push_back(s);
-  std::vector<char> is_turned(number_of_faces, 0), is_reached(number_of_faces, 0);
+  Face_trees result{std::vector<std::size_t>(number_of_faces, Face_trees::none),
+                    std::vector<char>(number_of_faces, 0)};
+  std::vector<char> is_reached(number_of_faces, 0);
   std::vector<std::size_t> reached;
   for(std::size_t start = 0; start < number_of_faces; ++start) {
     if(is_reached[start])
@@ -285,15 +302,16 @@ std::vector<char> turned_faces(const std::vector<Shared_side>& shared,
     reached.assign(1, start);
     for(std::size_t i = 0; i < reached.size(); ++i)
       for(const std::size_t s : shared_of[reached[i]]) {
-        const std::size_t f = shared[s][shared[s][0].face == reached[i] ? 1 : 0].face;
+        const std::size_t f = face_across(shared[s], reached[i]);
         if(is_reached[f])
           continue;
         is_reached[f] = 1;
-        is_turned[f] = char(is_turned[reached[i]] != has_one_direction(shared[s]));
+        result.entered_by[f] = s;
+        result.is_turned[f] = char(result.is_turned[reached[i]] != has_one_direction(shared[s]));
         reached.push_back(f);
       }
   }
-  return is_turned;
+  return result;
 }
 
 // Gives corners at one point that no side in `joined` connects points of their own.
@@ -417,20 +435,147 @@ void separate_bodies(Surface_soup& surface)
   take_apart(joined, surface);
 }
 
-// Takes surfaces of one side apart where faces meet last that are reached from one face in the order
-// of their distance: such a cut is short. CGAL's orientation, which goes into the depth, makes long
-// ones.
+// The shortest closed way along shared sides, or from border to border, that crosses a loop of
+// faces an odd number of times: cut along it, the surface stays in one piece, without this loop.
+class Shortest_cut
+{
+public:
+  // \param is_on_border per point
+  // \param is_crossed per shared side: whether the loop leads across it
+  Shortest_cut(const Surface_soup& surface, const std::vector<Shared_side>& shared,
+               const std::vector<char>& is_on_border, const std::vector<char>& is_crossed)
+    : m_surface(surface), m_shared(shared), m_is_on_border(is_on_border), m_is_crossed(is_crossed),
+      m_sides_of(surface.points.size() + 1)
+  {
+    for(std::size_t s = 0; s < shared.size(); ++s)
+      for(const std::size_t v : shared[s][0].key)
+        m_sides_of[node(v)].push_back(s);
+  }
+
+  // The numbers of its sides.
+  std::vector<std::size_t> run()
+  {
+    for(std::size_t s = 0; s < m_shared.size(); ++s)
+      if(m_is_crossed[s])
+        try_through(s);
+    return m_best;
+  }
+
+private:
+  using State = std::pair<std::size_t, bool>; // a node, and whether the loop was crossed
+  struct Step
+  {
+    double distance;
+    State before;
+    std::size_t side;
+  };
+
+  // All points of the border are one.
+  std::size_t node(const std::size_t v) const
+  { return m_is_on_border[v] ? m_surface.points.size() : v; }
+
+  std::size_t node_across(const std::size_t side, const std::size_t from) const
+  {
+    const auto& [v, w] = m_shared[side][0].key;
+    return node(v) == from ? node(w) : node(v);
+  }
+
+  double length(const std::size_t side) const
+  {
+    const auto& [v, w] = m_shared[side][0].key;
+    return CGAL::approximate_sqrt(CGAL::squared_distance(m_surface.points[v],
+                                                         m_surface.points[w]));
+  }
+
+  // A way that has this side as its last one, if it is shorter than the best one.
+  void try_through(const std::size_t last)
+  {
+    using Entry = std::pair<double, State>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    std::map<State, Step> steps;
+    const State start(node(m_shared[last][0].key[0]), false);
+    const State end(node_across(last, start.first), false);
+    steps[start] = {0, start, last};
+    queue.emplace(0, start);
+    while(!queue.empty() && queue.top().second != end) {
+      const auto [d, state] = queue.top();
+      queue.pop();
+      if(d > steps[state].distance)
+        continue;
+      for(const std::size_t s : m_sides_of[state.first]) {
+        const Step step{d + length(s), state, s};
+        const State to(node_across(s, state.first), state.second != bool(m_is_crossed[s]));
+        const auto [found, is_new] = steps.try_emplace(to, step);
+        if((is_new || step.distance < found->second.distance) &&
+           step.distance + length(last) < m_length) {
+          found->second = step;
+          queue.emplace(step.distance, to);
+        }
+      }
+    }
+    if(queue.empty())
+      return;
+    m_length = queue.top().first + length(last);
+    m_best.assign(1, last);
+    for(State state = end; state != start; state = steps[state].before)
+      m_best.push_back(steps[state].side);
+  }
+
+  const Surface_soup& m_surface;
+  const std::vector<Shared_side>& m_shared;
+  const std::vector<char>&m_is_on_border, &m_is_crossed;
+  std::vector<std::vector<std::size_t> > m_sides_of; // per node
+  double m_length = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> m_best;
+};
+
+// The shared sides that a loop of faces leads across, which does not fit at this one.
+std::vector<char> loop_through(const std::size_t side, const std::vector<Shared_side>& shared,
+                               const Face_trees& trees)
+{
+  std::vector<char> result(shared.size(), 0);
+  result[side] = 1;
+  for(const Side& s : shared[side])
+    for(std::size_t f = s.face; trees.entered_by[f] != Face_trees::none;
+        f = face_across(shared[trees.entered_by[f]], f))
+      result[trees.entered_by[f]] ^= 1;
+  return result;
+}
+
+// Takes surfaces of one side apart along short ways; where that takes many, in the end where faces
+// meet last that are reached in the order of their distance. CGAL's orientation, which goes into
+// the depth, makes long cuts.
 void cut_one_sided_surfaces(Surface_soup& surface)
 {
+  constexpr int most_ways = 100;
   std::vector<Side> sides = all_sides(surface);
   std::vector<Shared_side> shared, joined;
+  std::vector<char> is_on_border(surface.points.size(), 0);
   for_each_key(sides, [&](const auto begin, const auto end) {
     if(end - begin == 2)
       shared.push_back({*begin, *(begin + 1)});
+    else
+      is_on_border[begin->source] = is_on_border[begin->target] = 1;
   });
-  const std::vector<char> is_turned = turned_faces(shared, surface.polygons.size());
-  std::copy_if(shared.begin(), shared.end(), std::back_inserter(joined), [&](const Shared_side& s)
-    { return has_one_direction(s) == (is_turned[s[0].face] != is_turned[s[1].face]); });
+  for(int i = 0; ; ++i) {
+    const Face_trees trees = face_trees(shared, surface.polygons.size());
+    joined.clear();
+    std::copy_if(shared.begin(), shared.end(), std::back_inserter(joined),
+                 [&](const Shared_side& s) { return trees.fits(s); });
+    if(joined.size() == shared.size() || i == most_ways)
+      break;
+    const auto side = std::find_if(shared.begin(), shared.end(),
+                                   [&](const Shared_side& s) { return !trees.fits(s); });
+    const std::vector<char> is_crossed =
+      loop_through(std::size_t(side - shared.begin()), shared, trees);
+    std::vector<std::size_t> cut = Shortest_cut(surface, shared, is_on_border, is_crossed).run();
+    std::sort(cut.begin(), cut.end(), std::greater<>()); // so that numbers stay while sides go
+    for(const std::size_t s : cut) {
+      for(const std::size_t v : shared[s][0].key)
+        is_on_border[v] = 1;
+      shared.erase(shared.begin() + std::ptrdiff_t(s));
+    }
+  }
   take_apart(joined, surface);
 }
 
