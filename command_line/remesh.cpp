@@ -165,7 +165,7 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
   return plane;
 }
 
-// Throws `Failure` if the quads are too many.
+// Throws `Failure` if the quads are too many, or less than one.
 void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Sizing_map& sizes)
 {
   double number = 0; // where the edge length is 1
@@ -176,10 +176,14 @@ void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Si
     number += PMP::face_area(f, mesh) / size / size;
   }
   const double most = options.most_quads();
-  if(options.edge_length > 0 && std::isfinite(number))
-    check_number_of_faces(options.sizes.empty() ? "edge-length" : "sizes",
-                          number / options.edge_length / options.edge_length, "quads",
-                          by_edge_length(number, most) + "; --maximum-number allows more", most);
+  if(!(options.edge_length > 0 && std::isfinite(number)))
+    return;
+  const double wanted = number / options.edge_length / options.edge_length;
+  const std::string name = options.sizes.empty() ? "edge-length" : "sizes";
+  if(wanted < 1)
+    throw Failure(USAGE, "--" + name + " makes less than one quad");
+  check_number_of_faces(name, wanted, "quads",
+                        by_edge_length(number, most) + "; --maximum-number allows more", most);
 }
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
