@@ -1043,6 +1043,11 @@ expect("${out}" NOT out MATCHES "nan")
 expect_message("${out}" "no curve, as no vertex is singular; --all starts at all vertices")
 seamless(1 quads point.obj new.obj --number 8)
 expect_message("${err}" "the coordinates enclose no area; 'seamless parametrize' computes others")
+# a tiny map is none of these
+file(WRITE "${WORK_DIR}/tiny.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1e-300 0\n\
+vt 1e-300 1e-300\nvt 0 1e-300\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+seamless(0 quads tiny.obj tiny_quads.obj --number 16)
+expect_message("${out}" "16 quads, 25 vertices")
 
 # a flip that is smaller than the noise of the seam is repaired unasked
 set(thin "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\nv 0.5 0 0\n")

@@ -11,6 +11,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -116,7 +117,7 @@ void parse(const Reading_options& options, Model& model)
                                                    : "; 'seamless parametrize' cuts such edges, and "
                                                      "computes other coordinates"));
   }
-  model.is_mirrored = area_in_domain(model) < 0;
+  model.is_mirrored = area_in_domain(model).first < 0;
   if(model.is_mirrored)
     exchange_coordinates(model);
   model.file_vertices = model.file.vertex_numbers();
@@ -162,15 +163,22 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   parse(options, model);
 }
 
-double area_in_domain(const Model& model)
+std::pair<double, int> area_in_domain(const Model& model)
 {
-  double result = 0;
+  double largest = 0, area = 0;
+  for(const Halfedge h : model.mesh.halfedges())
+    if(!model.mesh.is_border(h))
+      largest = (std::max)({largest, std::abs(model.uv_map[h].x()), std::abs(model.uv_map[h].y())});
+  const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  const auto scaled = [&](const Halfedge h) {
+    return Kernel::Point_2(std::ldexp(model.uv_map[h].x(), -exponent),
+                           std::ldexp(model.uv_map[h].y(), -exponent));
+  };
   for(const auto f : model.mesh.faces()) {
     const Halfedge h = model.mesh.halfedge(f);
-    result += CGAL::area(model.uv_map[h], model.uv_map[model.mesh.next(h)],
-                         model.uv_map[model.mesh.prev(h)]);
+    area += CGAL::area(scaled(h), scaled(model.mesh.next(h)), scaled(model.mesh.prev(h)));
   }
-  return result;
+  return {area, exponent};
 }
 
 void read_again(const Model& other, const Reading_options& options, Model& model)

@@ -104,11 +104,11 @@ double scale_for_number(const Model& model, const Quad_options& options)
 {
   if(options.number == 0)
     return options.scale;
-  const double area = area_in_domain(model);
+  const auto [area, exponent] = area_in_domain(model);
   if(!(area > 0))
     throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area; 'seamless "
                                               "parametrize' computes others");
-  return std::sqrt(options.number / area);
+  return std::ldexp(std::sqrt(options.number / area), -exponent);
 }
 
 QR::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
