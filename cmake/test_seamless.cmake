@@ -702,6 +702,8 @@ endforeach()
 expect_message("${out}" "largest distance from the input: 0.5,")
 seamless(0 remesh sheet.off mirrored.off --number 40 --symmetry 1,0,0,1)
 expect_message("${out}" "note: no vertex is on the negative side of the plane")
+string(REGEX MATCH "([0-9.]+) % off" match "${out}")
+expect("lengths of two halves" CMAKE_MATCH_1 LESS 20)
 seamless(1 remesh sheet.off mirrored.off --symmetry=-1,0,0,-1)
 expect_message("${err}" "positive side of --symmetry")
 # of a U, the ends of its arms

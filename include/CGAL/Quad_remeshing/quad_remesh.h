@@ -197,7 +197,8 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
 
 // The largest distances of quads, as large as the input, from all of it, and of it from them; the
 // lengths of their edges.
-// \param number_wanted of quads, which tells the unit of sizes; 0 where these are not known
+// \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
+// known
 void measure_quads(const Surface_to_remesh& input, double number_wanted,
                    Surface_to_remesh::Mesh quads, Remeshing_report& report);
 
@@ -216,6 +217,9 @@ auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
   return result;
 }
 
+inline double area_in_squares(const Surface_to_remesh& surface)
+{ return area_in_squares(surface.mesh(), 1, parameters::vertex_sizing_map(surface.sizes())); }
+
 // Writes the quads that `make_quads(quads, is_feature, options)` makes.
 // \param has_wanted_number whether the options tell how many quads are wanted
 template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
@@ -231,15 +235,20 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const Protect_exact_arithmetic protect;
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
-  const Remeshing_options options =
-    remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
+  Remeshing_options options = remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
+  const Surface_to_remesh input = surface_to_remesh(tmesh, np1, std::nullopt);
+  double growth = 1; // of the area: a mirror replaces what is below by the image of what is above
+  if(const auto mirror = mirror_of(np1))
+    growth = 2 * area_in_squares(surface_to_remesh(tmesh, np1, mirror)) / area_in_squares(input);
+  if(has_wanted_length<NamedParameters1>)
+    options.quantization.number_of_quads *= growth;
   Remeshing_report report = make_quads(result, is_feature, options);
   if(!report)
     return report;
   const double number_wanted = has_wanted_number && !options.quantization.is_coarsest &&
                                options.curvature_adaptivity == 1
-                                 ? options.quantization.number_of_quads : 0;
-  measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result, report);
+                                 ? options.quantization.number_of_quads / growth : 0;
+  measure_quads(input, number_wanted, result, report);
   Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
     .write(result, is_feature, quads);
   return report;

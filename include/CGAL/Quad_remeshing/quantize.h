@@ -83,15 +83,20 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
   return area / (scaled * scaled);
 }
 
+// Whether lengths tell the number of quads.
+template <typename NamedParameters>
+constexpr bool has_wanted_length =
+  is_given<NamedParameters, internal_np::target_edge_length_t> ||
+  (is_given<NamedParameters, internal_np::vertex_sizing_t> &&
+   !is_given<NamedParameters, internal_np::target_number_of_quads_t>);
+
 template <typename TriangleMesh, typename NamedParameters>
 Quantization_options quantization_options(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   Quantization_options options;
   options.is_coarsest = chosen(np, internal_np::minimize_number_of_quads, false);
   options.needs_face_graph = chosen(np, internal_np::needs_face_graph, false);
-  if constexpr(is_given<NamedParameters, internal_np::target_edge_length_t> ||
-               (is_given<NamedParameters, internal_np::vertex_sizing_t> &&
-                !is_given<NamedParameters, internal_np::target_number_of_quads_t>)) {
+  if constexpr(has_wanted_length<NamedParameters>) {
     const double length = chosen(np, internal_np::target_edge_length, 1.);
     options.number_of_quads = length > 0 && std::isfinite(length)
                                 ? area_in_squares(tmesh, length, np)

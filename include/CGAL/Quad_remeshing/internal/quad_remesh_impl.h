@@ -906,8 +906,7 @@ void measure_quads(const Surface_to_remesh& input, const double number_wanted,
   report.largest_distance = input.unscaled(smoother.measure_distance());
   report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
   const double unit = number_wanted > 0
-    ? std::sqrt(area_in_squares(input.mesh(), 1, parameters::vertex_sizing_map(input.sizes())) /
-                number_wanted) : 0;
+    ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
   measure_edges(input, unit, quads, smoother, report);
 }
 
