@@ -715,6 +715,7 @@ expect_message("${out}" "mirroring changes parts from 1 to 2, border loops from 
 file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 1 2\n")
 seamless(1 remesh tilted.off mirrored.off --symmetry auto --report auto.json)
 expect_message("${err}" "not symmetric, exactly")
+expect_message("${err}" "by --symmetry 0,1,0,-0.5, they are up to 0.4 off")
 file(READ "${WORK_DIR}/auto.json" json)
 expect_message("${json}" "\"written\": false")
 expect_message("${json}" "not symmetric, exactly")

@@ -19,7 +19,10 @@
 
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Search_traits_3.h>
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -153,6 +157,41 @@ struct Remesh_options
   double most_quads() const { return (std::max)(most_faces, maximum_number); }
 };
 
+// How far images of vertices by a plane are from vertices, at most.
+double asymmetry(const Mesh& mesh, const Kernel::Plane_3& plane)
+{
+  using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel> >;
+  const Search::Tree tree(mesh.points().begin(), mesh.points().end());
+  double largest = 0;
+  for(const auto v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    largest = (std::max)(largest, Search(tree, p + 2 * (plane.projection(p) - p)).begin()->second);
+  }
+  return std::sqrt(largest);
+}
+
+// The plane in the middle across an axis by which the mesh is most symmetric for its extent along
+// that, in words.
+std::string nearest_symmetry(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  double least = std::numeric_limits<double>::infinity();
+  std::ostringstream os;
+  for(int i = 0; i < 3; ++i) {
+    const double offset = 0 - (box.min(i) + box.max(i)) / 2; // no negative zero
+    const double distance = asymmetry(mesh, Kernel::Plane_3(i == 0, i == 1, i == 2, offset));
+    const double relative = distance / (box.max(i) - box.min(i));
+    if(!(relative < least))
+      continue;
+    least = relative;
+    os.str("");
+    os << "by --symmetry " << (i == 0) << "," << (i == 1) << "," << (i == 2) << ","
+       << std::setprecision(17) << offset << std::setprecision(3) << ", they are up to "
+       << distance << " off";
+  }
+  return os.str();
+}
+
 // Nothing without a name. Throws `Failure`.
 std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, const Mesh& mesh)
 {
@@ -161,7 +200,7 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
   const auto plane = QR::find_symmetry_plane(mesh);
   if(!plane)
     throw Failure(NOT_SOLVED, options.input + ": the vertices are not symmetric, exactly, by a "
-                              "plane across a coordinate axis; name a plane");
+                              "plane across a coordinate axis; " + nearest_symmetry(mesh));
   return plane;
 }
 
