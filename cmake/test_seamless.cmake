@@ -1051,6 +1051,7 @@ file(WRITE "${WORK_DIR}/tiny.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nv
 vt 1e-300 1e-300\nvt 0 1e-300\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
 seamless(0 quads tiny.obj tiny_quads.obj --number 16)
 expect_message("${out}" "16 quads, 25 vertices")
+expect_message("${out}" "scaled Jacobian: least 1, mean 1; less than 0.1: 0 quads")
 
 # a flip that is smaller than the noise of the seam is repaired unasked
 set(thin "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\nv 0.5 0 0\n")

@@ -409,6 +409,8 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
     write_shape(os, *result.smoothed, result.diagonal);
     write_displacement(os, result.smoothed->number_of_displaced_vertices,
                        result.smoothed->largest_displacement);
+  } else if(result.topologies) {
+    write_jacobians(os, measure_jacobians(result.mesh));
   }
   write_summary(os, result.patches);
 }
@@ -437,6 +439,8 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
            if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
+          {"shape", if_known(result.topologies.has_value(),
+                             json_of_jacobians(measure_jacobians(result.mesh)))},
           {"smoothed", result.smoothed ? json_of_smoothing(*result.smoothed, result.diagonal)
                                        : nlohmann::json()},
           {"topology", json_of(result.topologies)},

@@ -12,8 +12,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <ostream>
+#include <vector>
 
 inline double diagonal(const Mesh& mesh)
 {
@@ -21,30 +24,72 @@ inline double diagonal(const Mesh& mesh)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
+// The scaled Jacobians of the quads among the faces, as of a remeshing.
+inline CGAL::Quad_remeshing::Remeshing_report measure_jacobians(const Mesh& mesh)
+{
+  CGAL::Quad_remeshing::Remeshing_report result;
+  result.least_scaled_jacobian = 1;
+  double sum = 0, number = 0;
+  for(const auto f : mesh.faces()) {
+    if(mesh.degree(f) != 4)
+      continue;
+    std::vector<Kernel::Point_3> p;
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      p.push_back(mesh.point(v));
+    const Kernel::Vector_3 normal = CGAL::cross_product(p[2] - p[0], p[3] - p[1]);
+    double least = 1;
+    for(std::size_t i = 0; i < 4; ++i) {
+      const Kernel::Vector_3 a = p[(i + 1) % 4] - p[i], b = p[(i + 3) % 4] - p[i];
+      const double scale =
+        std::sqrt(a.squared_length() * b.squared_length() * normal.squared_length());
+      least = (std::min)(least, scale > 0 ? CGAL::cross_product(a, b) * normal / scale : -1);
+    }
+    result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, least);
+    result.number_of_thin_quads += least < 0.1 ? 1 : 0;
+    sum += least;
+    ++number;
+  }
+  result.mean_scaled_jacobian = number > 0 ? sum / number : 1;
+  return result;
+}
+
+inline void write_jacobians(std::ostream& os,
+                            const CGAL::Quad_remeshing::Remeshing_report& report)
+{
+  os << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
+     << report.mean_scaled_jacobian << "; less than 0.1: "
+     << counted(report.number_of_thin_quads, "quad") << "\n";
+}
+
 // \param diagonal that of the input
 inline void write_shape(std::ostream& os, const CGAL::Quad_remeshing::Remeshing_report& report,
                         const double diagonal)
 {
-  os << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
-     << report.mean_scaled_jacobian << "; less than 0.1: "
-     << counted(report.number_of_thin_quads, "quad") << "\n"
-     << "largest distance from the input: " << report.largest_distance << ", that is "
+  write_jacobians(os, report);
+  os << "largest distance from the input: " << report.largest_distance << ", that is "
      << report.largest_distance / diagonal << " of its diagonal; of the input from the quads: "
      << report.largest_distance_of_input << ", that is "
      << report.largest_distance_of_input / diagonal << "\n";
 }
 
-inline nlohmann::json json_of_shape(const CGAL::Quad_remeshing::Remeshing_report& report,
-                                    const double diagonal)
+inline nlohmann::json json_of_jacobians(const CGAL::Quad_remeshing::Remeshing_report& report)
 {
   return {{"least_scaled_jacobian", report.least_scaled_jacobian},
           {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-          {"number_of_thin_quads", report.number_of_thin_quads},
-          {"largest_distance", report.largest_distance},
-          {"relative_largest_distance", report.largest_distance / diagonal},
-          {"largest_distance_of_input", report.largest_distance_of_input},
-          {"relative_largest_distance_of_input", report.largest_distance_of_input / diagonal},
-          {"diagonal", diagonal}};
+          {"number_of_thin_quads", report.number_of_thin_quads}};
+}
+
+inline nlohmann::json json_of_shape(const CGAL::Quad_remeshing::Remeshing_report& report,
+                                    const double diagonal)
+{
+  nlohmann::json result = json_of_jacobians(report);
+  result.update(nlohmann::json{
+    {"largest_distance", report.largest_distance},
+    {"relative_largest_distance", report.largest_distance / diagonal},
+    {"largest_distance_of_input", report.largest_distance_of_input},
+    {"relative_largest_distance_of_input", report.largest_distance_of_input / diagonal},
+    {"diagonal", diagonal}});
+  return result;
 }
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_SHAPE_REPORT_H
