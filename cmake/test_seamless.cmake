@@ -587,6 +587,7 @@ foreach(suffix IN ITEMS rosy rawfield)
   file(STRINGS "${WORK_DIR}/turned.obj" lines REGEX "^vt")
   expect("${lines}" lines MATCHES "vt [-0-9.]*70[67]") # half a diagonal of the square
   seamless(0 remesh sheet.off turned.off --field field.${suffix} --number 20)
+  expect_message("${out}" "directions of --field: quads are turned by ")
   file(WRITE "${WORK_DIR}/field.${suffix}" "${text} 5\n")
   seamless(3 remesh sheet.off turned.off --field field.${suffix})
   expect_message("${err}" "field.${suffix}: after the first two, there are ")

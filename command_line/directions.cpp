@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -83,4 +84,29 @@ Direction_map read_directions(const std::string& filename, const Repairs& repair
                   [&](const Mesh::Face_index f) { return has_effect(result[f], f, mesh); }))
     os << "note: " << filename << " has no effect: each direction is 0 or that of the normal\n";
   return result;
+}
+
+std::optional<double> median_turn(const Located_quads& quads, const Direction_map& directions,
+                                  const Mesh& mesh)
+{
+  std::vector<double> turns;
+  for(const Mesh::Face_index f : quads.mesh.faces()) {
+    const Mesh::Face_index g = quads.of_face[f].first;
+    if(!has_effect(directions[g], g, mesh))
+      continue;
+    const Kernel::Vector_3 normal = PMP::compute_face_normal(g, mesh);
+    const auto in_plane = [&](const Kernel::Vector_3& v) { return v - (v * normal) * normal; };
+    const Halfedge h = quads.mesh.halfedge(f);
+    const auto along = [&](const Halfedge e) {
+      return quads.mesh.point(quads.mesh.target(e)) - quads.mesh.point(quads.mesh.source(e));
+    };
+    const double angle = CGAL::approximate_angle(
+      in_plane(along(h) - along(quads.mesh.next(quads.mesh.next(h)))), in_plane(directions[g]));
+    turns.push_back((std::min)(std::fmod(angle, 90), 90 - std::fmod(angle, 90)));
+  }
+  if(turns.empty())
+    return std::nullopt;
+  const auto middle = turns.begin() + std::ptrdiff_t(turns.size() / 2);
+  std::nth_element(turns.begin(), middle, turns.end());
+  return *middle;
 }

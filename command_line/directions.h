@@ -5,8 +5,10 @@
 
 #include "Model.h"
 #include "Repairs.h"
+#include "attributes.h"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 using Direction_map = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
@@ -18,5 +20,10 @@ void check_direction_file(const std::string& filename);
 // without a name. Throws `Failure`, also if the faces were repaired. Tells if none has an effect.
 Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh,
                               std::ostream& os);
+
+// By how many degrees quads are turned against the directions of the faces below their middles, in
+// the median; nothing where no such face has one.
+std::optional<double> median_turn(const Located_quads& quads, const Direction_map& directions,
+                                  const Mesh& mesh);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_DIRECTIONS_H

@@ -285,6 +285,7 @@ struct Remesh_outcome
   double length_of_features = 0;
   QR::Remeshing_report report;
   double diagonal = 0; // of the input
+  std::optional<double> turn; // against the directions of --field
   std::optional<Topologies> topologies;
   std::optional<Patch_counts> patches;
 
@@ -313,6 +314,8 @@ struct Remesh_outcome
     if(report.median_size_deviation)
       os << "; " << 100 * *report.median_size_deviation << " % off the wanted length in the median";
     os << "\n";
+    if(turn)
+      os << "directions of --field: quads are turned by " << *turn << " degrees in the median\n";
   }
 
   nlohmann::json json(const bool is_written, const std::string& message) const
@@ -337,6 +340,7 @@ struct Remesh_outcome
       {"edge_lengths", report.edge_lengths},
       {"median_size_deviation", report.median_size_deviation
                                   ? nlohmann::json(*report.median_size_deviation) : nullptr},
+      {"median_turn_against_field", turn ? nlohmann::json(*turn) : nullptr},
       {"topology", json_of(topologies)},
       {"patches", json_of(patches)},
       {"length_of_features", length_of_features},
@@ -380,6 +384,7 @@ void remesh(const Arguments& arguments)
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
     os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
     outcome.diagonal = ::diagonal(model.mesh);
+    outcome.turn = median_turn(quads, directions, model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     for(std::size_t& f : report.first_inverted_quads) // as written
       if(!quads.written.empty())
