@@ -729,10 +729,14 @@ expect_message("${err}" "--edge-length makes less than one quad")
 seamless(0 remesh block.off block_quads.off --number 200 --report block.json)
 string(REGEX MATCH "from the input: ([0-9.e-]+),.*from the quads: ([0-9.e-]+)," match "${out}")
 expect("${out}" CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
+expect("${out}" NOT out MATCHES "cut off much")
 file(READ "${WORK_DIR}/block.json" json)
 expect_message("${json}" "\"largest_distance_of_input\"")
 expect_message("${out}" " % off the wanted length in the median")
 expect_message("${json}" "\"median_size_deviation\": 0")
+
+seamless(0 remesh block.off block_quads.off --coarsest)
+expect_message("${out}" "note: the quads cut off much of the input")
 
 # sizes that hardly vary hardly make cones, also where a surface is rough
 set(rough "OFF\n625 1152 0\n")

@@ -296,6 +296,9 @@ struct Remesh_outcome
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
        << (report.message.empty() ? "" : "note: " + report.message + "\n");
     write_shape(os, report, diagonal);
+    if((std::max)(report.largest_distance, report.largest_distance_of_input) > 0.1 * diagonal)
+      os << "note: the quads cut off much of the input; more of them, or features, as by "
+            "--feature-angle, keep it\n";
     write_edges(os);
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
