@@ -81,7 +81,9 @@ nlohmann::json json_of(const Summary& s, bool success, const std::string& messag
                      {"cut_branches", r.run.number_of_cut_branches},
                      {"align_branches", r.run.number_of_align_branches},
                      {"nodes", r.run.number_of_nodes},
-                     {"singular_vertices", r.run.number_of_singular_vertices}};
+                     {"singular_vertices", r.run.number_of_singular_vertices},
+                     {"edges_decided_by_surroundings",
+                      r.run.number_of_edges_decided_by_surroundings}};
   result["system"] = {{"unknowns", r.linear_solver.number_of_unknowns},
                       {"constraints", r.linear_solver.number_of_constraints},
                       {"redundant_constraints", r.linear_solver.number_of_redundant_constraints},
@@ -144,6 +146,10 @@ void write_snap(std::ostream& os, const Summary& s)
      << counted(r.run.number_of_cut_branches, "branch") << ", "
      << counted(r.run.number_of_nodes, "node") << ", "
      << counted(r.run.number_of_singular_vertices, "singular vertex") << "\n";
+  if(r.run.number_of_edges_decided_by_surroundings > 0)
+    os << "note: another rotation than the nearest one was taken for "
+       << counted(r.run.number_of_edges_decided_by_surroundings, "edge")
+       << ", which are short for the inaccuracy, by their surroundings\n";
   if(s.aligned_edges + s.left_out_edges > 0)
     os << counted(s.aligned_edges, "edge") << is_or_are(s.aligned_edges)
        << "kept on isocurves, in " << counted(r.run.number_of_align_branches, "branch") << "\n";

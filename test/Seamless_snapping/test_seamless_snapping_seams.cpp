@@ -90,8 +90,29 @@ Mesh graded_square(const double h)
   return mesh;
 }
 
+// The inner edges whose sides another rotation than 0 brings nearest to each other.
+std::size_t number_of_edges_to_turn(const Mesh& mesh, const UV_map& uv)
+{
+  std::size_t result = 0;
+  for(const auto e : mesh.edges()) {
+    if(mesh.is_border(e))
+      continue;
+    const auto h = mesh.halfedge(e), g = mesh.opposite(h);
+    Kernel::Vector_2 side = uv[h] - uv[mesh.prev(h)];
+    const Kernel::Vector_2 other = uv[mesh.prev(g)] - uv[g];
+    std::array<double, 4> residual;
+    for(double& r : residual) {
+      r = (std::max)(std::abs(side.x() - other.x()), std::abs(side.y() - other.y()));
+      side = side.perpendicular(CGAL::COUNTERCLOCKWISE);
+    }
+    result += *std::min_element(residual.begin(), residual.end()) < residual[0] ? 1 : 0;
+  }
+  return result;
+}
+
 void test_small_triangles()
 {
+  std::size_t number_of_turned_edges = 0;
   constexpr unsigned int seeds = 200;
   for(unsigned int seed = 1; seed <= seeds; ++seed)
     for(const double ratio : {0.2, 1., 5.}) {
@@ -104,11 +125,16 @@ void test_small_triangles()
       const auto transitions = SS::seam_transitions(mesh, uv);
       CHECK_IN(context, transitions.cut_halfedges().empty());
       CHECK_IN(context, transitions.singular_vertices().empty());
+      const std::size_t number = number_of_edges_to_turn(mesh, uv);
+      CHECK_IN(context, transitions.data().number_of_edges_decided_by_surroundings == number);
+      number_of_turned_edges += number;
       const auto report = SS::snap_to_seamless(mesh, uv);
       CHECK_IN(context, report.status == SS::Outcome::SNAPPED);
       CHECK_IN(context, report.largest_change <= 2 * ratio * h);
     }
-  std::cout << "small triangles: seeds 1 to " << seeds << std::endl;
+  std::cout << "small triangles: seeds 1 to " << seeds << ", " << number_of_turned_edges
+            << " edges keep another rotation than the nearest one" << std::endl;
+  CHECK(number_of_turned_edges > 0);
 }
 
 // --- an exact part beside one with noise ---------------------------------------------------------

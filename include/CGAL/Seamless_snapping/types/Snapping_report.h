@@ -41,7 +41,8 @@ struct Snapping_figures
   std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
   /// edges that are no cut, but whose sides differed in the input
   std::size_t number_of_merged_edges = 0;
-  /// edges too short to tell their rotation, which took it from their surroundings
+  /// edges too short to tell their rotation, which took another one from their surroundings than
+  /// the one that fits them best by themselves
   std::size_t number_of_edges_decided_by_surroundings = 0;
   /// interior vertices whose holonomy is not the identity
   std::size_t number_of_singular_vertices = 0;

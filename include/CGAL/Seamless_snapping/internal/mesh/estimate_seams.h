@@ -54,11 +54,15 @@ public:
                  const Vertex_incidences& incidences, std::vector<Edge>& edges)
     : m_surface(surface), m_order(order), m_scale(scale), m_tolerance(tolerance), m_ends(ends),
       m_incidences(incidences), m_edges(edges), m_is_decided(edges.size(), true),
-      m_is_soft(edges.size(), false), m_is_by_surroundings(edges.size(), false),
+      m_is_soft(edges.size(), false),
       m_number_of_undecided(incidences.size(), 0), m_is_border(incidences.size(), UNKNOWN)
-  { }
+  {
+    for(const Edge& edge : edges)
+      m_best.push_back(edge.rotation);
+  }
 
-  // Returns the number of edges that were decided by their surroundings.
+  // Returns the number of edges whose surroundings ask for another rotation than the one that fits
+  // them best by themselves.
   std::size_t run()
   {
     estimate_noise();
@@ -68,8 +72,10 @@ public:
     continue_branches();
     if(m_has_corner_noise) // else others fit best as they are
       leave_few_cones();
-    return std::size_t(
-      std::count(m_is_by_surroundings.begin(), m_is_by_surroundings.end(), true));
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      number += m_edges[i].rotation == m_best[i] ? 0 : 1;
+    return number;
   }
 
 private:
@@ -188,10 +194,7 @@ private:
   }
 
   void turn(const std::size_t i, const Element g)
-  {
-    set_rotation<Group>(m_edges[i], Edge_vectors(m_edges[i].sides), g, m_scale);
-    m_is_by_surroundings[i] = true;
-  }
+  { set_rotation<Group>(m_edges[i], Edge_vectors(m_edges[i].sides), g, m_scale); }
 
   void set_decided(const std::size_t i)
   {
@@ -323,7 +326,7 @@ private:
   std::vector<Edge>& m_edges;
   std::vector<double> m_noise; // per edge
   std::vector<char> m_is_decided, m_is_soft; // per edge: now, and not by itself
-  std::vector<char> m_is_by_surroundings;    // per edge: took its rotation from them
+  std::vector<Element> m_best; // per edge: what fits it by itself
   std::vector<int> m_number_of_undecided; // per vertex: edges
   std::vector<char> m_is_border, m_is_reached; // per vertex
   std::deque<Vertex_index> m_queue;
