@@ -840,6 +840,7 @@ foreach(line IN ITEMS "property uchar red" "property float quality" "property in
     "\n4 [0-9 ]* 5 ?\n")
   expect("${text}" text MATCHES "${line}")
 endforeach()
+expect("${text}" NOT text MATCHES "alpha")
 # an opacity is one of the colors
 string(REPLACE "uchar blue\n" "uchar blue\nproperty uchar alpha\n" opaque "${ply}")
 string(REPLACE " 9\n" " 9 128\n" opaque "${opaque}")

@@ -145,44 +145,36 @@ void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
     }
 }
 
-// CGAL reads the opacity of colors as a property of its own, and writes it with these.
-template <typename Key, typename Range>
-void take_alpha(const std::string& name, const Range& keys,
-                const Mesh::Property_map<Key, CGAL::IO::Color>& colors, Mesh& quads)
+// As three numbers: CGAL reads them into one property, and would write that with an opacity.
+// \param color_of a vertex or face: three numbers
+template <typename Key, typename Keys, typename Color_of>
+void add_colors(const std::string& prefix, const Keys& keys, const Color_of& color_of, Mesh& quads)
 {
-  auto [alpha, exists] = quads.property_map<Key, std::uint8_t>(name);
-  if(!exists)
-    return;
-  for(const Key k : keys) {
-    const CGAL::IO::Color c = colors[k];
-    colors[k] = CGAL::IO::Color(c.red(), c.green(), c.blue(), alpha[k]);
+  constexpr const char* names[] = {"red", "green", "blue"};
+  for(std::size_t c = 0; c < 3; ++c) {
+    const auto map = quads.add_property_map<Key, std::uint8_t>(prefix + names[c]).first;
+    for(const Key k : keys)
+      map[k] = std::uint8_t(std::lround(color_of(k)[c]));
   }
-  quads.remove_property_map(alpha);
 }
 
 void carry_over_colors(const Model& model, const Mesh& file, Located_quads& quads)
 {
   using CGAL::IO::Color;
-  if(const auto found = file.property_map<Vertex, Color>("v:color"); found.second) {
-    const auto& colors = found.first;
-    const auto map = quads.mesh.add_property_map<Vertex, Color>("v:color").first;
-    for(const Vertex v : quads.mesh.vertices()) {
+  if(const auto found = file.property_map<Vertex, Color>("v:color"); found.second)
+    add_colors<Vertex>("v:", quads.mesh.vertices(), [&](const Vertex v) {
       std::array<double, 3> sum{};
-      for_each_corner_in_file(model, file, quads.of_vertex[v], [&](const Vertex w, const double weight) {
+      for_each_corner_in_file(model, file, quads.of_vertex[v],
+                              [&](const Vertex w, const double weight) {
         for(std::size_t c = 0; c < 3; ++c)
-          sum[c] += weight * colors[w][c];
+          sum[c] += weight * found.first[w][c];
       });
-      const auto rounded = [](const double x) { return static_cast<unsigned char>(std::lround(x)); };
-      map[v] = Color(rounded(sum[0]), rounded(sum[1]), rounded(sum[2]));
-    }
-    take_alpha("v:alpha", quads.mesh.vertices(), map, quads.mesh);
-  }
-  if(const auto [colors, exists] = file.property_map<Face, Color>("f:color"); exists) {
-    const auto map = quads.mesh.add_property_map<Face, Color>("f:color").first;
-    for(const Face f : quads.mesh.faces())
-      map[f] = colors[Face(Mesh::size_type(file_face(model, quads.of_face[f].first)))];
-    take_alpha("f:alpha", quads.mesh.faces(), map, quads.mesh);
-  }
+      return sum;
+    }, quads.mesh);
+  if(const auto found = file.property_map<Face, Color>("f:color"); found.second)
+    add_colors<Face>("f:", quads.mesh.faces(), [&](const Face f) {
+      return found.first[Face(Mesh::size_type(file_face(model, quads.of_face[f].first)))];
+    }, quads.mesh);
 }
 
 template <typename... Types>
@@ -493,9 +485,10 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
     std::cerr << "note: " << input << " is no mesh before repairs: what hangs on it is not carried "
               << "over" << std::endl;
   } else if(has_properties) {
-    carry_over_all<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t,
-                   std::uint32_t, float, double>(model, file, quads);
+    carry_over_all<std::int8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float,
+                   double>(model, file, quads);
     carry_over_colors(model, file, quads);
+    carry_over<std::uint8_t>(model, file, quads); // as an opacity, which goes with colors
   }
   const std::string text = text_of_quads(quads.mesh, quads.is_feature, filename);
   if(has_properties)
