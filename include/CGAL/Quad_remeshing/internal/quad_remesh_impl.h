@@ -503,7 +503,8 @@ private:
                                 .number_of_untangling_iterations(untangling_iterations(500))
                                 .largest_cone_index(largest_cone_index)
                                 .least_cone_distance(least_cone_distance)
-                                .known_fields(&m_known_fields).verbose(m_options.verbose));
+                                .known_fields(&m_known_fields)
+                                .verbose(m_options.verbose));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made.status, with_face_of_input(made.message));

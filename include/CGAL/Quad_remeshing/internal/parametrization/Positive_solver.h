@@ -84,7 +84,7 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     const std::size_t flips = number_of_flips(surface, complex, uv);
     if(round < number_of_rounds && flips > 0)
       stiffen(surface, complex, uv, weights);
-    report.number_of_stiffening_rounds = static_cast<std::size_t>(round);
+    report.number_of_stiffening_rounds += round > 0 ? 1 : 0;
     tell_flips(flips);
     if(round == 0 || flips < report.number_of_flipped_faces) {
       best.swap(unknowns);

@@ -48,13 +48,39 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
   return {surface.length[h] * std::cos(angle), surface.length[h] * std::sin(angle)};
 }
 
+using Columns = Eigen::SparseMatrix<double>;
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+// That of a.transpose() * b, a column at a time.
+inline void add_lower_triangle_of_product(const Columns& a, const Rows& b, Sparse_system& system)
+{
+  std::vector<double> column(system.dimension(), 0);
+  std::vector<char> has_entry(system.dimension(), false);
+  std::vector<std::size_t> entries;
+  for(int j = 0; j < a.outerSize(); ++j) {
+    for(Columns::InnerIterator row(a, j); row; ++row)
+      for(Rows::ReverseInnerIterator entry(b, row.row()); entry && entry.col() >= j; --entry) {
+        const std::size_t i = std::size_t(entry.col());
+        column[i] += row.value() * entry.value();
+        if(!has_entry[i])
+          entries.push_back(i);
+        has_entry[i] = true;
+      }
+    for(const std::size_t i : entries) {
+      system.add(i, std::size_t(j), column[i]);
+      column[i] = 0;
+      has_entry[i] = false;
+    }
+    entries.clear();
+  }
+}
+
 // Adds the coefficients of the sum over the halfedges of weight * |uv difference|^2, by a product
 // of matrices: this takes less time where coordinates are long sums.
 template <typename Weight>
 void add_product(const Triangle_surface& surface, const Surface_complex& complex,
                  const Coordinate_table& table, const Weight& weight, Sparse_system& system)
 {
-  using Matrix = Eigen::SparseMatrix<double>;
   using Term = Eigen::Triplet<double>;
   const Eigen::Index number = Eigen::Index(2 * complex.number_of_sectors());
   std::vector<Term> terms;
@@ -65,19 +91,17 @@ void add_product(const Triangle_surface& surface, const Surface_complex& complex
       for(const Term& t : {Term(p, p, 1), Term(q, q, 1), Term(p, q, -1), Term(q, p, -1)})
         terms.emplace_back(t.row(), t.col(), t.value() * weight(h));
     }
-  Matrix squares(number, number);
+  Rows squares(number, number);
   squares.setFromTriplets(terms.begin(), terms.end());
   terms.clear();
   for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
     for(std::size_t c = 0; c < 2; ++c)
       table.for_each_term(s, c, [&](const std::size_t i, const double factor)
                           { terms.emplace_back(int(2 * s + c), int(i), factor); });
-  Matrix rows(number, Eigen::Index(system.dimension()));
+  Columns rows(number, Eigen::Index(system.dimension()));
   rows.setFromTriplets(terms.begin(), terms.end());
-  const Matrix product = rows.transpose() * Matrix(squares * rows);
-  for(int j = 0; j < product.outerSize(); ++j)
-    for(Matrix::InnerIterator entry(product, j); entry; ++entry)
-      system.add(std::size_t(entry.row()), std::size_t(j), entry.value());
+  const Rows images = squares * Rows(rows);
+  add_lower_triangle_of_product(rows, images, system);
 }
 
 inline double cotangent_weight(const Triangle_surface& surface, const std::vector<double>& weights,
@@ -121,17 +145,20 @@ std::vector<double> solve_poisson(const Triangle_surface& surface,
                                   const std::vector<double>& weights,
                                   Sparse_system& system)
 {
-  std::vector<double> right_hand_side(system.dimension(), 0);
-  Sparse_row row;
+  std::vector<std::array<double, 2> > at_sectors(complex.number_of_sectors(), {{0, 0}});
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     const double weight = cotangent_weight(surface, weights, h);
     const std::array<double, 2> wanted = wanted_difference(h);
     for(std::size_t c = 0; c < 2; ++c) {
-      table.difference(complex.sector(h), complex.sector(surface.prev(h)), c, row);
-      for(const auto& [i, a] : row)
-        right_hand_side[i] += weight * a * wanted[c];
+      at_sectors[complex.sector(h)][c] += weight * wanted[c];
+      at_sectors[complex.sector(surface.prev(h))][c] -= weight * wanted[c];
     }
   }
+  std::vector<double> right_hand_side(system.dimension(), 0);
+  for(std::size_t s = 0; s < complex.number_of_sectors(); ++s)
+    for(std::size_t c = 0; c < 2; ++c)
+      table.for_each_term(s, c, [&](const std::size_t i, const double factor)
+                          { right_hand_side[i] += factor * at_sectors[s][c]; });
   return system.solve(right_hand_side);
 }
 
