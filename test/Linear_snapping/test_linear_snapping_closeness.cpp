@@ -16,13 +16,16 @@
 #include "random_systems.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LS = CGAL::Linear_snapping;
@@ -93,6 +96,52 @@ void test_laplace_grid(const int k, const unsigned int seed)
   const Values before(x);
   snap("Laplace grid, k = " + std::to_string(k), c, x);
   CHECK(largest_difference(before, x) < 1e-8);
+}
+
+// --- refinements ---------------------------------------------------------------------------------
+
+// Each row has an unknown that only later levels use, as 8 f = a + 6 b + c: an elimination by the
+// coefficients 1 would make coefficients of hundreds of bits. Rows and unknowns come in any order.
+void test_refinement(const unsigned int seed, const std::size_t coarse, const std::size_t of_level,
+                     const bool has_right_hand_sides)
+{
+  constexpr std::size_t levels = 3;
+  Random random(seed);
+  std::vector<std::size_t> column(coarse + levels * of_level);
+  std::iota(column.begin(), column.end(), std::size_t(0));
+  std::shuffle(column.begin(), column.end(), random);
+  Values solution(column.size());
+  for(std::size_t j = 0; j < coarse; ++j)
+    solution[column[j]] = random_real(random);
+  std::vector<std::pair<std::vector<std::pair<std::size_t, std::int64_t> >, double> > rows;
+  for(std::size_t j = coarse; j < column.size(); ++j) {
+    const std::size_t earlier = coarse + (j - coarse) / of_level * of_level;
+    const std::int64_t factor =
+      std::array<std::int64_t, 4>{{2, 4, 8, has_right_hand_sides ? 2 : 3}}[random() % 4];
+    std::map<std::size_t, std::int64_t> terms;
+    for(std::int64_t i = 0; i < factor; ++i)
+      --terms[column[random() % earlier]];
+    const double b = has_right_hand_sides ? std::ldexp(double(random() % 9), -8) : 0;
+    double sum = b;
+    for(const auto& [k, a] : terms)
+      sum -= double(a) * solution[k];
+    solution[column[j]] = sum / double(factor);
+    rows.push_back({{terms.begin(), terms.end()}, b});
+    rows.back().first.emplace_back(column[j], factor);
+  }
+  std::shuffle(rows.begin(), rows.end(), random);
+  LS::Linear_constraints<Rational> c(column.size());
+  for(const auto& [terms, b] : rows)
+    c.add_constraint(std::vector<std::pair<std::size_t, Rational> >(terms.begin(), terms.end()),
+                     Rational(b));
+  Values x(solution);
+  for(double& v : x)
+    v += 1e-9 * random_real(random);
+  const LS::Linear_report report =
+    snap("refinement of " + std::to_string(column.size()) + ", seed " + std::to_string(seed), c, x);
+  CHECK(report && report.distance_ratio < 10);
+  CHECK(largest_difference(solution, x) < 1e-8);
+  CHECK(report.linear_solver.coefficient_bits < 40);
 }
 
 // --- unknowns that many rows share ---------------------------------------------------------------
@@ -544,5 +593,7 @@ int main(int argc, char** argv)
     test_knapsack_row(n, 40, 1);
   for(const int k : {10, 20, 30})
     test_laplace_grid(k, 1);
+  for(unsigned int i = 1; i <= 20; ++i)
+    test_refinement(i, 200, 20 * i, i % 2 == 0);
   return report_checks();
 }

@@ -41,7 +41,7 @@ struct Linear_solver_figures
   std::size_t number_of_unknowns = 0;              ///< columns
   std::size_t number_of_constraints = 0;           ///< rows
   std::size_t number_of_redundant_constraints = 0; ///< rows implied by others
-  /// independent rows for which no pivot \f$ \pm 1 \f$ was found
+  /// independent rows whose pivot is not \f$ \pm 1 \f$
   std::size_t number_of_non_unit_pivots = 0;
   std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
   std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination

@@ -24,6 +24,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>
 #include <CGAL/Linear_snapping/internal/linear/lattice_reduction.h>
+#include <CGAL/Linear_snapping/internal/linear/triangular_form.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/types/Linear_report.h>
 
@@ -33,6 +34,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,8 +60,12 @@ public:
                    const bool may_be_finer)
     : m_system(input.system), m_weights(input.weights), m_format(format),
       m_number_of_representable_columns(input.number_of_representable_columns),
-      m_may_be_finer(may_be_finer), m_form(eliminate(m_system))
+      m_may_be_finer(may_be_finer)
   {
+    std::optional<Echelon_form> form;
+    if(may_be_finer) // multiples are too coarse for faces
+      form = triangular_form(m_system);
+    m_form = form ? std::move(*form) : eliminate(m_system);
     if(!m_form.rows_in_core.empty()) {
       m_core = whole_system();
       if(m_core == nullptr)
@@ -115,11 +121,12 @@ public:
     figures.number_of_redundant_constraints +=
       m_form.redundant_rows.size() + (m_core == nullptr ? 0 : m_core->number_of_redundant_rows());
     figures.number_of_non_unit_pivots +=
-      is_whole() ? core_rank - m_form.rows_with_pivot.size() : core_rank;
+      is_whole() ? core_rank - m_form.rows_with_pivot.size()
+                 : core_rank + m_form.number_of_non_unit_pivots;
     figures.number_of_coefficients += m_system.number_of_entries();
     figures.number_of_eliminated_coefficients += m_form.number_of_coefficients;
     Exact_integer largest = m_form.largest_coefficient;
-    double largest_pivot = m_form.pivot_columns.empty() ? 0 : 1;
+    double largest_pivot = m_form.pivot_columns.empty() ? 0 : double(m_form.largest_pivot);
     if(m_core != nullptr) {
       largest = (std::max)(largest, m_core->largest_coefficient());
       largest_pivot = (std::max)(largest_pivot, CGAL::to_double(m_core->largest_pivot()));
@@ -179,7 +186,8 @@ private:
       return coarsest;
     if(!is_dyadic())
       return m_format.minimum_exponent - 1;
-    const int shift = m_core == nullptr ? 0 : static_cast<int>(*m_core->right_hand_shift());
+    const int shift = m_core == nullptr ? m_form.right_hand_halvings
+                                        : static_cast<int>(*m_core->right_hand_shift());
     return (std::min)(coarsest, -m_system.right_hand_scale() - shift);
   }
 
@@ -428,7 +436,7 @@ private:
       return many;
     if(core == nullptr || !core->is_whole()) {
       for(const Column_index column : m_free_columns)
-        if(!solution.grid.nearest(solution.optimum[std::size_t(column)], x[std::size_t(column)]))
+        if(!nearest(column, solution))
           return many;
       for(std::size_t i = m_form.pivot_columns.size(); i-- > 0;)
         if(!back_substitute(i, shift, x))
@@ -448,7 +456,24 @@ private:
     return excess;
   }
 
-  // [MC19] Eq. (2') for one pivot row, whose pivot is 1 or -1. The sum is exact whatever its order,
+  // Chooses a free unknown; false if it exceeds 2^62.
+  bool nearest(const Column_index column, Component_solution& solution) const
+  {
+    Grid_value v = solution.optimum[std::size_t(column)];
+    std::int64_t& x = solution.x[std::size_t(column)];
+    const std::int64_t multiple =
+      m_form.multiples.empty() ? 1 : m_form.multiples[std::size_t(column)];
+    if(multiple == 1)
+      return solution.grid.nearest(v, x);
+    if(!(std::abs(to_double(v)) < machine_integer_bound &&
+         std::abs(v.offset) < machine_integer_bound))
+      return false;
+    const double rest = (double(v.base % multiple) + v.offset) / double(multiple);
+    x = multiple * (v.base / multiple + nearest_integer(rest));
+    return true;
+  }
+
+  // [MC19] Eq. (2') for one pivot row, which its pivot divides. The sum is exact whatever its order,
   // so Algorithm 5 has nothing left to do. Returns false if the value exceeds 2^62.
   bool back_substitute(const std::size_t row, const int right_hand_shift,
                        std::vector<std::int64_t>& x) const
@@ -467,7 +492,7 @@ private:
       }
     if(!fits && !large_sum(rows.exact_row(row), right_hand_shift, x, column, sum, pivot))
       return false;
-    value = -pivot * sum;
+    value = -sum / pivot;
     return fits_64_bits(value);
   }
 

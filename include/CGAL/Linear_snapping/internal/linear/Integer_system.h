@@ -221,9 +221,9 @@ private:
 };
 
 // Invariant: the pivot rows, the core rows, and the equations of the auxiliary unknowns have
-// together the solutions of the system, apart from contradictory rows. The pivot of a row is 1 or
-// -1, in a column that neither later pivot rows nor core rows hold, so that back-substitution runs
-// through them in reverse.
+// together the solutions of the system, apart from contradictory rows. The pivot of a row is in a
+// column that neither later pivot rows nor core rows hold, so that back-substitution runs through
+// them in reverse. It is 1 or -1, or divides the row where all unknowns are such multiples.
 struct Echelon_form
 {
   Integer_system pivot_rows; // in the order of elimination
@@ -235,7 +235,11 @@ struct Echelon_form
   // Rows of the system. Those that became pivot rows are linearly independent.
   std::vector<Row_index> rows_with_pivot, rows_in_core, redundant_rows, contradictory_rows;
 
-  std::size_t number_of_coefficients = 0;
+  std::vector<std::int64_t> multiples; // per column, for pivots that are not 1; empty: any integers
+  int right_hand_halvings = 0; // by which grids must be finer for the right-hand sides
+
+  std::size_t number_of_coefficients = 0, number_of_non_unit_pivots = 0; // of pivot rows
+  std::int64_t largest_pivot = 1;
   Exact_integer largest_coefficient = Exact_integer(0); // met on the way
   bool is_multiprecision = false;
 };
