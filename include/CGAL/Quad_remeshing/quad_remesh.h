@@ -141,12 +141,14 @@ template <typename TriangleMesh, typename NamedParameters>
 Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np,
                                     const bool has_single_precision)
 {
+  constexpr std::size_t most_smoothing_rounds = 1000;
   Quantization_options quantization = quantization_options(tmesh, np);
   quantization.needs_face_graph = true;
   *quantization.work = Work::of_size(double(num_faces(tmesh)) + quantization.number_of_quads);
   return {quantization, chosen(np, internal_np::curvature_alignment, std::optional<double>()),
           chosen(np, internal_np::curvature_adaptivity, 1.),
-          chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
+          (std::min)(chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
+                     most_smoothing_rounds),
           chosen(np, internal_np::verbose, false), has_single_precision};
 }
 
@@ -446,7 +448,7 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
                     image of the other, rounded to `double`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
-    \cgalParamDescription{the number of rounds of smoothing; 0 for none}
+    \cgalParamDescription{the number of rounds of smoothing, at most 1,000; 0 for none}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`5`}
   \cgalParamNEnd
