@@ -775,7 +775,7 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
     quantization, model.mesh, defaults, true,
     internal::cell_mesh_output(model.mesh, quads, defaults));
   CHECK_IN(name + ": " + report.message, bool(report));
-  const std::size_t number_of_folds = internal::close_folds(quads);
+  const std::size_t number_of_folds = internal::close_folds(quads, internal::holes_of_two_edges(Mesh()));
   quads.collect_garbage();
   CHECK_IN(name, quads.number_of_faces() == report.number_of_faces &&
                    report.number_of_faces + number_of_folds == quantization.number_of_quads);
@@ -1169,7 +1169,7 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
     quantization, map.mesh, parameters::default_values(), true,
     internal::cell_mesh_output(map.mesh, quads, np));
   CHECK_IN(report.message, bool(report));
-  CHECK_EQUAL(internal::close_folds(quads), sides.size());
+  CHECK_EQUAL(internal::close_folds(quads, internal::holes_of_two_edges(Mesh())), sides.size());
   quads.collect_garbage();
   CHECK(lie_where_told(quads, map.mesh, location));
   CHECK(CGAL::is_valid_polygon_mesh(quads) && !has_double_edges(quads));
@@ -1261,6 +1261,23 @@ void test_empty_mesh()
   check(graph.status(), QR::Outcome::INVALID_ARGUMENT, graph.message());
   const auto remeshed = QR::quad_remesh(empty, quads);
   check(remeshed.status, QR::Outcome::INVALID_ARGUMENT, remeshed.message);
+}
+
+// What the mesh has before is not touched, such as a hole of two edges, which folds leave, too.
+void test_addition_of_quads()
+{
+  const Square_complex complex = test_meshes::torus(1, 2);
+  const Grid_map map(complex, 16, 4);
+  const QR::Quantization quantization =
+    QR::quantize(map.mesh, map.uv, parameters::target_number_of_quads(100).needs_face_graph(true));
+  Mesh quads;
+  const auto h = CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0),
+                                        Point_3(0, 0, 1), quads);
+  CGAL::Euler::split_face(h, quads.prev(h), quads); // beside the edge, which has two faces now
+  CGAL::Euler::make_hole(quads.degree(quads.face(h)) == 2 ? h : quads.opposite(h), quads);
+  CHECK_EQUAL(internal::holes_of_two_edges(quads).size(), 1u);
+  CHECK(bool(QR::extract_quad_mesh(quantization, map.mesh, quads)));
+  CHECK(quads.number_of_removed_edges() == 0 && quads.number_of_faces() > 50);
 }
 
 void test_remeshing()
@@ -2601,6 +2618,7 @@ int main()
     test_unaligned_borders();
     test_folds();
     test_empty_mesh();
+    test_addition_of_quads();
     test_doubled_strips();
     test_search();
     test_choices_of_search();

@@ -76,8 +76,10 @@ struct Remeshing_report
   std::size_t number_of_forced_quads = 0;
   /// features that are not kept as they force quads, with `maximum_feature_loss`
   std::vector<Released_feature> released_features;
-  double least_scaled_jacobian = 0;   ///< the least sine of an angle of a quad; 1 is best
-  double mean_scaled_jacobian = 0;    ///< the mean over the quads of their least sines
+  /// the least one of a quad: of the sines of its angles, times the cosine between the corner's
+  /// normal and that of the quad, which is across its diagonals; 1 is best
+  double least_scaled_jacobian = 0;
+  double mean_scaled_jacobian = 0; ///< the mean over the quads
   /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
   /// line among them
   std::size_t number_of_thin_quads = 0;

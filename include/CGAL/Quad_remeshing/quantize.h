@@ -37,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,22 +162,31 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
   return run_and_write<ConcurrencyTag>(extractor, tmesh, np, locate_point, output);
 }
 
-// Makes one edge of the two around each hole that a quad around a vertex of one edge has left.
-// Returns the number of holes.
+// A quad around a vertex of one edge leaves such a hole.
 template <typename QuadMesh>
-std::size_t close_folds(QuadMesh& quads)
+auto holes_of_two_edges(const QuadMesh& quads)
 {
-  using Halfedge = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
-  std::vector<Halfedge> holes;
-  for(const Halfedge h : halfedges(quads))
+  std::set<typename boost::graph_traits<QuadMesh>::halfedge_descriptor> result;
+  for(const auto h : halfedges(quads))
     if(CGAL::is_border(h, quads) && next(next(h, quads), quads) == h &&
        target(h, quads) < source(h, quads))
-      holes.push_back(h);
-  for(const Halfedge h : holes) {
-    CGAL::Euler::fill_hole(h, quads);
-    CGAL::Euler::join_face(opposite(h, quads), quads);
-  }
-  return holes.size();
+      result.insert(h);
+  return result;
+}
+
+// Makes one edge of the two around each hole, but for those that were there before. Returns the
+// number of holes.
+template <typename QuadMesh, typename Holes>
+std::size_t close_folds(QuadMesh& quads, const Holes& holes_before)
+{
+  std::size_t number = 0;
+  for(const auto h : holes_of_two_edges(quads))
+    if(holes_before.find(h) == holes_before.end()) {
+      CGAL::Euler::fill_hole(h, quads);
+      CGAL::Euler::join_face(opposite(h, quads), quads);
+      ++number;
+    }
+  return number;
 }
 
 } // namespace internal
@@ -385,11 +395,12 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
                                       CGAL::parameters::default_values())
 {
   const bool leave_out_folds = quantization && quantization.surface().is_for_face_graph;
+  const auto holes_before = internal::holes_of_two_edges(quads);
   const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
     quantization, tmesh, internal::strip(np1), leave_out_folds,
     internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
   if(report && leave_out_folds)
-    internal::close_folds(quads);
+    internal::close_folds(quads, holes_before);
   return report;
 }
 
