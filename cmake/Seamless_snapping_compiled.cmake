@@ -9,7 +9,6 @@ set(Quad_remeshing_parts quads)
 set(linear Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
-  Seamless_snapping/internal/mesh/hint_on_symmetry
   Seamless_snapping/internal/snapping/surface_solvers)
 set(volumes Seamless_snapping/internal/volume/volume_snappers)
 set(layouts Isocurves_and_layouts/internal/layout/Refined_faces

@@ -6,8 +6,8 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
-#include <CGAL/Linear_snapping/internal/linear/exact_evaluation.h>
 
 #include "checking.h"
 #include "random_numbers.h"

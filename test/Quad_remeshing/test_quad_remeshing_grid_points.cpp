@@ -3,7 +3,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
-#include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 
 #include "checking.h"
 #include "random_numbers.h"

@@ -17,14 +17,14 @@
 
 // Checking and measuring integer-grid maps.
 
-#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/remove_faces.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
-#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
@@ -100,7 +100,8 @@ void measure_cuts_and_cones(const Basic_chart_mesh<Group>& mesh, Integer_grid_me
       continue;
     const Uv& u = mesh.uv(mesh.corner_at_vertex[v]);
     ++measure.number_of_cones;
-    measure.number_of_half_integer_cones += is_half_integer(u) ? 1 : 0;
+    measure.number_of_half_integer_cones +=
+      std::abs(u[0] - std::floor(u[0])) == 0.5 && std::abs(u[1] - std::floor(u[1])) == 0.5 ? 1 : 0;
     measure.number_of_noninteger_cones += distance_to_integer(u) != 0 ? 1 : 0;
     measure.cone_distance = (std::max)(measure.cone_distance, distance_to_integer(u));
   }

@@ -22,7 +22,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
-#include <CGAL/Linear_snapping/internal/linear/Scaled_double.h>
+#include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -19,9 +19,9 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
+#include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
-#include <CGAL/Linear_snapping/internal/linear/exact_evaluation.h>
 #include <CGAL/Linear_snapping/internal/linear/snap_values.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>

@@ -26,9 +26,9 @@
 #include <CGAL/Quad_remeshing/internal/cells/Cell_complex.h>
 #include <CGAL/Quad_remeshing/internal/cells/Dart_tracer.h>
 #include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Quad_remeshing/internal/cells/cells_with_border.h>
 #include <CGAL/Quad_remeshing/internal/cells/check_cells.h>
-#include <CGAL/Quad_remeshing/internal/cells/measure_grid.h>
 #include <CGAL/Quad_remeshing/types/Extraction_report.h>
 
 #include <algorithm>
@@ -208,10 +208,12 @@ private:
 
   bool check_cone(const std::size_t v)
   {
-    const Cone_place place = cone_place(m_mesh, v);
+    int lines = 0; // of the grid: as many in all charts, which differ by integers
+    for(std::size_t c = 0; c < std::size_t(Group::number_of_functionals); ++c)
+      lines += is_integer(m_mesh.component(m_mesh.corner_at_vertex[v], c)) ? 1 : 0;
     ++m_report.number_of_cones;
-    m_report.number_of_cones_in_cells += place == Cone_place::IN_CELL ? 1 : 0;
-    return place != Cone_place::ON_LINE ||
+    m_report.number_of_cones_in_cells += lines == 0 ? 1 : 0;
+    return lines != 1 ||
            refuse(m_report, Outcome::NOT_INTEGER,
                   "the cone at vertex " + vertex_name(m_mesh.corner_at_vertex[v]) +
                     " lies on a line of the grid, but on no point of it" + make_integer() +

@@ -19,7 +19,7 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
-#include <CGAL/Quad_remeshing/internal/cells/place_on_surface.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/write_cells.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -22,11 +22,15 @@
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +43,43 @@ struct Surface_part
   std::ptrdiff_t euler_characteristic = 0;
   std::size_t number_of_unaligned_edges = 0; // of the border, that don't lie on a line of the grid
   Exact_rational twice_area{0};
+
+  Surface_part& operator+=(const Surface_part& more)
+  {
+    euler_characteristic += more.euler_characteristic;
+    number_of_unaligned_edges += more.number_of_unaligned_edges;
+    twice_area += more.twice_area;
+    return *this;
+  }
 };
+
+// What elements add to the parts of a surface that they lie in. Summed up in chunks of elements, in
+// which parts change rarely.
+// \param part_of(i) the part of element i
+// \param add(i, sum) adds the element
+template <typename Sum, typename ConcurrencyTag, typename Part_of, typename Add>
+std::vector<Sum> sums_of_parts(const std::size_t number_of_elements,
+                               const std::size_t number_of_parts, const Part_of& part_of,
+                               const Add& add)
+{
+  using Run = std::pair<std::size_t, Sum>; // successive elements of a part
+  const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
+    number_of_elements, [&](const Chunk& chunk) {
+      std::vector<Run> result;
+      for(std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const std::size_t part = part_of(i);
+        if(result.empty() || result.back().first != part)
+          result.push_back({part, {}});
+        add(i, result.back().second);
+      }
+      return result;
+    });
+  std::vector<Sum> sums(number_of_parts);
+  for(const std::vector<Run>& of_chunk : runs)
+    for(const Run& run : of_chunk)
+      sums[run.first] += run.second;
+  return sums;
+}
 
 // Whether the edge runs along a line of the grid.
 template <typename Group>
@@ -84,11 +124,14 @@ public:
   explicit Surface_parts(const Basic_chart_mesh<Group>& mesh, ConcurrencyTag = ConcurrencyTag())
   {
     number_parts(mesh);
-    const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
-      mesh.corners.size() / 3, [&](const Chunk& faces) { return measure(mesh, faces); });
-    for(const std::vector<Run>& of_chunk : runs)
-      for(const Run& run : of_chunk)
-        add(run.data, m_data[run.part]);
+    const auto sums = sums_of_parts<Surface_part, ConcurrencyTag>(
+      mesh.corners.size() / 3, size(), [&](const std::size_t f) { return part_of_face(f); },
+      [&](const std::size_t f, Surface_part& sum) {
+        for(std::size_t i = 3 * f; i < 3 * f + 3; ++i)
+          add_corner(mesh, Corner_index(i), sum);
+      });
+    for(std::size_t i = 0; i < size(); ++i)
+      m_data[i] += sums[i];
   }
 
   std::size_t size() const { return m_data.size(); }
@@ -97,13 +140,6 @@ public:
   { return m_parts.empty() ? 0 : std::size_t(m_parts[f]); }
 
 private:
-  // What successive faces of a part add to it.
-  struct Run
-  {
-    std::size_t part;
-    Surface_part data;
-  };
-
   template <typename Group>
   void number_parts(const Basic_chart_mesh<Group>& mesh)
   {
@@ -114,27 +150,6 @@ private:
         m_data.push_back({f});
     if(m_data.size() == 1)
       std::vector<std::int32_t>().swap(m_parts);
-  }
-
-  template <typename Group>
-  std::vector<Run> measure(const Basic_chart_mesh<Group>& mesh, const Chunk& faces) const
-  {
-    std::vector<Run> runs;
-    for(std::size_t f = faces.begin; f < faces.end; ++f) {
-      const std::size_t part = part_of_face(f);
-      if(runs.empty() || runs.back().part != part)
-        runs.push_back({part, {}});
-      for(std::size_t i = 3 * f; i < 3 * f + 3; ++i)
-        add_corner(mesh, Corner_index(i), runs.back().data);
-    }
-    return runs;
-  }
-
-  static void add(const Surface_part& more, Surface_part& part)
-  {
-    part.euler_characteristic += more.euler_characteristic;
-    part.number_of_unaligned_edges += more.number_of_unaligned_edges;
-    part.twice_area += more.twice_area;
   }
 
   template <typename Group>
@@ -171,6 +186,94 @@ private:
   std::vector<std::int32_t> m_parts; // per face; empty if there is one part only
   std::vector<Surface_part> m_data;
 };
+
+using Linear_snapping::internal::distance_to_integer; // and for more types:
+
+inline double distance_to_integer(const Uv& u)
+{
+  return (std::max)(distance_to_integer(u[0]), distance_to_integer(u[1]));
+}
+
+inline bool is_integer(const Exact_level& x)
+{
+  return x.is_double() && x.approximation() == std::round(x.approximation());
+}
+
+inline double distance_to_integer(const Exact_level& x)
+{
+  return std::abs(x.minus(Exact_level(std::round(x.approximation()))).approximation());
+}
+
+// Of some faces, in units and in floating point: their area, and how often lines of the grid cross
+// their edges, about.
+struct Grid_size
+{
+  double area = 0, crossings = 0;
+};
+
+template <typename Group>
+Grid_size grid_size(const Basic_chart_mesh<Group>& mesh, const std::size_t begin,
+                    const std::size_t end)
+{
+  Grid_size result;
+  for(std::size_t f = begin; f < end; ++f) {
+    const Uv_triangle t = triangle(mesh, f);
+    result.area += ((t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) -
+                    (t[1][1] - t[0][1]) * (t[2][0] - t[0][0])) / 2;
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t c = 0; c < 2; ++c)
+        result.crossings += std::abs(t[k][c] - t[(k + 1) % 3][c]);
+  }
+  return result;
+}
+
+using Weights = std::array<double, 3>; // of the corners 3 f, 3 f + 1, 3 f + 2
+
+struct Surface_location
+{
+  std::size_t face = 0; // of the input
+  Weights weights{};
+};
+
+// Twice the area of a positive triangle, with a small relative error.
+inline double area_near(const Uv& a, const Uv& b, const Uv& c)
+{
+  const double first = (b[0] - a[0]) * (c[1] - a[1]), second = (b[1] - a[1]) * (c[0] - a[0]);
+  const double area = first - second;
+  if(area > 1e-6 * (std::abs(first) + std::abs(second)))
+    return area;
+  const auto u = exact(a), v = exact(b), w = exact(c);
+  return CGAL::to_double(cross_product({Exact_rational(v[0] - u[0]), Exact_rational(v[1] - u[1])},
+                                       {Exact_rational(w[0] - u[0]), Exact_rational(w[1] - u[1])}));
+}
+
+template <typename Group>
+Weights weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
+{
+  Weights result{};
+  const std::size_t corner = std::size_t(p.corner % 3);
+  switch(p.place) {
+  case Lattice_place::VERTEX:
+    result[corner] = 1;
+    return result;
+  case Lattice_place::EDGE: {
+    const Uv &a = mesh.uv(mesh.prev(p.corner)), &b = mesh.uv(p.corner);
+    const std::size_t c = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
+    result[corner] = (p.uv[c] - a[c]) / (b[c] - a[c]);
+    result[(corner + 2) % 3] = (b[c] - p.uv[c]) / (b[c] - a[c]);
+    return result;
+  }
+  case Lattice_place::FACE:
+    break;
+  }
+  const Uv_triangle t = triangle(mesh, face_of(p.corner));
+  double sum = 0;
+  for(std::size_t k = 0; k < 3; ++k)
+    sum += result[k] = area_near(p.uv, t[(k + 1) % 3], t[(k + 2) % 3]);
+  for(double& w : result)
+    w /= sum;
+  return result;
+}
 
 } // namespace internal
 } // namespace Quad_remeshing

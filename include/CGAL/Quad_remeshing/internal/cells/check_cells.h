@@ -23,7 +23,6 @@
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,28 +61,14 @@ inline void add_point(const Grid_darts& darts, const Grid_cells& cells, const st
   }
 }
 
-// Per part. Summed up in chunks of points, in which parts change rarely.
 template <typename ConcurrencyTag>
 std::vector<Cell_counts> count_cells(const Lattice_points& points, const Grid_darts& darts,
                                      const Grid_cells& cells, const Surface_parts& parts)
 {
-  using Run = std::pair<std::size_t, Cell_counts>; // successive points of a part
-  const auto runs = results_of_chunks<std::vector<Run>, ConcurrencyTag>(
-    points.size(), [&](const Chunk& chunk) {
-      std::vector<Run> result;
-      for(std::size_t p = chunk.begin; p < chunk.end; ++p) {
-        const std::size_t part = parts.part_of_face(face_of(points[p].corner));
-        if(result.empty() || result.back().first != part)
-          result.push_back({part, {}});
-        add_point(darts, cells, p, result.back().second);
-      }
-      return result;
-    });
-  std::vector<Cell_counts> counts(parts.size());
-  for(const std::vector<Run>& of_chunk : runs)
-    for(const Run& run : of_chunk)
-      counts[run.first] += run.second;
-  return counts;
+  return sums_of_parts<Cell_counts, ConcurrencyTag>(
+    points.size(), parts.size(),
+    [&](const std::size_t p) { return parts.part_of_face(face_of(points[p].corner)); },
+    [&](const std::size_t p, Cell_counts& counts) { add_point(darts, cells, p, counts); });
 }
 
 // The first part whose cells are not discs; or the number of parts. `is_area_right` tells whether

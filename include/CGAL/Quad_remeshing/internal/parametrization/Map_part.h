@@ -22,7 +22,6 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/poisson.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
-#include <CGAL/Seamless_snapping/internal/untangling/Angle_sum.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
 #include <cmath>

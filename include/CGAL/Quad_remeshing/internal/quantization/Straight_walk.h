@@ -20,7 +20,7 @@
 // where it leads; all decisions are exact signs.
 
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
-#include <CGAL/Quad_remeshing/internal/cells/place_on_surface.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 

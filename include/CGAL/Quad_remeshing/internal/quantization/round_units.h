@@ -44,20 +44,19 @@ inline double weight_of_edge(const std::array<double, 2>& wanted)
   return 1 / (1 + std::hypot(wanted[0], wanted[1]));
 }
 
-// Invariant: the constraints are eliminated. `scales` are units per step of the input's grid, for
-// each connected part.
+// Invariant: the constraints are eliminated.
 class Unit_rounder
 {
 public:
+  // \param scales units per step of the input's grid, for each connected part
   Unit_rounder(const Intrinsic_complex& complex, const std::vector<double>& scales)
     : m_columns(columns(complex)),
       m_solver(system(complex), weights(complex, scales), Number_format::of<double>(),
                m_number_of_columns, false)
   { }
 
-  // Sets the units near `factor` times the vectors wanted. Returns false if the solver finds none.
-  bool round(const std::vector<double>& scales, const double factor,
-             Intrinsic_complex& complex) const
+  // Sets the units near the vectors wanted. Returns false if the solver finds none.
+  bool round(const std::vector<double>& scales, Intrinsic_complex& complex) const
   {
     const Grid units(Number_format::of<double>(), 0);
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), units),
@@ -66,7 +65,7 @@ public:
       if(complex.represents_edge(h)) {
         const auto wanted = wanted_units(complex, h, scales);
         for(std::size_t c = 0; c < 2; ++c)
-          target.values[std::size_t(column(h, c))] = units.split(factor * wanted[c]);
+          target.values[std::size_t(column(h, c))] = units.split(wanted[c]);
       }
     Linear_solution solution;
     if(m_solver.solve(target, solution) >= 0)

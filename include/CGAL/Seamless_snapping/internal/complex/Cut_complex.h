@@ -187,6 +187,20 @@ private:
   std::vector<Sector_index> m_pinned;
 };
 
+// A complex that was read off a mesh, and the way back.
+// Invariant: the corners of a sector are consecutive, clockwise. Sectors are made for the ends of
+// all cut, merged, and aligned edges, and for the vertices of further constraints.
+template <typename Group, typename Halfedge>
+struct Surface_cuts
+{
+  Cut_complex<Group> complex;
+  Lists<Halfedge> corners;         // per sector
+  std::vector<std::array<Halfedge, 2> > branch_ends, chain_ends; // the first and the last edge
+  // One sector of each vertex that is to be a point of an integer grid; ascending.
+  std::vector<Sector_index> grid_points;
+  std::size_t number_of_singular_vertices = 0;
+};
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -19,11 +19,11 @@
 // vertex of a cut or aligned edge into sectors, finds the nodes, and follows the branches (Sec.
 // 5.3). One linear pass over these vertices.
 
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Aligned_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 

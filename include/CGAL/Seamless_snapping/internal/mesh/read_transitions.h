@@ -20,14 +20,15 @@
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
-#include <CGAL/Seamless_snapping/internal/mesh/merge_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -39,13 +40,65 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// A map that is not seamless for the symmetry that it is read with may well be for another one, or
+// in other coordinates. This finds out which, for the message of a refusal. Floating point is used
+// throughout.
+
+// The largest distance between one side of an edge, turned by a multiple of 360 / N degrees as fits
+// best, and the other side.
+// \param are_lattice whether the coordinates are those of the lattice, else Cartesian ones
+inline double violation_of_symmetry(const std::vector<Edge_sides>& edges, const int N,
+                                    const bool are_lattice)
+{
+  using Complex = std::complex<double>;
+  const auto vector = [&](const Uv& a, const Uv& b) {
+    const Uv v{b[0] - a[0], b[1] - a[1]};
+    const Uv x = are_lattice ? Rotation_group<6>::to_cartesian(v) : v;
+    return Complex(x[0], x[1]);
+  };
+  double largest = 0;
+  for(const Edge_sides& s : edges) {
+    const Complex here = vector(s.a, s.b), there = vector(s.a_opposite, s.b_opposite);
+    double least = std::abs(here - there);
+    for(int turns = 1; turns < N; ++turns)
+      least = (std::min)(least, std::abs(std::polar(1., 2 * std::acos(-1.) * turns / N) * here -
+                                         there));
+    largest = (std::max)(largest, least);
+  }
+  return largest;
+}
+
 // A sentence that names the symmetry of least order that all edges have up to the tolerance; empty
 // if there is none.
 // \param edges those that the given order does not explain, all of them
 // \param tolerance a distance
 // \param N the given order
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::string hint_on_symmetry(const std::vector<Edge_sides>& edges, double tolerance, int N);
+inline std::string hint_on_symmetry(const std::vector<Edge_sides>& edges, const double tolerance,
+                                    const int N)
+{
+  const bool is_lattice = N == 3 || N == 6;
+  const auto fits = [&](const int order, const bool are_lattice) {
+    return violation_of_symmetry(edges, order, are_lattice) <= tolerance;
+  };
+  const auto parameter = [](const int order) {
+    return "rotational_symmetry(Rotational_symmetry<" + std::to_string(order) + ">())";
+  };
+  for(const int order : {1, 2, 4})
+    if((is_lattice || order > N) && fits(order, false))
+      return "; the map is seamless for N = " + std::to_string(order) + ", in " +
+             "Cartesian coordinates: pass " + parameter(order) +
+             (order == 4 ? ", the default" : "");
+  for(const int order : {3, 6}) {
+    if((!is_lattice || order > N) && fits(order, true))
+      return "; the map is seamless for N = " + std::to_string(order) + ", in lattice " +
+             "coordinates: pass " + parameter(order);
+    if(fits(order, false))
+      return "; the map is seamless for N = " + std::to_string(order) + ", in Cartesian " +
+             "coordinates, where no such map is exact: apply convert_to_lattice_coordinates(), " +
+             "and pass " + parameter(order);
+  }
+  return std::string();
+}
 
 // The transitions of a uv map.
 template <typename Halfedge>
@@ -325,9 +378,5 @@ Transition_data<typename Surface::Halfedge> Transition_reader<Group, Surface>::r
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
-
-#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
-#include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry_impl.h>
-#endif
 
 #endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_MESH_READ_TRANSITIONS_H

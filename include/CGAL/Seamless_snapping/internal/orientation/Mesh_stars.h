@@ -17,8 +17,8 @@
 
 // Reads from a mesh what repairs of orientations ask for.
 
-#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -18,7 +18,7 @@
 // Whether repairs of flips leave vertices the angles that they seem to have in the input.
 
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
-#include <CGAL/Seamless_snapping/internal/untangling/Angle_sum.h>
+#include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -20,11 +20,11 @@
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 

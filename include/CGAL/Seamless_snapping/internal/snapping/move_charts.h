@@ -21,9 +21,9 @@
 // turned with them. It brings one of the cones and levels to an integer: the one that is best for
 // the others. So a map that is an integer-grid map up to such moves needs no rounding at all.
 
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 
 #include <algorithm>

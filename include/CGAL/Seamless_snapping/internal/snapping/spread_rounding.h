@@ -24,9 +24,9 @@
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/linear/Range_space_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
-#include <CGAL/Seamless_snapping/internal/mesh/Surface_cuts.h>
 
 #include <boost/container/small_vector.hpp>
 

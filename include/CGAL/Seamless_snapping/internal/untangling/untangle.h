@@ -17,7 +17,6 @@
 
 // Makes triangles positive by changing what is around them, as far around as it takes.
 
-#include <CGAL/Seamless_snapping/internal/untangling/Angle_sum.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Distortion.h>
 

@@ -18,7 +18,7 @@
 // Where charts that are joined lie: such that the corners of sectors meet as well as they can.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_sectors.h>
 
 #include <algorithm>

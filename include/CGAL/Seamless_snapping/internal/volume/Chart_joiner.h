@@ -18,9 +18,9 @@
 // Joins the charts of a volume whose producer gave each hexahedron, or each cell, its own.
 
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_alignment.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -19,7 +19,6 @@
 // corners in plain arrays, and the lists of facets and edges that constraints are about.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
 
 #include <array>
@@ -187,6 +186,58 @@ public:
 private:
   const Flat_volume& m_volume;
   Corner_index m_start, m_start_other, m_facet, m_third;
+};
+
+// Other charts for the cells, in which most facets are no cuts.
+// In place of u, the system is about g u + shift, with the g and shift of the cell's chart. Turning
+// and moving the chart of a cell changes nothing but what is called the transitions across its
+// facets. Without charts, each cell keeps its own.
+struct Volume_charts
+{
+  using Group = Cube_rotations;
+
+  std::vector<std::int32_t> chart_of_cell;
+  std::vector<Group::Element> elements; // per chart
+  std::vector<Uvw> shifts;              // per chart
+  std::vector<std::int32_t> roots;      // per chart: one that is joined with it
+
+  bool are_given() const { return chart_of_cell.empty(); }
+  std::size_t chart(const std::size_t corner) const
+  {
+    return std::size_t(chart_of_cell[corner / 4]);
+  }
+
+  // A name of all charts that are joined with that of a corner.
+  std::size_t root(const Corner_index corner) const
+  {
+    return are_given() ? 0 : std::size_t(roots[chart(std::size_t(corner))]);
+  }
+
+  // From the coordinates of the input to those of the system.
+  Group::Element element(const std::size_t corner) const
+  {
+    return are_given() ? Group::identity() : elements[chart(corner)];
+  }
+
+  double shift(const std::size_t corner, const std::size_t c) const
+  {
+    return are_given() ? 0 : shifts[chart(corner)][c];
+  }
+
+  // Coordinate c in the system of what has coordinates `u` in the input.
+  double coordinate(const Uvw& u, const std::size_t corner, const std::size_t c) const
+  {
+    if(are_given())
+      return u[c];
+    const Group::Element g = elements[chart(corner)];
+    return Group::sign(g, c) * u[Group::source(g, c)] + shifts[chart(corner)][c];
+  }
+
+  // Which coordinate of the system coordinate c of the input becomes.
+  std::size_t column(const std::size_t corner, const std::size_t c) const
+  {
+    return Group::source(Group::inverse(element(corner)), c);
+  }
 };
 
 } // namespace internal

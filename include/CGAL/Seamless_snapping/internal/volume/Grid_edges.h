@@ -18,7 +18,7 @@
 // The edges that have to lie on integer lines in an integer-grid map: singular ones, and those at
 // which the boundary turns back.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_transitions.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@
 // Vertices at which the same sheets and levels meet in the same way: they have the same equations,
 // so that one of them stands for all in the system.
 
-#include <CGAL/Seamless_snapping/internal/volume/Volume_charts.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_sectors.h>
 
 #include <boost/container_hash/hash.hpp>

@@ -18,7 +18,7 @@
 // Cells that the closest exact solution turns over, or makes degenerate, get their orientation back
 // where one of their vertices can move: alone, with all its sectors, on the grid.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/linear/nonnegative_program.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>

@@ -19,7 +19,7 @@
 // all their sectors, within their freedom: transitions, levels, and integers stay as they are.
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
 #include <Eigen/Cholesky>

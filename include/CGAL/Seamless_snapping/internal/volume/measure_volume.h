@@ -18,7 +18,7 @@
 // How far a parametrization of a volume is from being exactly seamless: what the functions of
 // `is_volume_seamless.h` do.
 
-#include <CGAL/Linear_snapping/internal/exact/orientation_3.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_volume.h>
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
