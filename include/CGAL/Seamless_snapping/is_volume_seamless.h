@@ -19,14 +19,80 @@
 // whether they are integer-grid maps.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Seamless_snapping/internal/volume/measure_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
+#include <CGAL/Seamless_snapping/internal/volume/snap_volume.h>
 #include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
 namespace CGAL {
 namespace Seamless_snapping {
+namespace internal {
+
+// The differences of the coordinates of some corners, in ascending order.
+inline Uvw sorted_spreads(const Flat_volume& volume, const std::vector<Corner_index>& corners)
+{
+  Uvw result{};
+  for(std::size_t c = 0; c < 3; ++c) {
+    double least = volume.uvw(corners[0])[c], largest = least;
+    for(const Corner_index corner : corners) {
+      least = (std::min)(least, volume.uvw(corner)[c]);
+      largest = (std::max)(largest, volume.uvw(corner)[c]);
+    }
+    result[c] = largest - least;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Counts and measures what the flat volume lists.
+inline void measure_constraints(const Flat_volume& volume, Volume_seamlessness& result)
+{
+  result.extent = volume.extent;
+  result.number_of_mismatched_facets = volume.open_facets.size();
+  for(const Corner_index facet : volume.open_facets) {
+    const Facet_vectors vectors(volume.sides(facet));
+    if(vectors.match_some())
+      continue;
+    ++result.number_of_inexact_facets;
+    double least = vectors.residual(0);
+    for(int g = 1; g < Cube_rotations::order; ++g)
+      least = (std::min)(least, vectors.residual(g));
+    result.violation = (std::max)(result.violation, least);
+  }
+  const auto add_misalignment = [&](const double miss) {
+    result.number_of_misalignments += std::size_t(miss != 0);
+    result.misalignment = (std::max)(result.misalignment, miss);
+  };
+  result.number_of_aligned_facets = volume.aligned_facets.size();
+  for(const Corner_index facet : volume.aligned_facets) {
+    const auto corners = corners_of_facet(facet);
+    add_misalignment(sorted_spreads(volume, {corners.begin(), corners.end()})[0]);
+  }
+  result.number_of_aligned_edges = volume.aligned_edges.size();
+  for(const Flat_volume::Aligned_edge& edge : volume.aligned_edges)
+    add_misalignment(sorted_spreads(volume, {edge.a, edge.b})[1]);
+}
+
+// Throws what is wrong with the cells or the coordinates.
+template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
+void read_or_throw(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                   const NamedParameters& np, const Cells_to_read cells, Tetrahedra& tetrahedra,
+                   Flat_volume& volume)
+{
+  if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, cells))
+    throw std::invalid_argument(refusal->message);
+  read_coordinates(uvw_map, volume);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSeamlessSnappingVerifying
@@ -60,7 +126,18 @@ bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return internal::is_volume_seamless(tetrahedra, uvw_map, internal::strip(np));
+  internal::Tetrahedra mesh;
+  internal::Flat_volume volume;
+  if(const auto refusal =
+       internal::read_volume(tetrahedra, uvw_map, internal::strip(np), mesh, volume)) {
+    if(refusal->status == Outcome::NOT_FINITE)
+      return false;
+    throw std::invalid_argument(refusal->message);
+  }
+  internal::read_coordinates(uvw_map, volume);
+  Volume_seamlessness result;
+  internal::measure_constraints(volume, result);
+  return result.is_exact();
 }
 
 /*!
@@ -84,7 +161,25 @@ measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return internal::measure_volume_seamlessness(tetrahedra, uvw_map, internal::strip(np));
+  internal::Tetrahedra mesh;
+  internal::Flat_volume volume;
+  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np),
+                          internal::Cells_to_read::AT_CONSTRAINTS, mesh, volume);
+  Volume_seamlessness result;
+  internal::measure_constraints(volume, result);
+  result.number_of_cells = mesh.number_of_cells();
+  for(std::size_t f = 0; f < mesh.neighbors.size(); ++f)
+    result.number_of_interior_facets +=
+      std::size_t(mesh.neighbors[f] > internal::Corner_index(f / 4));
+  for(std::size_t c = 0; c < mesh.number_of_cells(); ++c) {
+    internal::Uvw_tetrahedron u;
+    for(std::size_t i = 0; i < 4; ++i)
+      u[i] = internal::get_uvw(uvw_map, 4 * c + i);
+    const CGAL::Orientation sign = internal::orientation(u);
+    result.number_of_flipped_cells += std::size_t(sign == CGAL::NEGATIVE);
+    result.number_of_degenerate_cells += std::size_t(sign == CGAL::ZERO);
+  }
+  return result;
 }
 
 /*!
@@ -117,7 +212,11 @@ measure_volume_integer_grid(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
 {
   const internal::Protect_exact_arithmetic protect;
   internal::require_exact_arithmetic();
-  return internal::measure_volume_integer_grid(tetrahedra, uvw_map, internal::strip(np));
+  internal::Tetrahedra mesh;
+  internal::Flat_volume volume;
+  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np), internal::Cells_to_read::ALL,
+                          mesh, volume);
+  return internal::measure_integer_grid(volume);
 }
 
 /*!

@@ -138,63 +138,37 @@ inline std::vector<std::int64_t> free_vertices_of_lost_cells(const Flat_volume& 
   return result;
 }
 
-// What `read_volume()` reads, and coordinates. The rest of the mesh is forgotten before.
+// Reads, and finds the result. The rest of the mesh is forgotten before.
 template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
-std::optional<Refusal> read_flat_volume(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
-                                        const NamedParameters& np,
-                                        const std::vector<std::int64_t>& further_vertices,
-                                        const Cells_to_read cells, Step_timer& timer,
-                                        Snapping_report& report, Flat_volume& volume)
+std::optional<Refusal> find_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
+                                const NamedParameters& np, const Volume_options& options,
+                                Step_timer& timer, Snapping_report& report, Flat_volume& volume,
+                                std::vector<Uvw>& snapped)
 {
-  volume = Flat_volume();
-  {
-    Tetrahedra tetrahedra;
-    const auto refusal =
-      read_volume(range, uvw_map, np, tetrahedra, volume, further_vertices, cells);
-    report.run.number_of_faces = tetrahedra.number_of_cells();
-    report.extent = volume.extent;
-    timer.finish("reading");
-    if(refusal)
-      return refusal;
-  }
-  read_coordinates(uvw_map, volume);
-  return std::nullopt;
-}
-
-// Reads, and finds the result.
-template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
-std::optional<Refusal> find_exact_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
-                                      const NamedParameters& np, const double tolerance,
-                                      Step_timer& timer, Snapping_report& report,
-                                      Flat_volume& volume, std::vector<Uvw>& snapped)
-{
+  const Cells_to_read cells =
+    options.is_about_all_cells() ? Cells_to_read::ALL : Cells_to_read::AT_CONSTRAINTS;
   std::vector<std::int64_t> further_vertices;
   for(bool is_again = false; ; is_again = true) {
-    if(auto refusal = read_flat_volume(range, uvw_map, np, further_vertices,
-                                       Cells_to_read::AT_CONSTRAINTS, timer, report, volume))
-      return refusal;
+    volume = Flat_volume();
+    {
+      Tetrahedra tetrahedra;
+      const auto refusal =
+        read_volume(range, uvw_map, np, tetrahedra, volume, further_vertices, cells);
+      report.run.number_of_faces = tetrahedra.number_of_cells();
+      report.extent = volume.extent;
+      timer.finish("reading");
+      if(refusal)
+        return refusal;
+    }
+    read_coordinates(uvw_map, volume);
     const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
-    if(auto refusal = snap_flat_volume(volume, tolerance, format, report, timer, snapped))
+    if(auto refusal = snap_flat_volume(volume, options, format, report, timer, snapped))
       return refusal;
     further_vertices = free_vertices_of_lost_cells(volume, report.lost_faces);
     if(is_again || further_vertices.empty())
       return std::nullopt;
     report.lost_faces.clear();
   }
-}
-
-// The same where constraints are not all.
-template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParameters>
-std::optional<Refusal> find_whole_map(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
-                                      const NamedParameters& np, const Volume_options& options,
-                                      Step_timer& timer, Snapping_report& report,
-                                      Flat_volume& volume, std::vector<Uvw>& snapped)
-{
-  if(auto refusal = read_flat_volume(range, uvw_map, np, {}, Cells_to_read::ALL, timer, report,
-                                     volume))
-    return refusal;
-  const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
-  return snap_whole_volume(volume, options, format, report, timer, snapped);
 }
 
 template <typename NamedParameters>
@@ -221,10 +195,8 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
   std::optional<Refusal> refusal;
   if(!(options.tolerance >= 0 && options.rounding_tolerance >= 0))
     refusal = invalid_cells("a tolerance is negative or NaN");
-  else if(options.is_about_all_cells())
-    refusal = find_whole_map(range, uvw_map, np, options, timer, report, volume, snapped);
   else
-    refusal = find_exact_map(range, uvw_map, np, options.tolerance, timer, report, volume, snapped);
+    refusal = find_map(range, uvw_map, np, options, timer, report, volume, snapped);
   if(!refusal && report.status != Outcome::ALREADY_EXACT)
     refusal = write_corners(volume, snapped, uvw_map);
   timer.finish("writing");

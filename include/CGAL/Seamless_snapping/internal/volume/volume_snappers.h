@@ -50,17 +50,11 @@ struct Volume_options
 };
 
 // Fills in the coordinates of all corners of the flat volume, and the report but for its status,
-// which is `ALREADY_EXACT` before. Returns why there are none, if so.
-// \param tolerance relative to the extent
-std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, double tolerance,
+// which is `ALREADY_EXACT` before. Returns why there are none, if so. Where constraints are not all
+// that the options ask for, the volume holds all cells, none of whose vertices is fixed.
+std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const Volume_options& options,
                                         const Number_format& format, Snapping_report& report,
                                         Step_timer& timer, std::vector<Uvw>& snapped);
-
-// The same where constraints are not all. The volume holds all cells, none of whose vertices is
-// fixed.
-std::optional<Refusal> snap_whole_volume(const Flat_volume& volume, const Volume_options& options,
-                                         const Number_format& format, Snapping_report& report,
-                                         Step_timer& timer, std::vector<Uvw>& snapped);
 
 } // namespace internal
 } // namespace Seamless_snapping

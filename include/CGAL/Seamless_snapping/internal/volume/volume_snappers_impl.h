@@ -24,19 +24,13 @@ namespace Seamless_snapping {
 namespace internal {
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const double tolerance,
+std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const Volume_options& options,
                                         const Number_format& format, Snapping_report& report,
                                         Step_timer& timer, std::vector<Uvw>& snapped)
 {
-  return Flat_volume_snapper(volume, tolerance, format, report, timer).run(snapped);
-}
-
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::optional<Refusal> snap_whole_volume(const Flat_volume& volume, const Volume_options& options,
-                                         const Number_format& format, Snapping_report& report,
-                                         Step_timer& timer, std::vector<Uvw>& snapped)
-{
-  return Whole_volume_snapper(volume, options, format, report, timer).run(snapped);
+  return options.is_about_all_cells()
+           ? Whole_volume_snapper(volume, options, format, report, timer).run(snapped)
+           : Flat_volume_snapper(volume, options.tolerance, format, report, timer).run(snapped);
 }
 
 } // namespace internal
