@@ -7,7 +7,7 @@
 #include "Options.h"
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <cstddef>
 

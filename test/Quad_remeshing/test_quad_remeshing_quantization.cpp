@@ -122,7 +122,7 @@ void test_ways(const internal::Integer_mesh& input, const Intrinsic_complex& com
     };
     const auto vertex = [&](const Corner_index g)
       { return input.vertex(complex.corner(g).departure.corner); };
-    const auto is_at = [&](const internal::Surface_location& l, const std::size_t v) {
+    const auto is_at = [&](const internal::Face_point& l, const std::size_t v) {
       for(Corner_index k = 0; k < 3; ++k)
         if(std::abs(l.weights[std::size_t(k)] - 1) < 1e-9)
           return input.vertex(3 * Corner_index(l.face) + k) == v;

@@ -25,7 +25,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Named_function_parameters.h>

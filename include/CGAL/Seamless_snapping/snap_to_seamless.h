@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
 #include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 #include <CGAL/Seamless_snapping/types/surface_constraints.h>
 

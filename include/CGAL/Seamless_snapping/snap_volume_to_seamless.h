@@ -22,7 +22,6 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_volume.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -119,6 +119,45 @@ offset(const Component<Group>& from, const int sign, const Component<Group>& to)
   }
 }
 
+// A point of the surface: weights of the corners 3 f, 3 f + 1, 3 f + 2 of a face; rounded.
+struct Face_point
+{
+  Flat_face_index face = no_index;
+  std::array<double, 3> weights{};
+};
+
+inline Face_point point_at_vertex(const Corner_index h)
+{
+  Face_point result;
+  result.face = Flat_mesh<Chart_corner>::face(h);
+  result.weights[std::size_t(h % 3)] = 1;
+  return result;
+}
+
+// `t` is 0 at the source of the halfedge, 1 at its target.
+inline Face_point point_on_edge(const Corner_index h, const double t)
+{
+  Face_point result = point_at_vertex(h);
+  result.weights[std::size_t(h % 3)] = t;
+  result.weights[std::size_t((h + 2) % 3)] = 1 - t;
+  return result;
+}
+
+// Takes a component of a point on the edge of a halfedge to the chart of the opposite face. Returns
+// which component it becomes.
+template <typename Group>
+std::size_t carry_over_edge(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
+                            const std::size_t c, Exact_level& value)
+{
+  const std::int32_t t = mesh.corner(h).transition;
+  if(t == no_index)
+    return c;
+  const Basic_chart_transition<Group>& transition = mesh.transitions[std::size_t(t)];
+  const Signed_functional image = Group::act(transition.rotation, int(c));
+  value.transform(image.sign, transition.translation[std::size_t(image.index)]);
+  return std::size_t(image.index);
+}
+
 // The faces that are flipped or degenerate in the domain: no isocurve can be followed through them.
 
 template <typename Group>

@@ -21,7 +21,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_place.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/add_walls.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 

@@ -105,30 +105,6 @@ struct Layout
 
 // The course of an arc on the surface: the places where it crosses edges and meets vertices.
 
-// Of the corners 3 f, 3 f + 1, 3 f + 2 of a face; rounded.
-struct Face_point
-{
-  Flat_face_index face = no_index;
-  std::array<double, 3> weights{};
-};
-
-inline Face_point point_at_vertex(const Corner_index h)
-{
-  Face_point result;
-  result.face = Chart_mesh::face(h);
-  result.weights[std::size_t(h % 3)] = 1;
-  return result;
-}
-
-// `t` is 0 at the source of the halfedge, 1 at its target.
-inline Face_point point_on_edge(const Corner_index h, const double t)
-{
-  Face_point result = point_at_vertex(h);
-  result.weights[std::size_t(h % 3)] = t;
-  result.weights[std::size_t((h + 2) % 3)] = 1 - t;
-  return result;
-}
-
 inline double parameter_on_edge(const Chart_mesh& mesh, const Corner_index h, const std::size_t c,
                                 const Exact_level& level)
 {

@@ -88,16 +88,11 @@ inline bool locate_in_face(const Chart_mesh& mesh, Layout_place& place)
 // A point of the edge of `h`, in the chart of the opposite face.
 inline Exact_uv carried_over_edge(const Chart_mesh& mesh, const Corner_index h, const Exact_uv& uv)
 {
-  const std::int32_t t = mesh.corner(h).transition;
-  if(t == no_index)
-    return uv;
-  const Chart_transition& transition = mesh.transitions[std::size_t(t)];
   Exact_uv result;
-  for(int c = 0; c < 2; ++c) {
-    const Signed_functional image = Quarter_turns::act(transition.rotation, c);
-    const std::size_t i = std::size_t(image.index);
-    result[i] = uv[std::size_t(c)];
-    result[i].transform(image.sign, transition.translation[i]);
+  for(std::size_t c = 0; c < 2; ++c) {
+    Exact_level value = uv[c];
+    const std::size_t i = carry_over_edge(mesh, h, c, value);
+    result[i] = value;
   }
   return result;
 }

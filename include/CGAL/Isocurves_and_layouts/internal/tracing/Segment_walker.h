@@ -210,7 +210,8 @@ private:
     m_segment.exit = m_start;
     if(m_segment.along == no_index || m_segment.along == m_start.halfedge)
       return;
-    carry_origin_across(m_segment.along, m_segment.direction);
+    carry_over_edge(*m_mesh, m_segment.along, running_component<Group>(m_segment.direction),
+                    m_segment.origin);
     m_segment.along = m_start.halfedge;
     m_segment.entry.halfedge = m_first_state.halfedge == m_start.halfedge
                                  ? Mesh::prev(m_start.halfedge) : m_start.halfedge;
@@ -243,7 +244,8 @@ private:
     const State& state = m_walk.state();
     if(!before.is_at_vertex) {
       m_segment.entry = {Isocurve_place::EDGE, m_mesh->opposite(before.halfedge)};
-      carry_origin_across(before.halfedge, before.direction);
+      carry_over_edge(*m_mesh, before.halfedge, running_component<Group>(before.direction),
+                      m_segment.origin);
       return;
     }
     const Corner_index corner = corner_left_by(state);
@@ -254,17 +256,6 @@ private:
                                             running_component<Group>(before.direction)),
                           sign,
                           m_mesh->component(corner, running_component<Group>(state.direction))));
-  }
-
-  void carry_origin_across(const Corner_index h, const Direction direction)
-  {
-    const std::int32_t t = m_mesh->corner(h).transition;
-    if(t == no_index)
-      return;
-    const Basic_chart_transition<Group>& transition = m_mesh->transitions[std::size_t(t)];
-    const Signed_functional running =
-      Group::act(transition.rotation, int(running_component<Group>(direction)));
-    m_segment.origin.transform(running.sign, transition.translation[std::size_t(running.index)]);
   }
 
   // The corner of the state's face at the vertex that the curve has left.

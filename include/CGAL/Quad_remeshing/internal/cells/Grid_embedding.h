@@ -42,7 +42,7 @@ namespace internal {
 
 using Places = boost::container::vector<Place>;
 
-// The points of the grid in space, and on the input mesh. locate(point) gives a Surface_location.
+// The points of the grid in space, and on the input mesh. locate(point) gives a Face_point.
 template <typename TriangleMesh, typename VertexPointMap, typename Locate>
 class Grid_embedding
 {
@@ -58,9 +58,8 @@ public:
   // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
   Location location(const Lattice_point& p) const
   {
-    const Surface_location at = m_locate(p);
-    const Weights& w = at.weights;
-    return {m_faces[at.face], {w[2], w[0], w[1]}};
+    const Face_point at = m_locate(p);
+    return {m_faces[std::size_t(at.face)], {at.weights[2], at.weights[0], at.weights[1]}};
   }
 
   // Of all points in space. They are computed concurrently only if coordinates are no objects that
@@ -83,8 +82,11 @@ public:
 private:
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
-  Place place(const Surface_location& at) const
-  { return place_in_face(m_tmesh, m_point_map, halfedge(m_faces[at.face], m_tmesh), at.weights); }
+  Place place(const Face_point& at) const
+  {
+    return place_in_face(m_tmesh, m_point_map, halfedge(m_faces[std::size_t(at.face)], m_tmesh),
+                         at.weights);
+  }
 
   const TriangleMesh& m_tmesh;
   std::vector<Face> m_faces; // in their order

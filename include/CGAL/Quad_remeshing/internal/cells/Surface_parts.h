@@ -227,14 +227,6 @@ Grid_size grid_size(const Basic_chart_mesh<Group>& mesh, const std::size_t begin
   return result;
 }
 
-using Weights = std::array<double, 3>; // of the corners 3 f, 3 f + 1, 3 f + 2
-
-struct Surface_location
-{
-  std::size_t face = 0; // of the input
-  Weights weights{};
-};
-
 // Twice the area of a positive triangle, with a small relative error.
 inline double area_near(const Uv& a, const Uv& b, const Uv& c)
 {
@@ -247,10 +239,11 @@ inline double area_near(const Uv& a, const Uv& b, const Uv& c)
                                        {Exact_rational(w[0] - u[0]), Exact_rational(w[1] - u[1])}));
 }
 
+// Where a point of the grid lies in its face, as in `Face_point`.
 template <typename Group>
-Weights weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
+std::array<double, 3> weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
 {
-  Weights result{};
+  std::array<double, 3> result{};
   const std::size_t corner = std::size_t(p.corner % 3);
   switch(p.place) {
   case Lattice_place::VERTEX:

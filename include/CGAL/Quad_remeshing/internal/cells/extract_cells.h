@@ -61,7 +61,7 @@ std::string vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, co
 
 // Makes the cells, and has them written: by output.locate(extractor, embedding) and
 // output.write(extractor), which may refuse that in the extractor's report.
-// \param locate_point gives the Surface_location of a point, once the points are known
+// \param locate_point gives the Face_point of a point, once the points are known
 template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename NamedParameters,
           typename LocatePoint, typename Output>
 Extraction_report run_and_write(Cell_extractor<Group>& extractor, const TriangleMesh& tmesh,
@@ -100,8 +100,8 @@ Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& 
       std::move(mesh), std::move(is_feature), extraction_options(np),
       [&](const Corner_index h) { return vertex_name(tmesh, np, h); });
     const auto locate_point = [&](const Lattice_point& p)
-      { return Surface_location{extractor.original_face(face_of(p.corner)),
-                                weights(extractor.mesh(), p)}; };
+      { return Face_point{Flat_face_index(extractor.original_face(face_of(p.corner))),
+                          weights(extractor.mesh(), p)}; };
     return run_and_write<ConcurrencyTag>(extractor, tmesh, np, locate_point, output);
   }
 }

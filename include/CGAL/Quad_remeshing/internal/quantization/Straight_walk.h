@@ -54,10 +54,10 @@ public:
 
   // `corner` is one at the start, less than 180 degrees clockwise of the target; the sides are in
   // the chart of its face.
-  Surface_location run(Corner_index corner)
+  Face_point run(Corner_index corner)
   {
     if(m_target.weight[0] == 0 && m_target.weight[1] == 0)
-      return at_vertex(corner);
+      return point_at_vertex(corner);
     Grid_vector position{0, 0};
     for(;;) {
       turn(corner, position);
@@ -237,19 +237,12 @@ private:
     return t;
   }
 
-  static Surface_location at_vertex(const Corner_index corner)
-  {
-    Surface_location result{std::size_t(corner / 3), {}};
-    result.weights[std::size_t(corner % 3)] = 1;
-    return result;
-  }
-
   void locate_on_edge(const Corner_index h, const Grid_vector& end, const std::size_t c)
   {
     const double rest = (static_cast<double>(end[c]) - approximate_target()[c]) /
                         static_cast<double>(m_mesh.corner(h).vector[c]);
     const double t = (std::min)((std::max)(rest, 0.), 1.);
-    m_location = {std::size_t(h / 3), {}};
+    m_location = {h / 3, {}};
     m_location.weights[std::size_t(Integer_mesh::prev(h) % 3)] = t;
     m_location.weights[std::size_t(h % 3)] = 1 - t;
   }
@@ -268,7 +261,7 @@ private:
     const auto area = [](const std::array<double, 2>& x, const std::array<double, 2>& y)
       { return (std::max)(x[0] * y[1] - x[1] * y[0], 0.); };
     const double u = area(b, c), v = area(c, a), w = area(a, b), sum = u + v + w;
-    m_location = {std::size_t(h / 3), {}};
+    m_location = {h / 3, {}};
     m_location.weights[std::size_t(p % 3)] = sum > 0 ? u / sum : 1. / 3;
     m_location.weights[std::size_t(h % 3)] = sum > 0 ? v / sum : 1. / 3;
     m_location.weights[std::size_t(n % 3)] = sum > 0 ? w / sum : 1. / 3;
@@ -276,7 +269,7 @@ private:
 
   const Integer_mesh& m_mesh;
   Straight_target m_target;
-  Surface_location m_location;
+  Face_point m_location;
 };
 
 // Where the points of the grid on a coarse complex lie on the input: at the point of the coarse
@@ -289,7 +282,7 @@ public:
     : m_input(input), m_complex(complex), m_charts(charts)
   { }
 
-  Surface_location locate(const Lattice_point& p) const
+  Face_point locate(const Lattice_point& p) const
   {
     const Corner_index h = p.corner;
     switch(p.place) {
@@ -319,7 +312,7 @@ private:
   }
 
   // From the vertex of the face that is nearest, by barycentric coordinates.
-  Surface_location locate_in_face(const Flat_face_index f, const Grid_vector& p) const
+  Face_point locate_in_face(const Flat_face_index f, const Grid_vector& p) const
   {
     std::array<std::int64_t, 3> weight; // of the corners
     for(Corner_index k = 0; k < 3; ++k) {
@@ -339,7 +332,7 @@ private:
   }
 
   // From the source of a halfedge of the complex, in whose chart the target is given.
-  Surface_location walk(const Corner_index h, Straight_target target) const
+  Face_point walk(const Corner_index h, Straight_target target) const
   {
     const Direction_at_corner& departure = m_complex.corner(h).departure;
     for(Grid_vector& side : target.side)

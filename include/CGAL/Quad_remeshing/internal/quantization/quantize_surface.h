@@ -72,16 +72,12 @@ public:
   std::size_t number_of_faces_inside() const { return m_number_of_faces; }
 
   // The same point of the input.
-  Surface_location inside(const Surface_location& at) const
+  Face_point inside(const Face_point& at) const
   {
-    if(at.face < m_number_of_faces)
+    if(std::size_t(at.face) < m_number_of_faces)
       return at;
-    const Step& step = m_steps[at.face - m_number_of_faces];
-    const double to_target = at.weights[2] + step.foot * at.weights[1];
-    Surface_location result{std::size_t(step.edge / 3), {}};
-    result.weights[std::size_t(step.edge % 3)] = to_target;
-    result.weights[std::size_t((step.edge + 2) % 3)] = 1 - to_target;
-    return result;
+    const Step& step = m_steps[std::size_t(at.face) - m_number_of_faces];
+    return point_on_edge(step.edge, at.weights[2] + step.foot * at.weights[1]);
   }
 
 private:

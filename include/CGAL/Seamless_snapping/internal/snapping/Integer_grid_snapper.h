@@ -28,7 +28,6 @@
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/snapping/move_charts.h>
 #include <CGAL/Seamless_snapping/internal/snapping/spread_rounding.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>

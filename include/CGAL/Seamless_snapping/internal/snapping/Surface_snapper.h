@@ -36,7 +36,6 @@
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -28,7 +28,6 @@
 #include <CGAL/Seamless_snapping/internal/snapping/Integer_grid_snapper.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Dynamic_property_map.h>

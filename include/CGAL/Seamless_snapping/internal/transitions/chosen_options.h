@@ -21,8 +21,8 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Rotational_symmetry.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -23,7 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
 #include <cmath>

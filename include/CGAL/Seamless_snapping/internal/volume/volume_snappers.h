@@ -22,7 +22,6 @@
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
-#include <CGAL/Seamless_snapping/types/Flip_repair.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <cstddef>
