@@ -108,7 +108,7 @@ bool is_refused()
 {
   const Protect_exact_arithmetic protect;
   try {
-    require_exact_arithmetic();
+    const Require_exact_arithmetic required;
   } catch(const std::runtime_error&) {
     return !is_arithmetic_exact();
   }

@@ -224,8 +224,7 @@ public:
                   const NamedParameters& np = CGAL::parameters::default_values())
     : m_tmesh(&tmesh), m_numbering(tmesh)
   {
-    const internal::Protect_exact_arithmetic protect;
-    internal::require_exact_arithmetic();
+    const internal::Require_exact_arithmetic protect;
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
       const auto& plain_np = internal::strip(np);
       static_assert(internal::number_of_directions<NamedParameters> == D,
@@ -421,8 +420,7 @@ private:
   {
     if(!can_trace(options))
       return refused(start, direction);
-    const internal::Protect_exact_arithmetic protect;
-    internal::require_exact_arithmetic();
+    const internal::Require_exact_arithmetic protect;
     if(options.decide_exactly) {
       internal::Basic_exact_decisions<Group> decisions(m_mesh);
       return trace_with(decisions, start, direction, options);

@@ -312,8 +312,7 @@ intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
                         const ConnectionRange& connections,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   const auto vertex_indices =
     CGAL::get_initialized_vertex_index_map(tracer.mesh(), internal::strip(np));
   const double point = 1e-12 * tracer.chart_mesh().extent;

@@ -211,8 +211,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
                                           const NamedParameters& np =
                                             CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
 }
@@ -235,8 +234,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
 }

@@ -238,8 +238,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::is_seamless(tmesh, uv_map, internal::strip(np));
 }
@@ -266,8 +265,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 Seamlessness measure_seamlessness(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
 }

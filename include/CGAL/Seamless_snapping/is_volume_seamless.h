@@ -124,8 +124,7 @@ template <typename TetrahedronRange, typename CornerUVWMap,
 bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
   if(const auto refusal =
@@ -159,8 +158,7 @@ Volume_seamlessness
 measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
                             const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
   internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np),
@@ -210,8 +208,7 @@ Volume_integer_grid_measure
 measure_volume_integer_grid(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
                             const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
   internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np), internal::Cells_to_read::ALL,

@@ -122,8 +122,7 @@ template <typename TriangleRange, typename CornerUVMap,
 bool is_soup_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  internal::require_exact_arithmetic();
+  const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_map_of_corners<CornerUVMap, std::size_t>()) {
     const auto& plain_np = internal::strip(np);
     const auto& feature_edges = CGAL::parameters::get_parameter_reference(

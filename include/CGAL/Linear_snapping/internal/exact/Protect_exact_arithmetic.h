@@ -136,12 +136,16 @@ inline const char* inexact_arithmetic_message()
          "-mfpmath=387";
 }
 
-// For functions that return no status.
-inline void require_exact_arithmetic()
+// For functions that return no status: throws where arithmetic is not exact.
+struct Require_exact_arithmetic
+  : public Protect_exact_arithmetic
 {
-  if(!is_arithmetic_exact())
-    throw std::runtime_error(inexact_arithmetic_message());
-}
+  Require_exact_arithmetic()
+  {
+    if(!is_arithmetic_exact())
+      throw std::runtime_error(inexact_arithmetic_message());
+  }
+};
 
 // The number of type `Number` nearest to `x`: float, or a type that holds all doubles. All such
 // roundings go through here: from -O2 on, the vectorizer of g++ 12 takes the conversions of two

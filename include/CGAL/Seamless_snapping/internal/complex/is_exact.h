@@ -44,19 +44,6 @@ Exact_vector<Group> exact_vector(const Vector& u)
   return result;
 }
 
-// g u
-template <typename Group>
-Exact_vector<Group> exactly_turned(const typename Group::Element g, const Exact_vector<Group>& u)
-{
-  Exact_vector<Group> result;
-  for(std::size_t c = 0; c < Group::dimension; ++c) {
-    result[c] = Exact_rational(0);
-    for(std::size_t d = 0; d < Group::dimension; ++d)
-      result[c] += Exact_rational(Group::matrix(g)[c][d] * u[d]);
-  }
-  return result;
-}
-
 template <typename Group>
 Exact_rational exact_value(const Functional<Group::dimension>& f, const Exact_vector<Group>& u)
 {
@@ -118,7 +105,7 @@ Exact_rational path_misfit(const Cut_complex<Group>& complex,
     const auto g = crossing.is_along ? complex.element[b] : Group::inverse(complex.element[b]);
     for(std::size_t c = 0; c < Group::dimension; ++c)
       x[c] -= here[c];
-    x = exactly_turned<Group>(g, x);
+    x = Group::apply(g, x);
     for(std::size_t c = 0; c < Group::dimension; ++c)
       x[c] += there[c];
     f = Group::act(g, f).index;

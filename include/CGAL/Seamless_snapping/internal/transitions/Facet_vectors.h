@@ -139,8 +139,6 @@ struct Facet_sides
 {
   std::array<Uvw, 3> here, there;
 
-  bool are_identical() const { return here == there; }
-
   // The largest difference of a coordinate: by how much the identity without translation misses.
   double difference() const
   {
