@@ -775,7 +775,8 @@ void check_divided(const Parametrized_model& model, const std::size_t number,
     quantization, model.mesh, defaults, true,
     internal::cell_mesh_output(model.mesh, quads, defaults));
   CHECK_IN(name + ": " + report.message, bool(report));
-  const std::size_t number_of_folds = internal::close_folds(quads, internal::holes_of_two_edges(Mesh()));
+  const std::size_t number_of_folds =
+    internal::close_folds(quads, internal::holes_of_two_edges(Mesh()));
   quads.collect_garbage();
   CHECK_IN(name, quads.number_of_faces() == report.number_of_faces &&
                    report.number_of_faces + number_of_folds == quantization.number_of_quads);

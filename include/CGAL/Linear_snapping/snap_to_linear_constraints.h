@@ -210,10 +210,10 @@ that share no unknown are solved one by one; those that are equal, with their we
 eliminated and factorized once. A constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for
 each short one that links two of them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a
 fraction of a second for 10,000 unknowns, some ten seconds for 100,000. Constraints on more than 200
-unknowns that are triangular, up to their order, take linear time where small multiples do, as of 8 for
-\f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement. All others without a
-coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the number of
-unknowns that they link, but for the last reduction of the lattice, which is cut off after some
+unknowns that are triangular, up to their order, take linear time where small multiples do: where
+\f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement, multiples of 8. All others
+without a coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the
+number of unknowns that they link, but for the last reduction of the lattice, which is cut off after some
 seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away from the
 optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in a square
 is the mean of its four neighbors, implied values grow along the square, and are far. A single

@@ -473,7 +473,7 @@ private:
     return true;
   }
 
-  // [MC19] Eq. (2') for one pivot row, which its pivot divides. The sum is exact whatever its order,
+  // [MC19] Eq. (2') for one pivot row, which its pivot divides. The sum is exact in any order,
   // so Algorithm 5 has nothing left to do. Returns false if the value exceeds 2^62.
   bool back_substitute(const std::size_t row, const int right_hand_shift,
                        std::vector<std::int64_t>& x) const
