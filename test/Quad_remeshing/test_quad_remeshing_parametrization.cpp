@@ -368,7 +368,8 @@ void test_sizes()
                                                       parameters::target_edge_length(1.5))));
   for(const Halfedge h : mesh.halfedges())
     CHECK(mesh.is_border(h) || uv[h] == other[h]);
-  for(const double bad : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")}) {
+  for(const double bad : {0., -1., 1e-9, std::numeric_limits<double>::infinity(),
+                          std::nan("")}) { // all others are 3
     size[Vertex(7)] = bad;
     const Uv_map none = new_uv_map(mesh);
     const auto refused =

@@ -213,10 +213,11 @@ fraction of a second for 10,000 unknowns, some ten seconds for 100,000. Constrai
 unknowns that are triangular, up to their order, take linear time where small multiples do: where
 \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement, multiples of 8. All others
 without a coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the
-number of unknowns that they link, but for the last reduction of the lattice, which is cut off after some
-seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away from the
-optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in a square
-is the mean of its four neighbors, implied values grow along the square, and are far. A single
+number of unknowns that they link, but for the last reduction of the lattice, which is cut off after
+some seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away
+from the optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in
+a square is the mean of its four neighbors, implied values grow along the square, and are far: all
+can become 0, as `Linear_report::distance_ratio` tells. A single
 constraint with coefficients of 40 bits takes half a second for 100 unknowns, some ten seconds for
 300 or 1,000; what is cut off is the closeness, not the exactness. The search with a grid for each
 unknown takes fractions of a millisecond for a few unknowns, some seconds at most for 200 with

@@ -333,7 +333,8 @@ report.
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
     \cgalParamDefault{`1` everywhere}
-    \cgalParamExtra{A size that is not positive and finite is refused.}
+    \cgalParamExtra{A size that is not positive and finite, or less than a billionth of the largest
+                    one, is refused.}
   \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
     \cgalParamDescription{a property map that associates to each vertex the index that it is to

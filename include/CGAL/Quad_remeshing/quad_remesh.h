@@ -436,7 +436,8 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
     \cgalParamDefault{all quads are of one size}
-    \cgalParamExtra{A size that is not positive and finite is refused.}
+    \cgalParamExtra{A size that is not positive and finite, or less than a billionth of the largest
+                    one, is refused.}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_plane}
     \cgalParamDescription{a plane by which the result is its own mirror image: the part of the

@@ -59,6 +59,13 @@ void read_sizes(const Flat_numbering<TriangleMesh>& numbering, const Triangle_su
     options.target_edge_length *= size[0];
     return;
   }
+  constexpr double largest_ratio = 1e9; // of coordinates, bits would be left for few triangles
+  const auto range = std::minmax_element(size.begin(), size.end());
+  if(*range.second / *range.first > largest_ratio)
+    throw Refusal(Outcome::INVALID_ARGUMENT,
+                  "the size of " +
+                    surface.describe_vertex(std::size_t(range.first - size.begin())) +
+                    " is less than a billionth of the largest one; let sizes vary less");
   const int exponent = int(std::lround(sum / double(size.size())));
   options.target_edge_length = std::ldexp(options.target_edge_length, exponent);
   for(const double x : size)
