@@ -274,7 +274,7 @@ bool has_one_direction(const Shared_side& s) { return s[0].source == s[1].source
 struct Face_trees
 {
   std::vector<std::size_t> entered_by; // per face: the number of a shared side, or `none`
-  std::vector<char> is_turned;         // per face: as it has to be to fit the one it is reached from
+  std::vector<char> is_turned; // per face: as it has to be to fit the one it is reached from
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -437,6 +437,8 @@ void separate_bodies(Surface_soup& surface)
 
 // The shortest closed way along shared sides, or from border to border, that crosses a loop of
 // faces an odd number of times: cut along it, the surface stays in one piece, without this loop.
+// After 300,000 steps, it is the shortest one so far: ways between borders are tried first, and
+// then those across every 16th side of the loop, as neighbors have much the same.
 class Shortest_cut
 {
 public:
@@ -452,12 +454,23 @@ public:
         m_sides_of[node(v)].push_back(s);
   }
 
-  // The numbers of its sides.
-  std::vector<std::size_t> run()
+  using Numbers = std::set<std::size_t, std::greater<> >;
+
+  // Those of its sides.
+  Numbers run()
   {
+    const std::size_t border = m_surface.points.size();
+    search({border, false}, {border, true}, {});
+    std::vector<std::size_t> crossed;
     for(std::size_t s = 0; s < m_shared.size(); ++s)
       if(m_is_crossed[s])
-        try_through(s);
+        crossed.push_back(s);
+    for(std::size_t first = 0; first < stride; ++first)
+      for(std::size_t i = first; i < crossed.size(); i += stride) {
+        const auto& [v, w] = m_shared[crossed[i]][0].key;
+        if(m_steps_left > 0 || m_best.empty())
+          search({node(v), false}, {node(w), false}, {crossed[i]});
+      }
     return m_best;
   }
 
@@ -487,17 +500,16 @@ private:
                                                          m_surface.points[w]));
   }
 
-  // A way that has this side as its last one, if it is shorter than the best one.
-  void try_through(const std::size_t last)
+  // A way that ends with some sides, if it is shorter than the best one.
+  void search(const State start, const State end, const Numbers& last)
   {
     using Entry = std::pair<double, State>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
     std::map<State, Step> steps;
-    const State start(node(m_shared[last][0].key[0]), false);
-    const State end(node_across(last, start.first), false);
-    steps[start] = {0, start, last};
+    const double length_of_last = last.empty() ? 0 : length(*last.begin());
+    steps[start] = {0, start, 0};
     queue.emplace(0, start);
-    while(!queue.empty() && queue.top().second != end) {
+    for(; !queue.empty() && queue.top().second != end; --m_steps_left) {
       const auto [d, state] = queue.top();
       queue.pop();
       if(d > steps[state].distance)
@@ -507,7 +519,7 @@ private:
         const State to(node_across(s, state.first), state.second != bool(m_is_crossed[s]));
         const auto [found, is_new] = steps.try_emplace(to, step);
         if((is_new || step.distance < found->second.distance) &&
-           step.distance + length(last) < m_length) {
+           step.distance + length_of_last < m_length) {
           found->second = step;
           queue.emplace(step.distance, to);
         }
@@ -515,18 +527,22 @@ private:
     }
     if(queue.empty())
       return;
-    m_length = queue.top().first + length(last);
-    m_best.assign(1, last);
+    m_length = queue.top().first + length_of_last;
+    m_best = last;
     for(State state = end; state != start; state = steps[state].before)
-      m_best.push_back(steps[state].side);
+      if(const std::size_t s = steps[state].side; !m_best.insert(s).second)
+        m_best.erase(s); // to a loop and back
   }
 
   const Surface_soup& m_surface;
   const std::vector<Shared_side>& m_shared;
-  const std::vector<char>&m_is_on_border, &m_is_crossed;
+  const std::vector<char>& m_is_on_border;
+  const std::vector<char>& m_is_crossed;
   std::vector<std::vector<std::size_t> > m_sides_of; // per node
+  static constexpr std::size_t stride = 16;
+  long m_steps_left = 300000;
   double m_length = std::numeric_limits<double>::infinity();
-  std::vector<std::size_t> m_best;
+  Numbers m_best;
 };
 
 // The shared sides that a loop of faces leads across, which does not fit at this one.
@@ -568,9 +584,8 @@ void cut_one_sided_surfaces(Surface_soup& surface)
                                    [&](const Shared_side& s) { return !trees.fits(s); });
     const std::vector<char> is_crossed =
       loop_through(std::size_t(side - shared.begin()), shared, trees);
-    std::vector<std::size_t> cut = Shortest_cut(surface, shared, is_on_border, is_crossed).run();
-    std::sort(cut.begin(), cut.end(), std::greater<>()); // so that numbers stay while sides go
-    for(const std::size_t s : cut) {
+    // the largest numbers first, so that those of others stay
+    for(const std::size_t s : Shortest_cut(surface, shared, is_on_border, is_crossed).run()) {
       for(const std::size_t v : shared[s][0].key)
         is_on_border[v] = 1;
       shared.erase(shared.begin() + std::ptrdiff_t(s));
