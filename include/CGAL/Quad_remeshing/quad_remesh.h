@@ -291,9 +291,10 @@ around move, too, in at most five rounds. There are at most 20,000 such moves of
 With `symmetry_plane`, they stay.
 
 Where quads are inverted even then, the features are released that are nearer to them than an edge
-of a quad, and all is made again; if that does not help, those within two edges. So there are at
-most three attempts, if a quarter of the work is left that the first one took. What has the fewest
-inverted quads is the result; these are counted in the report.
+of a quad, or two, four, or eight if there are none, and all is made again; if that does not help,
+those within twice as many edges. So there are at most five attempts, each if a quarter of the work
+is left that the first one took. What has the fewest inverted quads is the result; these are counted
+in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times

@@ -787,29 +787,32 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
   using Mesh = Surface_to_remesh::Mesh;
   const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
+  constexpr double most_edges = 8;
+  double edges = 1; // of quads, around the inverted ones: features there are released next
   bool may_try_again = true;
-  const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept,
-                           const double edges_to_release) {
+  const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
-    may_try_again = report && report.number_of_inverted_quads > 0 &&
-                    remesher.release_features_at_bad_quads(edges_to_release);
+    may_try_again = false;
+    for(; report && report.number_of_inverted_quads > 0 && !may_try_again && edges <= most_edges;
+        edges *= 2)
+      may_try_again = remesher.release_features_at_bad_quads(edges);
     before = remesher.report();
     return report;
   };
   const double most_work = work.left();
-  Remeshing_report best = attempt(quads, is_feature, 1);
+  Remeshing_report best = attempt(quads, is_feature);
   const double of_attempt = most_work - work.left();
   bool is_spent = false;
-  for(int i = 0; i < 2 && may_try_again && best.number_of_inverted_quads > 0; ++i) {
+  while(may_try_again && best.number_of_inverted_quads > 0) {
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
     Mesh mesh;
     const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-    Remeshing_report report = attempt(mesh, is_kept, 2);
+    Remeshing_report report = attempt(mesh, is_kept);
     if(report && report.number_of_inverted_quads < best.number_of_inverted_quads) {
       replace_quads(mesh, is_kept, quads, is_feature);
       std::swap(report, best);
