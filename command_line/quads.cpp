@@ -139,6 +139,7 @@ struct Result
   // where the result is a mesh
   std::size_t number_of_irregular_vertices = 0;
   std::optional<Topologies> topologies;
+  QR::Remeshing_report shape; // its Jacobians
   std::optional<Patch_counts> patches;
 
   bool is_rounded() const { return snapped.run.number_of_faces > 0; }
@@ -410,7 +411,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
     write_displacement(os, result.smoothed->number_of_displaced_vertices,
                        result.smoothed->largest_displacement);
   } else if(result.topologies) {
-    write_jacobians(os, measure_jacobians(result.mesh));
+    write_jacobians(os, result.shape);
   }
   write_summary(os, result.patches);
 }
@@ -439,8 +440,7 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
            if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
           {"number_of_inverted_quads", report.number_of_inverted_quads},
           {"first_inverted_quads", report.first_inverted_quads},
-          {"shape", if_known(result.topologies.has_value(),
-                             json_of_jacobians(measure_jacobians(result.mesh)))},
+          {"shape", if_known(result.topologies.has_value(), json_of_jacobians(result.shape))},
           {"smoothed", result.smoothed ? json_of_smoothing(*result.smoothed, result.diagonal)
                                        : nlohmann::json()},
           {"topology", json_of(result.topologies)},
@@ -483,6 +483,7 @@ void quads(const Arguments& arguments)
     if(!options.soup) {
       result.number_of_irregular_vertices = number_of_irregular_vertices(result.mesh);
       result.topologies = {Topology(model.mesh), Topology(result.mesh)};
+      result.shape = measure_jacobians(result.mesh);
     }
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result);

@@ -240,10 +240,11 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   Remeshing_options options = remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
-  const Surface_to_remesh input = surface_to_remesh(tmesh, np1, std::nullopt);
+  const auto area_of = [&](const std::optional<Mirror>& mirror)
+    { return area_in_squares(surface_to_remesh(tmesh, np1, mirror)); };
   double growth = 1; // of the area: a mirror replaces what is below by the image of what is above
   if(const auto mirror = mirror_of(np1))
-    growth = 2 * area_in_squares(surface_to_remesh(tmesh, np1, mirror)) / area_in_squares(input);
+    growth = 2 * area_of(mirror) / area_of(std::nullopt);
   if(has_wanted_length<NamedParameters1>)
     options.quantization.number_of_quads *= growth;
   Remeshing_report report = make_quads(result, is_feature, options);
@@ -252,7 +253,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const double number_wanted = has_wanted_number && !options.quantization.is_coarsest &&
                                options.curvature_adaptivity == 1
                                  ? options.quantization.number_of_quads / growth : 0;
-  measure_quads(input, number_wanted, result, report);
+  measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result, report);
   Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
     .write(result, is_feature, quads);
   return report;

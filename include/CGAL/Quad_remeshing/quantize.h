@@ -395,7 +395,9 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
                                       CGAL::parameters::default_values())
 {
   const bool leave_out_folds = quantization && quantization.surface().is_for_face_graph;
-  const auto holes_before = internal::holes_of_two_edges(quads);
+  decltype(internal::holes_of_two_edges(quads)) holes_before;
+  if(leave_out_folds)
+    holes_before = internal::holes_of_two_edges(quads);
   const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
     quantization, tmesh, internal::strip(np1), leave_out_folds,
     internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));

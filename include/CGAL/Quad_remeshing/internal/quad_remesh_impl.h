@@ -136,14 +136,6 @@ private:
                       .halfedge_rotation_map(m_surface.rotations());
   }
 
-  // Without over- and underflow.
-  double length(const Mesh::Halfedge_index h) const
-  {
-    const auto edge = surface_mesh().point(surface_mesh().target(h)) -
-                      surface_mesh().point(surface_mesh().source(h));
-    return std::hypot(edge.x(), edge.y(), edge.z());
-  }
-
   // Products of lengths that differ by more are 0 or infinite.
   bool check_lengths()
   {
@@ -152,7 +144,7 @@ private:
     std::size_t face = 0;
     for(const auto f : surface_mesh().faces())
       for(const auto h : surface_mesh().halfedges_around_face(surface_mesh().halfedge(f))) {
-        const double l = length(h);
+        const double l = m_surface.length(h);
         if(l > longest) {
           longest = l;
           face = m_surface.original(f);
@@ -265,7 +257,7 @@ private:
   {
     m_surface.is_feature()[surface_mesh().edge(h)] = false;
     ++m_report.number_of_released_edges;
-    m_report.length_of_released_edges += m_surface.unscaled(length(h));
+    m_report.length_of_released_edges += m_surface.unscaled(m_surface.length(h));
   }
 
   // Those that force quads. The map stays: only quads need not follow them.
@@ -772,11 +764,22 @@ inline void replace_quads(const Surface_to_remesh::Mesh& others,
                           boost::make_function_output_iterator(write)));
 }
 
-// To the report of what is taken: those of what is not.
-inline void add_steps(const Remeshing_report& of_others, Remeshing_report& report)
+// Makes quads once more, by `make(quads, is_feature)`, which take the place of those that there are
+// if `is_better(report, best)`. The steps of both are reported.
+template <typename Make, typename Is_better>
+void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh::Mesh& quads,
+                 const Surface_to_remesh::Feature_map& is_feature, Remeshing_report& best)
 {
-  report.step_times.insert(report.step_times.end(), of_others.step_times.begin(),
-                           of_others.step_times.end());
+  using Mesh = Surface_to_remesh::Mesh;
+  Mesh mesh;
+  const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  Remeshing_report report = make(mesh, is_kept);
+  if(is_better(report, best)) {
+    replace_quads(mesh, is_kept, quads, is_feature);
+    std::swap(report, best);
+  }
+  best.step_times.insert(best.step_times.end(), report.step_times.begin(),
+                         report.step_times.end());
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
@@ -802,6 +805,8 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     before = remesher.report();
     return report;
   };
+  const auto has_fewer_inverted_quads = [](const Remeshing_report& a, const Remeshing_report& b)
+    { return a && a.number_of_inverted_quads < b.number_of_inverted_quads; };
   const double most_work = work.left();
   Remeshing_report best = attempt(quads, is_feature);
   const double of_attempt = most_work - work.left();
@@ -810,14 +815,7 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
-    Mesh mesh;
-    const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-    Remeshing_report report = attempt(mesh, is_kept);
-    if(report && report.number_of_inverted_quads < best.number_of_inverted_quads) {
-      replace_quads(mesh, is_kept, quads, is_feature);
-      std::swap(report, best);
-    }
-    add_steps(report, best);
+    make_others(attempt, has_fewer_inverted_quads, quads, is_feature, best);
   }
   if(is_spent || !work.is_left())
     add_note(best, words_for_spent_work);
@@ -829,21 +827,17 @@ Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_option
                               const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
                               const Surface_to_remesh::Feature_map& is_feature)
 {
-  using Mesh = Surface_to_remesh::Mesh;
   const double length_of_features = surface.length_of_features();
   const auto badness = [&](const Remeshing_report& r) {
     const double released =
       length_of_features > 0 ? r.length_of_released_edges / length_of_features : 0;
     return std::tuple(!r, r.number_of_inverted_quads, released / 2 - r.mean_scaled_jacobian);
   };
-  Mesh mesh;
-  const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-  Remeshing_report best = before, report = remesh(surface, options, mesh, is_kept);
-  if(badness(report) < badness(best)) {
-    replace_quads(mesh, is_kept, quads, is_feature);
-    std::swap(report, best);
-  }
-  add_steps(report, best);
+  Remeshing_report best = before;
+  make_others([&](auto& mesh, const auto& is_kept)
+              { return remesh(surface, options, mesh, is_kept); },
+              [&](const auto& a, const auto& b) { return badness(a) < badness(b); },
+              quads, is_feature, best);
   return best;
 }
 

@@ -459,18 +459,16 @@ private:
   // Chooses a free unknown; false if it exceeds 2^62.
   bool nearest(const Column_index column, Component_solution& solution) const
   {
-    Grid_value v = solution.optimum[std::size_t(column)];
+    const Grid_value& v = solution.optimum[std::size_t(column)];
     std::int64_t& x = solution.x[std::size_t(column)];
-    const std::int64_t multiple =
-      m_form.multiples.empty() ? 1 : m_form.multiples[std::size_t(column)];
-    if(multiple == 1)
+    if(m_form.multiples.empty())
       return solution.grid.nearest(v, x);
-    if(!(std::abs(to_double(v)) < machine_integer_bound &&
-         std::abs(v.offset) < machine_integer_bound))
-      return false;
-    const double rest = (double(v.base % multiple) + v.offset) / double(multiple);
-    x = multiple * (v.base / multiple + nearest_integer(rest));
-    return true;
+    const std::int64_t multiple = m_form.multiples[std::size_t(column)];
+    const double rest = double(v.base % multiple) + v.offset;
+    std::int64_t number = 0;
+    x = 0;
+    return solution.grid.nearest({v.base / multiple, rest / double(multiple)}, number) &&
+           add_product(multiple, number, x);
   }
 
   // [MC19] Eq. (2') for one pivot row, which its pivot divides. The sum is exact in any order,

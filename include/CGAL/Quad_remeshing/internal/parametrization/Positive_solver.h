@@ -212,8 +212,8 @@ public:
       else if(!is_untangled)
         keep_better(reached, *system, unknowns);
       if(round > 0)
-        spend((m_solver.multiplications - multiplications_before) / multiplications_over_a_face +
-              cost_of_complex());
+        spend(cost_of_complex() + (m_solver.multiplications - multiplications_before) /
+                                    multiplications_over_a_triangle);
       std::vector<std::size_t> stuck;
       const double iterations_before = m_iterations_left;
       m_uv = m_rows->evaluate(unknowns);
@@ -381,7 +381,6 @@ private:
   }
 
   static constexpr std::size_t largest_number_of_rounds = 20;
-  static constexpr double multiplications_over_a_face = 8000; // that take as long as an iteration
 
   Triangle_surface& m_surface;
   const std::vector<char>& m_is_cut;

@@ -149,13 +149,19 @@ public:
 
   double scaled(const double x) const { return std::ldexp(x, -m_exponent); }
 
+  // In the scale of the mesh, without over- and underflow.
+  double length(const Halfedge h) const
+  {
+    const auto edge = m_mesh.point(m_mesh.target(h)) - m_mesh.point(m_mesh.source(h));
+    return std::hypot(edge.x(), edge.y(), edge.z());
+  }
+
   double length_of_features() const
   {
     double sum = 0;
     for(const Edge e : m_mesh.edges())
       if(m_is_feature[e])
-        sum += std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.vertex(e, 0)),
-                                                m_mesh.point(m_mesh.vertex(e, 1))));
+        sum += length(m_mesh.halfedge(e));
     return unscaled(sum);
   }
 

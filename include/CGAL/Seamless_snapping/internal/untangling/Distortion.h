@@ -117,6 +117,9 @@ private:
   FT m_squared;
 };
 
+// Of a factorization, that take as long as an iteration over a triangle.
+inline constexpr double multiplications_over_a_triangle = 8000;
+
 template <typename FT>
 class Distortion_minimizer
 {
@@ -342,7 +345,6 @@ private:
   }
 
   static constexpr FT smallest_regularization = 1e-10;
-  static constexpr double multiplications_over_a_triangle = 8000; // that take as long
 
   Eigen::Index m_count;
   Vector m_sum;
