@@ -28,9 +28,12 @@ int main(int argc, char* argv[])
   if(!SS::IO::read_OBJ(input, mesh, uv_map, QR::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
 
+  // A program with a window shows these lines, and throws an exception here to stop the work.
+  const auto show = [](const std::string& line) { std::cerr << line << "\n"; };
   Mesh quads;
   const auto report = QR::quad_remesh(mesh, quads,
-                                      QR::parameters::target_number_of_quads(number_of_quads)
+                                      QR::parameters::visitor(show)
+                                        .target_number_of_quads(number_of_quads)
                                         .edge_is_constrained_map(is_feature));
   std::cout << report << "\n"
             << report.number_of_quads << " quads, " << report.number_of_irregular_vertices

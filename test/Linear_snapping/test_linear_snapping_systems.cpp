@@ -8,6 +8,7 @@
 
 #include "checking.h"
 #include "exact_reference.h"
+#include "interruptions.h"
 #include "lattice_reference.h"
 #include "random_systems.h"
 #include "snap_in_any_form.h"
@@ -17,6 +18,7 @@
 #include <unsupported/Eigen/SparseExtra>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -772,33 +774,84 @@ void test_files()
       test_file(path.string());
 }
 
-// How far a step has come is told while a timer lives that is to tell, and not again too soon.
+// Who is told what.
 void test_signs_of_life()
 {
-  using Timer = CGAL::Linear_snapping::internal::Step_timer;
+  using CGAL::Linear_snapping::internal::Progress;
+  using CGAL::Linear_snapping::internal::Step_timer;
+  namespace parameters = CGAL::Linear_snapping::parameters;
   struct { std::vector<std::pair<std::string, double> > step_times; } report;
+  std::vector<std::string> all, others;
+  const auto visitor = [](auto& texts) { return [&](const std::string& text)
+                                         { texts.push_back(text); }; };
+  const auto tell = [](const std::string& text) { Progress::tell([&] { return text; }); };
+  const auto strip = [](const auto& np) { return CGAL::Linear_snapping::internal::strip(np); };
+  tell("nobody");
+  {
+    const Progress progress(strip(parameters::visitor(visitor(all)).verbose(true)));
+    tell("one");
+    Progress::tell_each_second([] { return std::string("too soon"); });
+    {
+      const Progress same(strip(parameters::default_values()));
+      tell("two");
+      const Progress other(strip(parameters::visitor(visitor(others)).tolerance(1.)));
+      tell("three");
+    }
+    tell("four");
+    Step_timer timer(report);
+    timer.finish("outer");
+    timer.finish("outer"); // again
+    {
+      Step_timer inner(report);
+      inner.finish("inner, and short");
+    }
+  }
+  tell("nobody again");
+  CHECK(all.size() == 4 && all.back().find("outer: ") == 0 && all.back().back() == 's');
+  all.pop_back();
+  CHECK(all == std::vector<std::string>({"one", "two", "four"}));
+  CHECK(others == std::vector<std::string>({"three"}));
+  CHECK_EQUAL(report.step_times.size(), std::size_t(2));
+
+  struct Counter { int calls = 0; void operator()(const std::string&) { ++calls; } } counter;
+  const Progress by_reference(strip(parameters::visitor(std::ref(counter))));
+  tell("by reference");
+  CHECK_EQUAL(counter.calls, 1);
+
   std::ostringstream os;
   std::streambuf* const before = std::cerr.rdbuf(os.rdbuf());
-  const auto told = [&](const double seconds) {
-    os.str("");
-    Timer::tell(seconds, [] { return std::string("half"); });
-    return os.str();
-  };
-  std::vector<std::string> all{told(0)};
   {
-    const Timer silent(report);
-    all.push_back(told(0));
-    const Timer verbose(report, true);
-    all.push_back(told(0));
-    all.push_back(told(1000));
-    {
-      const Timer inner(report, true);
-    }
-    all.push_back(told(0));
+    const Progress verbose(strip(parameters::verbose(true)));
+    tell("to the error stream");
   }
-  all.push_back(told(0));
   std::cerr.rdbuf(before);
-  CHECK(all == std::vector<std::string>({"", "", "    half\n", "", "    half\n", ""}));
+  CHECK_EQUAL(os.str(), "  to the error stream\n");
+}
+
+// Sparse, dense, and of several grids.
+void test_interruptions()
+{
+  namespace LS = CGAL::Linear_snapping;
+  using Kind_of_system = std::array<unsigned int, 3>;
+  for(const auto& [unknowns, terms, least] : {Kind_of_system{300, 3, 1}, {30, 20, 2}, {3, 3, 2}}) {
+    std::mt19937 random(unknowns);
+    LS::Linear_constraints<> c(unknowns);
+    std::vector<double> before(unknowns);
+    for(double& x : before)
+      x = double(random() % 1000) / 1000;
+    for(std::size_t i = 0; i < unknowns / 3; ++i) {
+      std::vector<std::pair<std::size_t, std::int64_t> > row;
+      for(std::size_t k = 0; k < terms; ++k)
+        row.emplace_back(random() % unknowns, std::int64_t(least + random() % 9));
+      c.add_constraint(row);
+    }
+    std::vector<double> x;
+    interruptions::test(std::to_string(unknowns) + " unknowns", [&](const auto& visitor) {
+      x = before;
+      return bool(LS::snap_to_linear_constraints(c, x, LS::parameters::visitor(visitor)));
+    }, [&] { return x == before; });
+    CHECK(x != before);
+  }
 }
 
 int main(int argc, char** argv)
@@ -836,5 +889,6 @@ int main(int argc, char** argv)
     }
   test_files();
   test_signs_of_life();
+  test_interruptions();
   return report_checks();
 }

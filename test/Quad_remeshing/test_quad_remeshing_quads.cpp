@@ -6,6 +6,7 @@
 #endif
 #include "Polyhedron_copy.h"
 #include "floating_point_traps.h"
+#include "interruptions.h"
 #include "quad_reference.h"
 #include "slit_checks.h"
 #include "test_data.h"
@@ -1015,6 +1016,23 @@ void test_range_space()
   }
 }
 
+// Whatever is interrupted on the way to integers, the map is as before.
+void test_interruptions()
+{
+  Mesh mesh;
+  UV_map uv = square_complex::uv_map(mesh);
+  CHECK(QR::IO::read_OBJ(test_data::package_file("genus2"), mesh, uv));
+  const double scale = std::sqrt(300 / QR::measure_integer_grid(mesh, uv).area);
+  const std::vector<Point_2> before(uv.begin(), uv.end());
+  interruptions::test("genus2", [&](const auto& visitor) {
+    std::copy(before.begin(), before.end(), uv.begin());
+    return bool(QR::snap_to_seamless(
+      mesh, uv, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.)
+                  .repair_flips(QR::Flip_repair::UNTANGLE).visitor(visitor)));
+  }, [&] { return std::equal(before.begin(), before.end(), uv.begin()); });
+  CHECK(!std::equal(before.begin(), before.end(), uv.begin()));
+}
+
 void test_integer_grids()
 {
   test_integers_one_after_another("genus1", 400);
@@ -1075,5 +1093,6 @@ int main()
   test_refusals();
   test_range_space();
   test_integer_grids();
+  test_interruptions();
   return report_checks();
 }

@@ -4,6 +4,7 @@
 
 #include "Parametrized_model.h"
 #include "floating_point_traps.h"
+#include "interruptions.h"
 #include "quad_reference.h"
 #include "test_data.h"
 #include "test_surfaces.h"
@@ -1316,6 +1317,29 @@ void test_remeshing()
   CHECK_EQUAL(quads.number_of_faces(), 100u);
 }
 
+// Of parametrization, quantization, and remeshing: nothing is left of what was interrupted.
+void test_interruptions()
+{
+  Parametrized_model model(test_data::package_file("genus2_features"));
+  const Mesh& mesh = model.mesh;
+  const auto features = parameters::edge_is_constrained_map(model.is_aligned);
+  const std::vector<Point_2> before(model.uv.begin(), model.uv.end());
+  interruptions::test("parametrization", [&](const auto& visitor) {
+    return bool(QR::approximate_seamless_parametrization(mesh, model.uv,
+                                                         features.visitor(visitor)));
+  }, [&] { return std::equal(before.begin(), before.end(), model.uv.begin()); });
+  CHECK(bool(QR::snap_to_seamless(mesh, model.uv, features.repair_flips(true))));
+  interruptions::test("quantization", [&](const auto& visitor) {
+    return bool(QR::quantize(mesh, model.uv, features.needs_face_graph(true).visitor(visitor)));
+  }, [] { return true; });
+  Mesh quads;
+  const auto texts = interruptions::test("remeshing", [&](const auto& visitor) {
+    return bool(QR::quad_remesh(mesh, quads,
+                                features.target_number_of_quads(300).visitor(visitor)));
+  }, [&] { return quads.is_empty(); });
+  CHECK(!quads.is_empty() && texts.size() > 10);
+}
+
 // A square, and one of random heights.
 std::vector<Mesh> square_and_peaks(const unsigned seed)
 {
@@ -2626,6 +2650,7 @@ int main()
     test_search_without_work();
     test_numbers();
     test_remeshing();
+  test_interruptions();
     test_spent_work();
     test_sizes_of_quads();
     test_symmetry();

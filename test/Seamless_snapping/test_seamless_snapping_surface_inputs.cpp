@@ -1,6 +1,7 @@
 // Tests of the surface function: transitions that the caller gives, edges too short to tell how
 // they turn, inputs that have to be refused untouched, and degenerate ones that have not.
 
+#include "interruptions.h"
 #include "surface_checks.h"
 
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -715,6 +716,31 @@ void test_degenerate_faces(unsigned int seed)
   }
 }
 
+// With merged corners, repairs, notes, and a scale.
+void test_interruptions(const unsigned int seed)
+{
+  for(const std::string name : {"disc", "torus", "disc with aligned border"}) {
+    Named_mesh<Kernel> named = named_mesh(name, seed);
+    UV_map uv = test_meshes::uv_map(named.mesh);
+    std::mt19937_64 random(seed);
+    for(const auto h : named.mesh.halfedges())
+      uv[h] = uv[h] + 1e-7 * Kernel::Vector_2(uv_noise::symmetric_random(random),
+                                              uv_noise::symmetric_random(random));
+    const Mesh& mesh = named.mesh;
+    const std::vector<Point_2> before(uv.begin(), uv.end());
+    const auto test = [&](const auto& np) {
+      interruptions::test(name, [&](const auto& visitor) {
+        std::copy(before.begin(), before.end(), uv.begin());
+        return bool(SS::snap_to_seamless(mesh, uv, np.visitor(visitor)));
+      }, [&] { return std::equal(before.begin(), before.end(), uv.begin()); });
+      CHECK_IN(name, !std::equal(before.begin(), before.end(), uv.begin()));
+    };
+    test(SS::parameters::default_values());
+    test(SS::parameters::repair_flips(SS::Flip_repair::UNTANGLE));
+    test(SS::parameters::grid_scale(3.));
+  }
+}
+
 int main()
 {
   unsigned int seed = 0;
@@ -738,6 +764,7 @@ int main()
   test_last_bits();
   test_nearly_nothing();
   test_signs_of_zeros();
+  test_interruptions(++seed);
   for(int round = 0; round < 10; ++round)
     test_degenerate_faces(++seed);
   std::cout << "seeds 1 to " << seed << std::endl;

@@ -1,6 +1,7 @@
 // Volumes: maps of tetrahedral meshes that are made exactly seamless, against a check in rational
 // numbers, and against the least-squares optimum of all facets' equations.
 
+#include "interruptions.h"
 #include "test_data.h"
 #include "volume_checks.h"
 #include "volume_file_checks.h"
@@ -306,6 +307,26 @@ void test_grid_of_file(Tet_map map, const std::string& name)
     CHECK_IN(name, volume_grid_reference::count(map).are_integers());
 }
 
+// As they are, and to integers with repairs.
+void test_interruptions()
+{
+  Tet_map map = volume_generator::Tetrahedra_builder(volume_generator::all_complexes().front(),
+                                                     Charts::CUBES, 1).build();
+  volume_generator::add_noise(map, 1e-8, true, 1);
+  const Tet_map before = map;
+  const auto test = [&](const auto& np) {
+    interruptions::test("a volume", [&](const auto& visitor) {
+      map = before;
+      return bool(snap(map, np.visitor(visitor)));
+    }, [&] { return map.corners == before.corners; });
+    CHECK(map.corners != before.corners);
+  };
+  test(parameters::default_values());
+  test(parameters::integer_grid(true).rounding_tolerance(10.)
+                  .grid_scale(20 / volume_reference::extent(map))
+                  .repair_flips(Snapping::Flip_repair::UNTANGLE));
+}
+
 // Real maps, as they are and with noise.
 void test_further_files()
 {
@@ -357,6 +378,7 @@ int main(int argc, char** argv)
   test_integer_grids();
   test_refusals_of_grids();
   test_repairs_of_flips();
+  test_interruptions();
   test_cell_without_volume();
   test_files();
   test_rounding_of_fractions();

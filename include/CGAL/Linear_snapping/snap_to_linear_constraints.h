@@ -21,6 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/linear/constraint_input.h>
 #include <CGAL/Linear_snapping/internal/linear/snap_values.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/Linear_constraints.h>
 #include <CGAL/Linear_snapping/types/Linear_report.h>
@@ -95,9 +96,9 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
   const Protect_exact_arithmetic protect;
   if(const auto refusal = inexact_arithmetic())
     return refused<Linear_report>(*refusal);
-  const bool verbose = chosen(np, CGAL::internal_np::verbose, false);
+  const Progress progress(np);
   Linear_report report;
-  Step_timer timer(report, verbose);
+  Step_timer timer(report);
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
@@ -175,9 +176,16 @@ pivots first, and a least-squares target.
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether each step is reported on the standard error stream with its time}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called with a line of text after each step, and about each second of
+                          long ones, in the calling thread. What it throws ends the work, and passes
+                          on to the caller; `x` is untouched then.}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

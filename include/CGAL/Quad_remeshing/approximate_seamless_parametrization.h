@@ -20,6 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Seamless_parametrizer.h>
@@ -155,7 +156,6 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   options.least_cone_distance = chosen(np, internal_np::least_cone_distance, 0.);
   options.known_fields = chosen(np, internal_np::known_fields, options.known_fields);
   options.may_release = chosen(np, internal_np::release_alignment, false);
-  options.verbose = chosen(np, internal_np::verbose, false);
   options.random_seed = chosen(np, internal_np::random_seed, 0u);
   if constexpr(is_given<NamedParameters, internal_np::cone_index_t>)
     options.cone_index = read_cones(numbering, surface, get_parameter(np, internal_np::cone_index));
@@ -222,14 +222,14 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   const Parametrization_result result = parametrize(
     surface, options, Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
     make_solver<Solver>, static_cast<Parametrization_figures&>(report));
-  write_coordinates(numbering, result, uv_map);
-  write_transitions(tmesh, numbering, surface, result, np);
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)
       report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
   for(const Corner_index h : result.released)
     report.released_edges.emplace_back(numbering.vertices_in_order()[surface.source(h)],
                                        numbering.vertices_in_order()[surface.vertex(h)]);
+  write_coordinates(numbering, result, uv_map);
+  write_transitions(tmesh, numbering, surface, result, np);
 }
 
 } // namespace parametrization
@@ -434,10 +434,16 @@ report.
     \cgalParamExtra{Untangling uses that of \ref thirdpartyEigen "Eigen" in any case.}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the times of the steps are written to `std::cerr`, and every few
-                          seconds how far a search has come}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called with a line of text after each step, and about each second of
+                          long ones, in the calling thread. What it throws ends the work, and passes
+                          on to the caller; no map has been touched then.}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -482,6 +488,7 @@ approximate_seamless_parametrization(const TriangleMesh& tmesh, HalfedgeUVMap uv
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const internal::Protect_exact_arithmetic protect;
+  const internal::Progress progress(internal::strip(np));
   Parametrization_report<Vertex> report;
   try {
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())

@@ -19,6 +19,7 @@
 // is symmetric by.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
@@ -135,7 +136,6 @@ struct Remeshing_options
   std::optional<double> curvature_alignment;
   double curvature_adaptivity;
   std::size_t number_of_smoothing_rounds;
-  bool verbose;
   bool has_single_precision; // the points of the quads
 };
 
@@ -151,7 +151,7 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
           chosen(np, internal_np::curvature_adaptivity, 1.),
           (std::min)(chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
                      most_smoothing_rounds),
-          chosen(np, internal_np::verbose, false), has_single_precision};
+          has_single_precision};
 }
 
 template <typename Plane>
@@ -237,6 +237,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
     typename boost::property_traits<decltype(point_map_of_quads(quads, np2))>::value_type;
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
   const Protect_exact_arithmetic protect;
+  const Progress progress(np1);
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   Remeshing_options options = remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
@@ -465,10 +466,16 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the times of the steps are written to `std::cerr`, and every few
-                          seconds how far a search has come}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called with a line of text after each step, and about each second of
+                          long ones, in the calling thread. What it throws ends the work, and passes
+                          on to the caller; `quads` is untouched then.}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -585,7 +592,7 @@ them are moved until as many quads meet at the vertices of the border as its ang
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
        overload that concern the shape and the mesh, which are `number_of_relaxation_steps`,
-       `vertex_point_map`, and `verbose`. Features are those of the quantization.
+       `vertex_point_map`, `verbose`, and `visitor`. Features are those of the quantization.
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
        overload
 

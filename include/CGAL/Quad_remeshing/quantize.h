@@ -19,6 +19,7 @@
 // triangulation, and the quads that they describe.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
@@ -283,6 +284,16 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
                    three-dimensional point as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of the work that is spent, as by `quad_remesh()`, and may end it}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the quantization; converts to `true` if and only if there is one. Otherwise
@@ -315,6 +326,7 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto& parameters = internal::strip(np);
+  const internal::Progress progress(parameters);
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::quantize_map(tmesh, uv_map, parameters,
                                   internal::quantization_options(tmesh, parameters));
@@ -335,8 +347,8 @@ that `quantize()` returns for the map, to the bit.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
        for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
        `minimize_number_of_quads`, `needs_face_graph`, `maximum_number`, and `maximum_feature_loss`,
-       which releases further features; and `vertex_sizing_map` and `vertex_point_map`, which
-       `target_edge_length` needs
+       which releases further features; `vertex_sizing_map` and `vertex_point_map`, which
+       `target_edge_length` needs; and `verbose` and `visitor`
 
 \return as `quantize()`; `INVALID_ARGUMENT` also if `quantization` is none
 
@@ -354,8 +366,10 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
     return internal::refused<Quantization>(
       Outcome::INVALID_ARGUMENT, "there is no quantization: " + quantization.message);
   const internal::Protect_exact_arithmetic protect;
-  return internal::quantize_again(
-    quantization, internal::quantization_options(tmesh, internal::strip(np)));
+  const auto& parameters = internal::strip(np);
+  const internal::Progress progress(parameters);
+  return internal::quantize_again(quantization,
+                                  internal::quantization_options(tmesh, parameters));
 }
 
 /*!

@@ -106,8 +106,8 @@ the map itself is to stay as it is.
 \param tmesh the mesh
 \param uv_map the coordinates of each corner, as those of `snap_to_seamless()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-        below, and `tolerance`, `rotational_symmetry`, `vertex_index_map`, and `verbose` of
-        `snap_to_seamless()`
+        below, and `tolerance`, `rotational_symmetry`, `vertex_index_map`, `verbose`, and `visitor`
+        of `snap_to_seamless()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{grid_scale}

@@ -104,8 +104,9 @@ vertices \f$ a, b \f$, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the 
 charts of its two cells; and whether a coordinate is constant on each boundary facet and feature
 facet, and two are along each feature edge. The answer is that of exact arithmetic.
 
-Template and function parameters, and all named parameters but `tolerance` and `verbose`, are those
-of `snap_volume_to_seamless()`; the map need be a model of `ReadablePropertyMap` only.
+Template and function parameters, and all named parameters but `tolerance`, `verbose`, and
+`visitor`, are those of `snap_volume_to_seamless()`; the map need be a model of
+`ReadablePropertyMap` only.
 
 \return `false` also if a coordinate is NaN, infinite, or beyond 1e300
 

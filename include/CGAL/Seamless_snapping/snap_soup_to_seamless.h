@@ -55,8 +55,8 @@ messages number the further ones after all other vertices.
        `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `align_border`,
        `rotational_symmetry`, `tolerance`, `repair_flips`, `number_of_untangling_iterations`,
-       `integer_grid`, `grid_scale`, `rounding_tolerance`, and `verbose` of `snap_to_seamless()`,
-       and the one listed below
+       `integer_grid`, `grid_scale`, `rounding_tolerance`, `verbose`, and `visitor` of
+       `snap_to_seamless()`, and the one listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{feature_edges}

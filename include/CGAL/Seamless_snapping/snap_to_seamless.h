@@ -19,6 +19,7 @@
 // and to the lattice coordinates that parametrizations of symmetry 3 and 6 have.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
@@ -220,9 +221,16 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether each step is reported on the standard error stream with its time}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called with a line of text after each step, and about each second of
+                          long ones, in the calling thread. What it throws ends the work, and passes
+                          on to the caller; the map is untouched then.}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -277,17 +285,14 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
   constexpr bool may_scale = internal::is_given<Parameters, CGAL::internal_np::grid_scale_t> ||
                              internal::is_given<Parameters, CGAL::internal_np::integer_grid_t>;
   const auto& plain_np = internal::strip(np);
-  Snapping_report report;
+  const internal::Progress progress(plain_np);
   if constexpr(!internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return report;
+    return Snapping_report();
   else if constexpr(!may_scale)
-    report = internal::snap_surface<Group>(tmesh, uv_map, plain_np);
+    return internal::snap_surface<Group>(tmesh, uv_map, plain_np);
   else
-    report = internal::snap_scaled<Group>(
+    return internal::snap_scaled<Group>(
       tmesh, uv_map, plain_np, internal::chosen(plain_np, CGAL::internal_np::grid_scale, 1.));
-  internal::tell_of_faces(internal::chosen_flip_repair(plain_np),
-                          internal::chosen_number_of_untangling_iterations(plain_np), report);
-  return report;
 }
 
 namespace internal {

@@ -165,9 +165,16 @@ and at vertices.
     \cgalParamDefault{400}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether each step is reported on the standard error stream with its time}
+    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`false`; not read with a `visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is called with a line of text after each step, and about each second of
+                          long ones, in the calling thread. What it throws ends the work, and passes
+                          on to the caller; the map is untouched then.}
+    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
+    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

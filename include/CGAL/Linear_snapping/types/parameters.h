@@ -91,7 +91,8 @@
   F(verbose_t, verbose, verbose)                                                                   \
   F(vertex_index_t, vertex_index, vertex_index_map)                                                \
   F(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)                     \
-  F(vertex_point_t, vertex_point, vertex_point_map)
+  F(vertex_point_t, vertex_point, vertex_point_map)                                                \
+  F(visitor_t, visitor, visitor)
 
 #define CGAL_SEAMLESS_SNAPPING_PARAMETERS(F)                                                       \
   CGAL_SEAMLESS_SNAPPING_OWN_PARAMETERS(F)                                                         \
@@ -283,7 +284,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *
  * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
  * `number_of_iterations`, `number_of_relaxation_steps`, `random_seed`, `sparse_linear_solver`,
- * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`.
+ * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
  * `maximum_number` is the number of things made or visited above which a function gives up.
  *
  * Which of them a function reads is listed with the function; it ignores the others, unless the

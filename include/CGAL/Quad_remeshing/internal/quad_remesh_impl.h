@@ -20,6 +20,7 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
@@ -70,7 +71,7 @@ public:
   Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
                 const Feature_map& is_feature)
     : m_surface(surface), m_options(options), m_quads(quads), m_is_feature(is_feature),
-      m_work(*options.quantization.work), m_timer(m_report, options.verbose)
+      m_work(*options.quantization.work), m_timer(m_report)
   { }
 
   void run()
@@ -97,7 +98,7 @@ public:
     }
     const std::size_t number = m_report.number_of_released_edges - before;
     if(number > 0)
-      Step_timer::tell(0, [&] {
+      Progress::tell([&] {
         return counted(m_report.number_of_inverted_quads, "inverted quad") + "; again without " +
                counted(number, "feature edge") + " near by";
       });
@@ -495,8 +496,7 @@ private:
                                 .number_of_untangling_iterations(untangling_iterations(500))
                                 .largest_cone_index(largest_cone_index)
                                 .least_cone_distance(least_cone_distance)
-                                .known_fields(&m_known_fields)
-                                .verbose(m_options.verbose));
+                                .known_fields(&m_known_fields));
     m_timer.finish("parametrization");
     if(!made)
       return refuse(m_report, made.status, with_face_of_input(made.message));

@@ -22,12 +22,15 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/lattice_reduction.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -103,8 +106,11 @@ public:
       m_users[i].push_back(i);
     }
     std::vector<char> is_done(system.number_of_rows(), 0);
-    for(std::size_t i = 0; i < is_done.size(); ++i)
+    for(std::size_t i = 0; i < is_done.size(); ++i) {
       intersect_with_kernel(next_row(is_done));
+      Progress::tell_each_second([&] { return counted(i + 1, "row") + " of " +
+                                              std::to_string(is_done.size()) + " solved"; });
+    }
     finish();
   }
 

@@ -30,6 +30,8 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/elimination_queues.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,8 +74,10 @@ public:
   {
     load(system);
     Row_index row;
-    while(m_queue.pop(row))
+    while(m_queue.pop(row)) {
       process(row);
+      Progress::tell_each_second([&] { return counted(m_pivots.size(), "row") + " eliminated"; });
+    }
     make_units_in_core();
   }
 

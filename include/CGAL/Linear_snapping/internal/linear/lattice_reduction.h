@@ -22,6 +22,8 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 
 #include <boost/config.hpp>
 
@@ -104,6 +106,8 @@ public:
       for(std::size_t k = 0; k < basis.size();) {
         if(k >= m_number_set || subtract_earlier_vectors(k) >= large_factor)
           size_reduce(k);
+        Progress::tell_each_second([&] { return "a lattice of " + counted(basis.size(), "vector") +
+                                                " is reduced"; });
         const std::size_t position = m_work < most_work ? position_of(k) : k;
         if(position == k) {
           ++k;

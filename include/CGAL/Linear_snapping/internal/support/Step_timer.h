@@ -15,14 +15,13 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Times the steps of a function into its report and, if asked to, tells the error stream of each,
-// and how far a long one has come.
+// Times the steps of a function into its report, and tells the caller of each.
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,37 +34,17 @@ class Step_timer
 {
 public:
   template <typename Report>
-  explicit Step_timer(Report& report, const bool verbose = false)
-    : m_step_times(report.step_times), m_verbose(verbose), m_start(Clock::now()),
-      m_is_first(verbose && !s_is_verbose)
-  {
-    if(m_is_first) {
-      s_is_verbose = true;
-      s_told = m_start;
-    }
-  }
+  explicit Step_timer(Report& report)
+    : m_step_times(report.step_times), m_start(Clock::now()), m_is_outermost(s_depth++ == 0)
+  { }
 
-  ~Step_timer()
-  {
-    if(m_is_first)
-      s_is_verbose = false;
-  }
+  ~Step_timer() { --s_depth; }
 
   Step_timer(const Step_timer&) = delete;
   Step_timer& operator=(const Step_timer&) = delete;
 
-  // Tells what `words()` returns, wherever in the steps of a timer that is to tell, if nothing has
-  // been told for so many seconds.
-  template <typename Words>
-  static void tell(const double seconds, const Words& words)
-  {
-    if(!s_is_verbose || Clock::now() - s_told < std::chrono::duration<double>(seconds))
-      return;
-    std::cerr << "    " + words() + "\n" << std::flush;
-    s_told = Clock::now();
-  }
-
-  // Ends the step that began when the previous one ended.
+  // Ends the step that began when the previous one ended. Those within the step of another timer
+  // are told if they take long.
   void finish(const char* step)
   {
     const Clock::time_point now = Clock::now();
@@ -78,18 +57,16 @@ public:
       m_step_times.emplace_back(step, seconds);
     else
       same->second += seconds; // made again, for another part or on another grid
-    if(m_verbose && (is_new || seconds > 0.1))
-      std::cerr << "  " << step << ": " << short_number(seconds * 1e3) << " ms" << std::endl;
+    if((is_new && m_is_outermost) || seconds > 0.1)
+      Progress::tell([&] { return step + (": " + short_number(seconds * 1e3)) + " ms"; });
   }
 
 private:
   using Clock = std::chrono::steady_clock;
   std::vector<std::pair<std::string, double> >& m_step_times;
-  bool m_verbose;
   Clock::time_point m_start;
-  bool m_is_first; // of the timers that tell
-  inline static thread_local bool s_is_verbose = false;
-  inline static thread_local Clock::time_point s_told{};
+  bool m_is_outermost;
+  inline static thread_local int s_depth = 0;
 };
 
 } // namespace internal

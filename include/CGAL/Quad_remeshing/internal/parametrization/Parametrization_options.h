@@ -37,7 +37,6 @@ struct Parametrization_options
   unsigned int random_seed = 0;
   std::size_t number_of_untangling_iterations = 500;
   bool may_release = false; // edges from their alignment
-  bool verbose = false;
   int largest_cone_index = 3;  // of the cones that the field decides
   double least_cone_distance = 0; // of opposite ones, in the size of the mesh
   std::set<std::vector<int> >* known_fields = nullptr; // turns of matchings not to be taken again

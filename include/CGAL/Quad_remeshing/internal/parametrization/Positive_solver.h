@@ -19,7 +19,7 @@
 // untangling, and, where alignment leaves no such coordinates, the release of edges.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Map_part.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
@@ -47,7 +47,7 @@ namespace parametrization {
 inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
 
 inline void tell_flips(const std::size_t number)
-{ Step_timer::tell(2, [&] { return counted(number, "flipped face") + " in the map"; }); }
+{ Progress::tell_each_second([&] { return counted(number, "flipped face") + " in the map"; }); }
 
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any

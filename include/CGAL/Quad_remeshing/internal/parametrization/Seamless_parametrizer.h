@@ -175,7 +175,7 @@ Parametrization_result parametrize(Triangle_surface& surface,
                                    const Number_format& format, const Make_solver make_solver,
                                    Report& report)
 {
-  Step_timer timer(report, options.verbose);
+  Step_timer timer(report);
   Parametrization_result result;
 
   if(options.may_release)

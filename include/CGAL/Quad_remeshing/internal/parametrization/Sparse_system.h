@@ -18,6 +18,7 @@
 // A sparse symmetric positive definite linear system, and solvers for it of any type.
 
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 
@@ -239,6 +240,7 @@ public:
   // To be called after the last coefficient.
   void factor()
   {
+    Progress::tell_each_second([&] { return "solving for " + counted(m_dimension, "unknown"); });
     CGAL::Real_timer timer;
     timer.start();
     const bool success = m_dimension == 0 || m_solver.solver->factor(*m_matrix);

@@ -21,7 +21,7 @@
 // all around are tried, too, and parts of the surface that are cut off count more.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 
@@ -112,7 +112,8 @@ private:
   // Returns whether more than a little was gained.
   bool move_all()
   {
-    Step_timer::tell(5, [&] { return "shaping " + counted(m_quads.number_of_faces(), "quad"); });
+    Progress::tell_each_second([&] { return "shaping " +
+                                            counted(m_quads.number_of_faces(), "quad"); });
     m_forms = m_samples.distance_forms(m_quads, m_are_few);
     double gain = 0;
     for(const Vertex v : vertices(m_quads))

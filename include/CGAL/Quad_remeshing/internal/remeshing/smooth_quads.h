@@ -18,6 +18,8 @@
 // Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
 // their neighbors; and measures the result. All of this is floating point.
 
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
@@ -339,6 +341,8 @@ private:
   const Tree& tree() const
   {
     ++m_number_of_searches;
+    Progress::tell_each_second([&] { return counted(m_number_of_searches, "place") +
+                                            " looked for on the surface"; });
     return m_tree;
   }
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 
@@ -46,7 +46,7 @@ public:
   void spend(const double work)
   {
     m_left -= work;
-    Step_timer::tell(5, [&] {
+    Progress::tell_each_second([&] {
       return std::to_string(std::lround(100 * (1 - left() / m_most))) +
              " % of the bound of all searches is spent";
     });

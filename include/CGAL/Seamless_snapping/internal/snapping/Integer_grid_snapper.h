@@ -131,7 +131,8 @@ private:
       return spread_and_snap(cuts);
     for(const Rounding<Group>& rounding : roundings)
       cuts.complex.equations.push_back(rounding.equation);
-    return this->solve(transitions.is_exact, cuts, roundings);
+    const auto unsolved = this->solve(transitions.is_exact, cuts, roundings);
+    return unsolved ? unsolved : this->write();
   }
 
   // Before the search for integers and repairs that no extraction takes.

@@ -52,33 +52,27 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Writes exact coordinates to the uv map, and measures by how much they change.
-// `Stars` know the points that repairs of orientations have met: the sectors, and then vertices
-// without a sector.
+// Collects the corners that change, and measures by how much. `Stars` know the points that repairs
+// of orientations have met: the sectors, and then vertices without a sector.
 template <typename Group, typename Surface, typename Stars>
-class Coordinate_writer
+class Change_collector
 {
   using Halfedge = typename Surface::Halfedge;
   using Cuts = Surface_cuts<Group, Halfedge>;
   using Change = Corner_change<Halfedge, Uv>;
 
 public:
-  Coordinate_writer(const Cuts& cuts, const Stars& stars, Surface& surface)
+  // \param uv the exact coordinates, per point
+  Change_collector(const Cuts& cuts, const Stars& stars, const Surface& surface,
+                   const std::vector<Uv>& uv)
     : m_cuts(cuts), m_stars(stars), m_surface(surface)
-  { }
-
-  // To be called once.
-  // \param uv per point
-  std::optional<Refusal> write(const std::vector<Uv>& uv)
   {
     for(std::size_t i = number_of_sectors(); i < uv.size(); ++i)
       collect_free_point(Sector_index(i), uv[i]);
     collect_sectors(uv);
-    return write_all_or_nothing(
-      m_changes.size(), [&](const std::size_t i) -> const Change& { return m_changes[i]; },
-      [&](const Halfedge h) { return m_surface.uv(h); },
-      [&](const Change& change, const Uv& to) { m_surface.set_uv(change.corner, to); });
   }
+
+  std::vector<Change> take() { return std::move(m_changes); }
 
   // Of all Cartesian coordinates. Each sector, and each vertex without one, counts once; corners
   // that differ share its weight.
@@ -141,7 +135,7 @@ private:
 
   const Cuts& m_cuts;
   const Stars& m_stars;
-  Surface& m_surface;
+  const Surface& m_surface;
   std::vector<Change> m_changes;
   Magnitudes m_magnitudes;
 };
@@ -160,7 +154,6 @@ struct Snapping_options
   bool rounds; // to an integer-grid map
   Flip_repair flip_repair;
   std::size_t number_of_untangling_iterations;
-  bool is_verbose;
 
   // The same with `number(h)` for each halfedge h.
   template <typename Number>
@@ -171,7 +164,7 @@ struct Snapping_options
       edges.push_back(number(h));
     return Snapping_options<decltype(number(Halfedge()))>{
       std::move(edges), constraints.renumbered(number), tolerance, connection_tolerance,
-      rounding_tolerance, rounds, flip_repair, number_of_untangling_iterations, is_verbose};
+      rounding_tolerance, rounds, flip_repair, number_of_untangling_iterations};
   }
 };
 
@@ -186,8 +179,7 @@ snapping_options(const TriangleMesh& tmesh, const NamedParameters& np)
           chosen(np, CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
           chosen(np, CGAL::internal_np::integer_grid, false),
           chosen_flip_repair(np),
-          chosen_number_of_untangling_iterations(np),
-          chosen(np, CGAL::internal_np::verbose, false)};
+          chosen_number_of_untangling_iterations(np)};
 }
 
 template <typename Group, typename Surface, bool may_untangle,
@@ -200,18 +192,30 @@ protected:
   using Options = Snapping_options<Halfedge>;
   using Aligned = Aligned_edges<Group, Halfedge>;
   using Cuts = Surface_cuts<Group, Halfedge>;
+  using Change = Corner_change<Halfedge, Uv>;
 
 public:
   Surface_snapper(Surface& surface, const Given& given, const Options& options)
     : m_surface(surface)
     , m_given(given)
     , m_options(options)
-    , m_timer(m_report, options.is_verbose)
+    , m_timer(m_report)
     , m_flip_repair(options.flip_repair)
     , m_iterations(options.number_of_untangling_iterations)
   { }
 
+  // Finds the coordinates.
   Snapping_report run();
+
+  // Writes them, once. That is to be the last step: what throws behind it leaves them written.
+  std::optional<Refusal> write()
+  {
+    const std::vector<Change> changes = std::exchange(m_changes, {});
+    return write_all_or_nothing(
+      changes.size(), [&](const std::size_t i) -> const Change& { return changes[i]; },
+      [&](const Halfedge h) { return m_surface.uv(h); },
+      [&](const Change& change, const Uv& to) { m_surface.set_uv(change.corner, to); });
+  }
 
 protected:
   std::optional<Refusal> snap()
@@ -302,7 +306,8 @@ protected:
                      "the result failed its exact verification and "
                      "was discarded; please report this");
     m_timer.finish("verification");
-    return write(cuts, stars, snapped);
+    collect_changes(cuts, stars, snapped);
+    return std::nullopt;
   }
 
   Snapping_report report(const std::optional<Refusal>& refusal)
@@ -326,6 +331,7 @@ protected:
   const Options& m_options;
   Snapping_report m_report;
   Step_timer m_timer;
+  std::vector<Change> m_changes; // to be written
   Flip_repair m_flip_repair;
   std::size_t m_iterations; // that the search for repairs may still take
 
@@ -355,21 +361,21 @@ private:
     m_report.run.number_of_align_branches = complex.number_of_chains();
   }
 
-  std::optional<Refusal> write(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
-                               const Snapped_coordinates<Group>& snapped)
+  void collect_changes(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
+                       const Snapped_coordinates<Group>& snapped)
   {
-    Coordinate_writer<Group, Surface, Mesh_stars<Group, Surface> > writer(cuts, stars, m_surface);
-    if(auto refusal = writer.write(snapped.coordinates))
-      return refusal;
-    m_report.largest_change = writer.changes().largest();
-    m_report.mean_change = writer.changes().mean();
-    m_report.rms_change = writer.changes().root_mean_square();
+    Change_collector<Group, Surface, Mesh_stars<Group, Surface> > collector(
+      cuts, stars, m_surface, snapped.coordinates);
+    m_report.largest_change = collector.changes().largest();
+    m_report.mean_change = collector.changes().mean();
+    m_report.rms_change = collector.changes().root_mean_square();
     // no exact solution can undercut that sum of squares
-    m_report.optimal_rms_change = snapped.optimal_changes.root(writer.changes().sum_of_weights());
+    m_report.optimal_rms_change =
+      snapped.optimal_changes.root(collector.changes().sum_of_weights());
     m_report.grid_step = m_report.linear_solver.number_of_constraints > 0 ? snapped.unit : 0;
     m_report.status = Outcome::SNAPPED;
-    m_timer.finish("writing");
-    return std::nullopt;
+    m_changes = collector.take();
+    m_timer.finish("changes");
   }
 };
 

@@ -89,9 +89,10 @@ inline std::string number_of_faces_in_words(const std::vector<std::size_t>& face
 }
 
 // What became of the orientations, in words; and in the status, where repairs were asked for.
-inline void tell_of_faces(const Flip_repair repair, const std::size_t iterations,
-                          Snapping_report& report)
+template <typename NamedParameters>
+void tell_of_faces(const NamedParameters& np, Snapping_report& report)
 {
+  const Flip_repair repair = chosen_flip_repair(np);
   const bool is_asked = repair != Flip_repair::NONE;
   const bool has_flips = is_asked && !report.remaining_flips.empty();
   if(!report || (!has_flips && report.lost_faces.empty()))
@@ -109,7 +110,8 @@ inline void tell_of_faces(const Flip_repair repair, const std::size_t iterations
   if(const std::size_t n = report.run.number_of_faces_without_area; n > 0)
     note += "; seams and alignments leave " + std::to_string(n) +
             " of them no area, whatever the coordinates are: correct the seams, or align less";
-  else if(is_asked && report.run.number_of_untangling_iterations == iterations)
+  else if(is_asked && report.run.number_of_untangling_iterations ==
+                        chosen_number_of_untangling_iterations(np))
     note += "; the search for repairs ended at number_of_untangling_iterations: raise it";
   else if(repair == Flip_repair::NEAR_BY && report.message.empty())
     note += "; Flip_repair::UNTANGLE changes more of the map";
@@ -145,19 +147,24 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   auto surface = uv_surface(tmesh, uv_map, np);
   const auto given = given_transitions<Group>(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
-  Snapping_report report =
-    Surface_snapper<Group, decltype(surface), may_untangle<Group, NamedParameters>()>(
-      surface, given, options).run();
+  Surface_snapper<Group, decltype(surface), may_untangle<Group, NamedParameters>()> snapper(
+    surface, given, options);
+  Snapping_report report = snapper.run();
   note_coinciding_border_edges(tmesh, report);
+  tell_of_faces(np, report);
+  if(const auto refusal = snapper.write())
+    refuse(report, *refusal);
   return report;
 }
 
 // The same for the map times a number, in a copy, which is written back if all succeeds.
 // \param index is to take the index of each halfedge
-template <typename Snapper, typename Group, typename Surface, typename IndexMap>
+// \param add_notes to a report, before
+template <typename Snapper, typename Group, typename Surface, typename IndexMap, typename Add_notes>
 Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& index,
                           const Given_transitions<Group, typename Surface::Halfedge>& given,
-                          const Snapping_options<typename Surface::Halfedge>& options)
+                          const Snapping_options<typename Surface::Halfedge>& options,
+                          const Add_notes& add_notes)
 {
   if(!(scale > 0 && std::isfinite(scale)))
     return refused<Snapping_report>(
@@ -172,7 +179,10 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
     surface.set_uv(h, {scale * surface.uv(h)[0], scale * surface.uv(h)[1]});
   const auto given_here = given.template renumbered<Corner_index>(originals);
   const auto options_here = options.renumbered([&](const auto h) { return get(index, h); });
-  Snapping_report report = Snapper(surface, given_here, options_here).run();
+  Snapper snapper(surface, given_here, options_here);
+  Snapping_report report = snapper.run();
+  if(const auto refusal = snapper.write())
+    refuse(report, *refusal);
   if(!report)
     return report;
   const double area = compare_with_input<Group>(before, scale, surface, report);
@@ -183,6 +193,7 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
     return report;
   }
   report.status = Outcome::SNAPPED;
+  add_notes(report);
   using Change = Corner_change<typename Surface::Halfedge, Uv>;
   if(const auto refusal = write_all_or_nothing(
        before.size(), [&](const std::size_t i)
@@ -203,11 +214,13 @@ Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_m
                                      Integer_grid_snapper<Group, untangles>,
                                      Surface_snapper<Group, Flat_surface, untangles> >;
   auto surface = uv_surface(tmesh, uv_map, np);
-  Snapping_report report = snap_copy<Snapper>(
+  return snap_copy<Snapper>(
     surface, scale, get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh),
-    given_transitions<Group>(tmesh, np), snapping_options<Group>(tmesh, np));
-  note_coinciding_border_edges(tmesh, report);
-  return report;
+    given_transitions<Group>(tmesh, np), snapping_options<Group>(tmesh, np),
+    [&](Snapping_report& report) {
+      note_coinciding_border_edges(tmesh, report);
+      tell_of_faces(np, report);
+    });
 }
 
 } // namespace internal

@@ -20,7 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Sparse_cholesky.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
@@ -150,7 +150,7 @@ public:
   {
     std::size_t after_success = 0;
     for(std::size_t i = 0; i < largest_number_of_iterations; ++i) {
-      Step_timer::tell(5, [&] {
+      Progress::tell_each_second([&] {
         return "untangling " + counted(m_terms.size(), "face") + ": iteration " +
                std::to_string(i + 1) + " of at most " +
                std::to_string(largest_number_of_iterations);

@@ -20,6 +20,8 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
 
 #include <Eigen/Cholesky>
@@ -80,6 +82,7 @@ public:
     std::size_t least = bad.size();
     while(!bad.empty() && passes < largest_number_of_passes) {
       ++passes;
+      Progress::tell_each_second([&] { return counted(bad.size(), "cell") + " to repair"; });
       choose_epsilon(bad);
       bool has_moved = false;
       for(const Member_index m : members_around(bad, reach))

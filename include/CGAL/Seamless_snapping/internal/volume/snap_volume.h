@@ -17,6 +17,7 @@
 
 // The part of the functions on volumes that knows the caller's types: reads them, and writes.
 
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
@@ -189,7 +190,8 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
   check_that_parameters_are_used<NamedParameters>();
   Snapping_report report;
   const Volume_options options = volume_options(np);
-  Step_timer timer(report, chosen(np, CGAL::internal_np::verbose, false));
+  const Progress progress(np);
+  Step_timer timer(report);
   Flat_volume volume;
   std::vector<Uvw> snapped;
   std::optional<Refusal> refusal;
@@ -198,8 +200,7 @@ Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
   else
     refusal = find_map(range, uvw_map, np, options, timer, report, volume, snapped);
   if(!refusal && report.status != Outcome::ALREADY_EXACT)
-    refusal = write_corners(volume, snapped, uvw_map);
-  timer.finish("writing");
+    refusal = write_corners(volume, snapped, uvw_map); // last, as nothing may throw after it
   if(refusal)
     refuse(report, *refusal);
   return report;
