@@ -970,6 +970,29 @@ void test_cones_of_repairs()
   }
 }
 
+// On coarse grids, some of them can't be: that is no success, unless faces stay flipped.
+void test_cones_off_the_grid(const std::string& name, const double size)
+{
+  for(const auto& file : test_data::further_files("uv", ".obj")) {
+    if(file.filename() != name)
+      continue;
+    Mesh mesh;
+    UV_map uv = square_complex::uv_map(mesh);
+    CHECK(QR::IO::read_OBJ(file.string(), mesh, uv));
+    const auto untangle = parameters::repair_flips(QR::Flip_repair::UNTANGLE);
+    const double extent = QR::snap_to_seamless(mesh, uv, untangle).extent;
+    const std::vector<Point_2> before(uv.begin(), uv.end());
+    const auto report = QR::snap_to_seamless(
+      mesh, uv, untangle.integer_grid(true).grid_scale(size / extent).rounding_tolerance(10.)
+                        .align_border(true));
+    if(report.status == QR::Outcome::SNAPPED)
+      CHECK_IN(name, QR::is_integer_grid_map(mesh, uv, parameters::align_border(true)));
+    if(!report)
+      CHECK_IN(name, std::equal(before.begin(), before.end(), uv.begin()) &&
+                     report.message.find("scale the map up") != std::string::npos);
+  }
+}
+
 // Equations that come one after another, against the system with all multipliers; among them one
 // that follows from others, and one that holds by itself.
 void test_range_space()
@@ -1039,6 +1062,7 @@ void test_integer_grids()
   test_integers_one_after_another("genus2", 500);
   test_integers_one_after_another("genus3", 800);
   test_cones_of_repairs();
+  test_cones_off_the_grid("bd_cfip16_joint-hex.obj", 10);
   Square_complex box = surfaces::box(1, 2, 1);
   surfaces::mark_creases(box);
   for(const auto& [complex, n] : {std::pair{box, 8}, {surfaces::double_torus(), 4},

@@ -242,8 +242,9 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
         - `NOT_ALIGNED`: an edge that is to be aligned follows no isocurve up to the tolerance;
         - `NOT_CONNECTED`: a connection or cycle constraint misses by more than its tolerance;
-        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or, with
-          `grid_scale`, so much collapses that the result covers no cell of the grid;
+        - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or repairs
+          of faces make cones that can't be moved to points of the grid; or, with `grid_scale`, so
+          much collapses that the result covers no cell of the grid;
         - `INVALID_ROTATIONS`: the given rotations of opposite halfedges are not inverse to each
           other, or an edge that is given as no cut has a rotation;
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,

@@ -226,8 +226,9 @@ private:
 
   // Repairs can turn folds into cones, which are not rounded then. Rounds these, too, and
   // repairs what that folds, until no cone is new; undoes what fails or, where repairs are asked
-  // for, costs faces. Where they are not, folds that are left may look like cones.
-  void round_new_cones()
+  // for, costs faces. Where they are not, folds that are left may look like cones. Without folds,
+  // cones off the grid are refused.
+  std::optional<Refusal> round_new_cones()
   {
     const bool is_asked = m_options.flip_repair != Flip_repair::NONE;
     const auto has_new_cone = [&] {
@@ -248,9 +249,13 @@ private:
       m_report = report;
       break;
     }
-    if(has_new_cone())
-      m_report.message = "repairs of flipped faces have made cones that are no points of the grid; "
-                         "scale the map up by grid_scale";
+    if(!has_new_cone())
+      return std::nullopt;
+    m_report.message = "repairs of flipped faces have made cones that are no points of the grid; "
+                       "scale the map up by grid_scale";
+    if(number_of_flips(m_report) > 0)
+      return std::nullopt;
+    return Refusal(Outcome::NOT_INTEGER, m_report.message);
   }
 
   bool has_point_off_grid() const
@@ -325,9 +330,9 @@ private:
 template <typename Group, bool may_untangle>
 Snapping_report Integer_grid_snapper<Group, may_untangle>::run()
 {
-  const std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
+  std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
   if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
-    round_new_cones();
+    refusal = round_new_cones();
   return this->report(refusal);
 }
 
