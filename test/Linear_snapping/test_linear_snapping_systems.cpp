@@ -200,7 +200,8 @@ void check_system(Random& random, const System& system, const std::vector<Number
   const auto kernel = exact_reference::kernel_vectors(system);
   if(!report) {
     CHECK(report.status == LS::Outcome::NOT_REPRESENTABLE);
-    CHECK(!lies_on_one_grid<Number>(system, optimum, kernel));
+    const bool is_far = report.message.find("would move more than 10^") != std::string::npos;
+    CHECK(is_far || !lies_on_one_grid<Number>(system, optimum, kernel));
     return;
   }
   CHECK(exact_reference::exactly_satisfies(system, after));

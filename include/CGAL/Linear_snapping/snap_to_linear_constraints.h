@@ -198,7 +198,10 @@ pivots first, and a least-squares target.
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
-          the values in numbers of their type. This can't happen for \f$ b = 0 \f$.
+          the values in numbers of their type; or one that means nothing, as where all becomes 0:
+          a part of the system would move by more than a tenth of the size of its values (both
+          root mean squares), and 1,000 times as far as `Linear_report::distance_ratio` has as 1;
+        - `TOO_LARGE`: constraints without a coefficient 1 or -1 link too many unknowns, see below.
 
 \par Search
 Solutions are looked for on one grid for all unknowns that depend on each other. Where none is found
@@ -222,14 +225,16 @@ unknowns that are triangular, up to their order, take linear time where small mu
 \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement, multiples of 8. All others
 without a coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the
 number of unknowns that they link, but for the last reduction of the lattice, which is cut off after
-some seconds. So do constraints on up to 2,000 unknowns whose implied values would lead far away
-from the optimum, if this lattice takes no longer than some seconds: where each of 1,600 unknowns in
-a square is the mean of its four neighbors, implied values grow along the square, and are far: all
-can become 0, as `Linear_report::distance_ratio` tells. A single
-constraint with coefficients of 40 bits takes half a second for 100 unknowns, some ten seconds for
-300 or 1,000; what is cut off is the closeness, not the exactness. The search with a grid for each
-unknown takes fractions of a millisecond for a few unknowns, some seconds at most for 200 with
-coefficients of 40 bits.
+some seconds. Where the lattice takes more than \f$ 3 \cdot 10^{10} \f$ multiplications, half a
+minute to a minute, or some where coefficients outgrow 64 bits, the status is `TOO_LARGE`: 500
+unknowns in 250 constraints of six terms are solved, 700 in 350 are not. So do constraints on up to
+2,000 unknowns whose implied values would lead far away from the optimum, if this lattice takes no
+longer than some seconds: where each of 1,600 unknowns in a square is the mean of its four
+neighbors, implied values grow along the square, and are far: all would become 0, and the status is
+`NOT_REPRESENTABLE`. A single constraint with coefficients of 40 bits takes half a second for 100
+unknowns, some ten seconds for 300 or 1,000; what is cut off is the closeness, not the exactness.
+The search with a grid for each unknown takes fractions of a millisecond for a few unknowns, some
+seconds at most for 200 with coefficients of 40 bits.
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

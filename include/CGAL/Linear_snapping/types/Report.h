@@ -61,7 +61,9 @@ enum class Outcome
   INCONSISTENT,       ///< the constraints contradict each other
   /// the constraints have solutions, but in the number type none was found near by
   NOT_REPRESENTABLE,
-  TOO_LARGE,          ///< cells, or pieces of curves, are more than allowed; or numbers too large
+  /// cells, pieces of curves, or the work of an elimination are more than allowed; or numbers are
+  /// too large
+  TOO_LARGE,
   TOO_COARSE,         ///< parts of the surface are too small for the grid to enclose them by cells
   NO_FACE_GRAPH,      ///< the cells form no face graph: they have loops or double edges
   SOLVER_FAILED,      ///< a sparse linear system could not be solved

@@ -55,6 +55,7 @@ struct Component_solution
 class Component_solver
 {
 public:
+  // Throws `Work_exceeded` where the rows without a unit take too long, if it may be finer.
   // \param input is kept by reference
   Component_solver(const Component_input& input, const Number_format& format,
                    const bool may_be_finer)
@@ -69,7 +70,9 @@ public:
     if(!m_form.rows_in_core.empty()) {
       m_core = whole_system();
       if(m_core == nullptr)
-        m_core = std::make_unique<Core_solver>(m_system, m_form, false);
+        m_core = std::make_unique<Core_solver>(
+          m_system, m_form, false,
+          may_be_finer ? most_work : std::numeric_limits<double>::infinity());
     }
     std::vector<bool> is_free(m_form.pivot_rows.number_of_columns(), true);
     for(const Column_index column : m_form.pivot_columns)
@@ -170,6 +173,8 @@ public:
 
 private:
   static constexpr std::size_t most_rows_to_reduce = 300;
+  static constexpr double most_work = 3e10; // multiplications: about a minute
+  static constexpr double most_work_of_whole_system = 1e10;
   static constexpr int most_bits_at_once = 40; // of a finer grid: what is left of errors fits there
 
   static void finish(Step_timer* const timer, const char* step)
@@ -198,7 +203,7 @@ private:
                      m_system.number_of_columns() <= Core_solver::largest_whole_system;
     if(m_may_be_whole)
       try {
-        return std::make_unique<Core_solver>(m_system, m_form, true);
+        return std::make_unique<Core_solver>(m_system, m_form, true, most_work_of_whole_system);
       } catch(const Work_exceeded&) {
         m_may_be_whole = false;
       }

@@ -27,7 +27,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -43,11 +42,11 @@ class Core_solver
 public:
   static constexpr std::size_t largest_whole_system = 2000; // columns
 
-  // The whole system throws `Work_exceeded` where it would take longer than some seconds.
-  Core_solver(const Integer_system& system, const Echelon_form& form, const bool is_whole)
+  // \param most_work as for `Kernel_lattice`
+  Core_solver(const Integer_system& system, const Echelon_form& form, const bool is_whole,
+              const double most_work)
     : m_is_whole(is_whole),
-      m_lattice(m_is_whole ? whole_system(system, form) : core_of(form),
-                m_is_whole ? most_work : std::numeric_limits<double>::infinity())
+      m_lattice(m_is_whole ? whole_system(system, form) : core_of(form), most_work)
   {
     for(const Row_index i : m_lattice.independent_rows())
       m_independent_rows.push_back(m_rows[std::size_t(i)]);
@@ -121,8 +120,6 @@ public:
   }
 
 private:
-  static constexpr double most_work = 1e10;
-
   // The rows that the elimination left something of: about the others it said all.
   Integer_system whole_system(const Integer_system& system, const Echelon_form& form)
   {

@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
+#include <CGAL/Linear_snapping/internal/linear/Kernel_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/snap_values.h>
@@ -114,6 +115,7 @@ public:
   // A value of which `ratio()` is to know the size.
   void add_size(const double before, const double weight)
   {
+    m_sizes.add(before, weight);
     int exponent = 0;
     if(std::frexp(before, &exponent) != 0)
       m_spacing.add(std::ldexp(1., (std::max)(exponent - m_format.digits,
@@ -139,6 +141,10 @@ public:
     return least > 0 ? (std::min)(distance() / least, (std::numeric_limits<double>::max)()) : 1;
   }
 
+  // Whether the values move as far as they are large, though a real solution is near.
+  bool is_meaningless() const
+  { return ratio() > 1000 && distance() > 0.1 * m_sizes.root(m_changes.sum_of_weights()); }
+
 private:
   static double difference(const Grid_value& target, const double before, const Grid& grid)
   {
@@ -149,7 +155,7 @@ private:
   }
 
   Number_format m_format;
-  Magnitudes m_changes, m_optimal_changes, m_spacing;
+  Magnitudes m_changes, m_optimal_changes, m_spacing, m_sizes;
 };
 
 constexpr double far_ratio = 10; // of distances; what is farther is looked for again, and told
@@ -176,7 +182,7 @@ inline Refusal contradiction(const Linear_solver& solver)
   return refusal;
 }
 
-// Without right-hand sides, 0 would be a solution: those are what to look at.
+// Where no solution is found at all: without right-hand sides, 0 would be one.
 inline Refusal not_representable(const Linear_solver& solver, const Component_index c)
 {
   std::vector<std::size_t> rows;
@@ -201,14 +207,15 @@ inline std::vector<Component_index> violated_components(const Linear_solver& sol
   return result;
 }
 
+// \param moved "moved" or "would move"
 inline std::string note_on_distance(const Linear_solver& solver, const Component_index c,
-                                    const double ratio)
+                                    const double ratio, const std::string& moved)
 {
   const int power = static_cast<int>(std::floor(std::log10(ratio)));
-  return "the values of the constraints " + list_of_rows(solver.rows(c)) + " moved more than 10^" +
-         std::to_string(power) + " times as far as the nearest real solution is: among numbers of "
-         "their type none was found nearer; coefficients and right-hand sides of fewer digits, or "
-         "fewer unknowns that depend on each other, leave more of these";
+  return "the values of the constraints " + list_of_rows(solver.rows(c)) + " " + moved +
+         " more than 10^" + std::to_string(power) + " times as far as the nearest real solution "
+         "is: among numbers of their type none was found nearer; coefficients and right-hand sides "
+         "of fewer digits, or fewer unknowns that depend on each other, leave more of these";
 }
 
 // Snaps component by component. Invariant: those that are done have values on their grids.
@@ -234,8 +241,8 @@ public:
   const Linear_target& target() const { return m_target; }
   const std::vector<double>& snapped() const { return m_snapped; }
 
-  // Returns false if no solution is found.
-  bool snap(const Component_index c, Step_timer& timer)
+  // Returns why not, if no solution is found, or one that means nothing.
+  std::optional<Refusal> snap(const Component_index c, Step_timer& timer)
   {
     const std::vector<Column_index>& columns = m_solver.columns(c);
     const auto on_one_grid = [&](const std::size_t k) {
@@ -246,21 +253,16 @@ public:
     std::optional<Change_figures> change;
     if(m_solver.solve_component(c, m_target, m_solution, &timer))
       change = figures(columns, on_one_grid);
-    if(change && !is_worth_another_try(*change, columns.size())) {
-      take(c, *change, on_one_grid);
-      return true;
-    }
+    if(change && !is_worth_another_try(*change, columns.size()))
+      return take(c, *change, on_one_grid);
     const auto parts = m_solver.solve_component_on_many_grids(c, m_target);
     if(!change && !parts)
-      return false;
+      return not_representable(m_solver, c);
     const auto on_many_grids = [&](const std::size_t k) { return (*parts)[k]; };
     const auto other = parts ? figures(columns, on_many_grids) : *change;
-    if(change && !(other.distance() < change->distance()))
-      take(c, *change, on_one_grid);
-    else
-      take(c, other, on_many_grids);
     timer.finish("evaluation");
-    return true;
+    return change && !(other.distance() < change->distance()) ? take(c, *change, on_one_grid)
+                                                              : take(c, other, on_many_grids);
   }
 
   void fill_in(Linear_report& report) const
@@ -269,7 +271,7 @@ public:
     report.grid_step = m_coarsest_step;
     report.distance_ratio = m_ratio;
     if(m_ratio > far_ratio)
-      report.message = note_on_distance(m_solver, m_farthest, m_ratio);
+      report.message = note_on_distance(m_solver, m_farthest, m_ratio, "moved");
   }
 
 private:
@@ -294,8 +296,12 @@ private:
   }
 
   template <typename Parts>
-  void take(const Component_index c, const Change_figures& change, const Parts& parts)
+  std::optional<Refusal> take(const Component_index c, const Change_figures& change,
+                              const Parts& parts)
   {
+    if(change.is_meaningless())
+      return Refusal(Outcome::NOT_REPRESENTABLE,
+                     note_on_distance(m_solver, c, change.ratio(), "would move"));
     const std::vector<Column_index>& columns = m_solver.columns(c);
     for(std::size_t k = 0; k < columns.size(); ++k) {
       const std::size_t j = std::size_t(columns[k]);
@@ -308,6 +314,7 @@ private:
       m_ratio = change.ratio();
       m_farthest = c;
     }
+    return std::nullopt;
   }
 
   const Linear_solver& m_solver;
@@ -327,7 +334,7 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
                                    const std::vector<double>& weights,
                                    const Number_format& format, std::vector<double>& x,
                                    Linear_report& report, Step_timer& timer)
-{
+try {
   const Integer_system& system = scaled.system;
   std::vector<bool> row_holds(system.number_of_rows());
   for(std::size_t i = 0; i < row_holds.size(); ++i)
@@ -351,8 +358,8 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
       (std::max)(report.violation_before, largest_violation(solver, c, target.grids[std::size_t(c)],
                                                             target.values, scaled.scales));
     timer.finish("input");
-    if(!snapper.snap(c, timer))
-      return not_representable(solver, c);
+    if(auto refusal = snapper.snap(c, timer))
+      return refusal;
   }
   for(std::size_t i = 0; i < row_holds.size(); ++i)
     if(!holds(system, i, snapper.snapped()))
@@ -363,6 +370,10 @@ std::optional<Refusal> snap_values(const Scaled_system& scaled,
   report.status = Outcome::SNAPPED;
   x = snapper.snapped();
   return std::nullopt;
+} catch(const Work_exceeded&) {
+  return Refusal(Outcome::TOO_LARGE,
+                 "constraints without a coefficient 1 or -1 link so many unknowns that a solution "
+                 "takes too long; use fewer of them at once, or coefficients of fewer digits");
 }
 
 } // namespace internal
