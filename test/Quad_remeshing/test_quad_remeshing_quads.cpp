@@ -290,7 +290,8 @@ void test_half_integer_cones()
 
 void test_loops()
 {
-  const auto status = [](const Square_complex& complex, const int side, const std::size_t quads) {
+  std::string message;
+  const auto status = [&](const Square_complex& complex, const int side, const std::size_t quads) {
     const Grid_map map(complex, side, 4);
     Mesh mesh;
     std::vector<Point_3> points;
@@ -299,10 +300,12 @@ void test_loops()
     CHECK_EQUAL(polygons.size(), quads);
     const auto report = QR::extract_quad_mesh(map.mesh, map.uv, mesh);
     CHECK(bool(report) != mesh.is_empty());
+    message = report.message;
     return report.status;
   };
   CHECK(status(surfaces::torus(1, 1), 1, 1) == Status::NO_FACE_GRAPH); // two loops at one vertex
   CHECK(status(surfaces::torus(1, 1), 2, 4) == Status::NO_FACE_GRAPH); // double edges
+  CHECK_IN(message, message.find("scale the map up") != message.npos);
   CHECK(status(surfaces::torus(1, 1), 3, 9) == Status::SUCCESS);
   CHECK(status(surfaces::cone_ring(1), 1, 3) == Status::NO_FACE_GRAPH);
   CHECK(status(surfaces::cylinder(1, 1), 3, 9) == Status::SUCCESS);
@@ -825,7 +828,7 @@ void test_refusals()
   CHECK(bool(QR::extract_quad_mesh(map->mesh, map->uv, *std::make_unique<Mesh>(),
                                    parameters::maximum_number(54))));
   check_refusal(*map, Status::NOT_INTEGER, "integer", parameters::grid_scale(0.25));
-  check_refusal(*map, Status::TOO_LARGE, "maximum_number", parameters::grid_scale(1 << 20)
+  check_refusal(*map, Status::TOO_LARGE, "; shrink the map", parameters::grid_scale(1 << 20)
                                                                .maximum_number(~std::size_t(0)));
   const Halfedge h = map->mesh.halfedge(Mesh::Face_index(5));
   const Point_2 good = map->at(h);

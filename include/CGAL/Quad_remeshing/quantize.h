@@ -152,6 +152,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
   options.scale = 1;
   options.leave_out_folded_cells = leave_out_folded_cells;
   options.how_to_refine = "quantize to more quads, or with needs_face_graph(true)";
+  options.how_to_coarsen = "ask for fewer quads";
   Quad_extractor extractor(
     make_chart_mesh(surface.complex), std::move(is_feature), options,
     [&](const Corner_index h) {
@@ -378,7 +379,8 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
 extracts the quads of a quantization. They are all quads, and form a mesh that is homeomorphic to
 the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
 If they do not form a face graph, nothing is written; with `needs_face_graph`, they do, once quads
-around vertices of one edge are left out, and the two other sides of each are made one edge.
+around vertices of one edge are left out, and the two other sides of each are made one edge. Then
+elements of `quads` are removed: a `CGAL::Surface_mesh` has garbage, for its `%collect_garbage()`.
 Template parameters are those of the extraction from a map.
 
 \param quantization a quantization, of which `quantize()` says that it succeeded

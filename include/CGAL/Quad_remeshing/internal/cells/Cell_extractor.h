@@ -120,6 +120,7 @@ struct Extraction_options
   bool allow_holes = false;
   bool leave_out_folded_cells = false; // around points of one edge
   std::string how_to_refine = "scale the map up by grid_scale"; // for messages
+  std::string how_to_coarsen = "shrink the map by grid_scale";
 };
 
 // More darts than this have no 32-bit index.
@@ -332,9 +333,10 @@ private:
     return refuse(m_report, Outcome::TOO_LARGE,
                   has_too_many_cells
                     ? "there would be " + short_number(m_report.area) + " " + Shape::plural() +
-                      "; raise maximum_number, or shrink the map by grid_scale"
+                      (m_options.maximum_number < largest_number_of_cells
+                         ? "; raise maximum_number, or " : "; ") + m_options.how_to_coarsen
                     : "the lines of the grid would cross edges of the mesh " +
-                      short_number(crossings / 2) + " times; shrink the map by grid_scale");
+                      short_number(crossings / 2) + " times; " + m_options.how_to_coarsen);
   }
 
   template <typename ConcurrencyTag>

@@ -44,15 +44,22 @@ namespace internal {
 template <typename ConcurrencyTag, typename Group>
 bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertices)
 {
-  const std::size_t v = vertex_with_double_edges<ConcurrencyTag>(extractor.complex(), vertices);
+  constexpr bool is_square = Cell_shape<Group>::is_square;
+  const Cell_complex& complex = extractor.complex();
+  const std::size_t v = vertex_with_double_edges<ConcurrencyTag>(complex, vertices);
   if(v == vertices.size())
     return true;
+  const std::size_t tip = find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t w)
+    { return complex.darts.degree(vertices.point(w)) == 1; });
+  const std::string remedy =
+    tip == vertices.size() ? extractor.options().how_to_refine + ", or" :
+    "point " + std::to_string(tip) + " has only one edge, at any scale;" +
+      (is_square ? " quantize() with needs_face_graph(true), which leaves out its quad, or" : "");
   return refuse(
     extractor.report(), Outcome::NO_FACE_GRAPH,
     "the " + std::string(Cell_shape<Group>::plural()) + " around point " + std::to_string(v) +
       " of the grid meet themselves, or each other twice, which no face graph can hold; " +
-      extractor.options().how_to_refine + ", or call " +
-      (Cell_shape<Group>::is_square ? "extract_quad_soup()" : "extract_triangle_soup()"));
+      remedy + " call " + (is_square ? "extract_quad_soup()" : "extract_triangle_soup()"));
 }
 
 // Of the cells as they are about to be written. Triangles and other polygons are never counted.
