@@ -618,8 +618,9 @@ void test_refusals()
   box.uv[h] = Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
   check_refusal(IL::motorcycle_graph(box.mesh, box.uv), Outcome::NOT_FINITE, "face");
   box.uv[h] = good;
-  check_refusal(IL::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20)),
-                Outcome::TOO_LARGE, "maximum_number");
+  const auto unfinished = IL::motorcycle_graph(box.mesh, box.uv, parameters::maximum_number(20));
+  check_refusal(unfinished, Outcome::TOO_LARGE, "maximum_number");
+  CHECK(unfinished.number_of_visited_segments() > 0);
   CHECK(bool(IL::motorcycle_graph(box.mesh, box.uv)));
 
   Grid_map mirrored(surfaces::box(1, 1, 1), 4, 4);

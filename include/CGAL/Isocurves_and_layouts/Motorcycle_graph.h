@@ -140,8 +140,7 @@ public:
   const std::vector<std::size_t>& nonpositive_faces() const { return m_data->nonpositive_faces; }
 
   /// returns how many segments of curves were visited: pieces in one face, or along one edge.
-  std::size_t number_of_visited_segments() const
-  { return m_data->race ? m_data->race->number_of_segments() : 0; }
+  std::size_t number_of_visited_segments() const { return m_data->number_of_segments; }
 
   /// @}
 

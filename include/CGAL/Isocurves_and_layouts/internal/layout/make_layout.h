@@ -49,6 +49,7 @@ struct Layout_data
 {
   Layout_domain domain;
   std::unique_ptr<Curve_race> race; // none unless there is a layout
+  std::size_t number_of_segments = 0; // that were visited, also then
   Layout layout;
   std::vector<std::size_t> nonpositive_faces;
 };

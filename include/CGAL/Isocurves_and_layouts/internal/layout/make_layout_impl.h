@@ -114,7 +114,9 @@ private:
   bool race()
   {
     m_data.race = std::make_unique<Curve_race>(m_domain, m_options);
-    return m_data.race->run() ||
+    const bool has_ended = m_data.race->run();
+    m_data.number_of_segments = m_data.race->number_of_segments();
+    return has_ended ||
            refuse(m_data, Outcome::TOO_LARGE,
                   "the curves cross faces, or each other, more than " +
                     std::to_string(m_options.maximum_number) +
