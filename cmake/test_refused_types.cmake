@@ -18,7 +18,8 @@ set(expected
   "the values of the uv map must be two-dimensional points of a kernel"
   "the values of the uv map must be two-dimensional points of a kernel"
   "rounding_tolerance is for integer_grid: give that, too"
-  "number_of_untangling_iterations is for repair_flips: give that, too")
+  "number_of_untangling_iterations is for repair_flips: give that, too"
+  "repair_flips takes a Flip_repair or a bool, not a number")
 list(LENGTH errors number)
 list(LENGTH expected expected_number)
 if(NOT number EQUAL expected_number)

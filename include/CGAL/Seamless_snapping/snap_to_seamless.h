@@ -282,7 +282,7 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
     return internal::refused<Snapping_report>(*refusal);
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
-  internal::check_that_parameters_are_used<Parameters>();
+  internal::check_parameters<Parameters>();
   constexpr bool may_scale = internal::is_given<Parameters, CGAL::internal_np::grid_scale_t> ||
                              internal::is_given<Parameters, CGAL::internal_np::integer_grid_t>;
   const auto& plain_np = internal::strip(np);

@@ -41,6 +41,7 @@ void call_all(M& mesh, Uv_map uv)
   QR::snap_to_seamless(mesh, uv, QR::parameters::integer_grid(true));
   QR::snap_to_seamless(mesh, uv, QR::parameters::rounding_tolerance(1.));
   QR::snap_to_seamless(mesh, uv, QR::parameters::number_of_untangling_iterations(9));
+  QR::snap_to_seamless(mesh, uv, QR::parameters::repair_flips(2));
   QR::is_seamless(mesh, uv);
   QR::measure_seamlessness(mesh, uv);
   QR::seam_transitions(mesh, uv);

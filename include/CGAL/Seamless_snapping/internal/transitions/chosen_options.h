@@ -64,7 +64,7 @@ constexpr double default_rounding_tolerance = 0.01;
 
 // Parameters that do nothing by themselves are mistakes where they are alone.
 template <typename NamedParameters>
-constexpr void check_that_parameters_are_used()
+constexpr void check_parameters()
 {
   constexpr bool may_round = is_given<NamedParameters, CGAL::internal_np::integer_grid_t>;
   static_assert(may_round || !is_given<NamedParameters, CGAL::internal_np::rounding_tolerance_t>,
@@ -72,6 +72,10 @@ constexpr void check_that_parameters_are_used()
   static_assert(may_round || is_given<NamedParameters, CGAL::internal_np::repair_flips_t> ||
                   !is_given<NamedParameters, CGAL::internal_np::untangling_iterations_t>,
                 "number_of_untangling_iterations is for repair_flips: give that, too");
+  using Repair = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
+    CGAL::internal_np::repair_flips_t, NamedParameters, bool>::type>;
+  static_assert(std::is_same<Repair, bool>::value || std::is_same<Repair, Flip_repair>::value,
+                "repair_flips takes a Flip_repair or a bool, not a number");
 }
 
 // The parameter is a Boolean, or a Flip_repair.

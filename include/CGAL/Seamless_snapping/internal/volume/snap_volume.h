@@ -187,7 +187,7 @@ template <typename TetrahedronRange, typename CornerUVWMap, typename NamedParame
 Snapping_report snap_volume(const TetrahedronRange& range, CornerUVWMap uvw_map,
                             const NamedParameters& np)
 {
-  check_that_parameters_are_used<NamedParameters>();
+  check_parameters<NamedParameters>();
   Snapping_report report;
   const Volume_options options = volume_options(np);
   const Progress progress(np);
