@@ -103,40 +103,42 @@ void note_noise(const std::vector<Chain>& chains, std::ostream& os)
 
 } // namespace
 
-void Feature_options::add_to(Options& options, const std::string& keep)
+void Feature_options::add_to(Options& options, const std::string& keep,
+                             const std::string& default_length)
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
               keep + " edges that are sharper (default: 0, which " + keep + "s none)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
               "leave out features that are shorter and lead nowhere, as noise makes them:\n"
               "lines of edges with an end where no other feature is, nor the border\n"
-              "(default: 0, which leaves out none)");
+              "(default: " + default_length + ")");
 }
 
-double Feature_options::mark(Model& model, std::ostream& os) const
+Marked_features Feature_options::mark(Model& model, std::ostream& os) const
 {
   if(angle > 0)
     mark_sharp_edges(angle, model);
-  const std::size_t left_out = length > 0 ? leave_out_short_chains(length, model) : 0;
-  if(left_out > 0)
-    os << "left out, as they are short and lead nowhere: " << counted(left_out, "feature edge") << "\n";
+  Marked_features result;
+  result.number_left_out = length > 0 ? leave_out_short_chains(length, model) : 0;
+  if(result.number_left_out > 0)
+    os << "left out, as they are shorter than " << length << " and lead nowhere: "
+       << counted(result.number_left_out, "feature edge") << "; --feature-length 0 keeps them\n";
   const std::vector<Chain> chains = chains_of_features(model.mesh, model.is_feature);
   if(chains.empty()) {
-    if(length > 0 && left_out == 0)
+    if(length > 0 && angle == 0 && result.number_left_out == 0)
       os << "note: no edge is a feature that --feature-length could leave out; see --feature-angle and "
             "--features\n";
-    return 0;
+    return result;
   }
   std::size_t number_of_edges = 0;
-  double length_of_all = 0;
   for(const Chain& chain : chains) {
     number_of_edges += chain.edges.size();
-    length_of_all += chain.length;
+    result.length += chain.length;
   }
   os << "features: " << counted(number_of_edges, "edge") << " in " << counted(chains.size(), "chain")
-     << ", of length " << length_of_all << " in sum\n";
+     << ", of length " << result.length << " in sum\n";
   note_noise(chains, os);
-  return length_of_all;
+  return result;
 }
 
 std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)

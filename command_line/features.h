@@ -11,6 +11,12 @@
 
 class Options;
 
+struct Marked_features
+{
+  double length = 0; // of all
+  std::size_t number_left_out = 0; // edges
+};
+
 // Which edges inside are features, besides those that the file marks.
 struct Feature_options
 {
@@ -18,11 +24,13 @@ struct Feature_options
   double length = 0; // of chains that lead nowhere: shorter ones are no features
 
   // \param keep "keep" or "align", what is done with them
-  void add_to(Options& options, const std::string& keep);
+  // \param default_length in words
+  void add_to(Options& options, const std::string& keep,
+              const std::string& default_length = "0, which leaves out none");
 
   // Marks them in the model, and tells how many there are, in how many chains, each from end to end
-  // or as a loop; and notes whether most of these are noise. Returns the length of all.
-  double mark(Model& model, std::ostream& os) const;
+  // or as a loop; and notes whether most of these are noise.
+  Marked_features mark(Model& model, std::ostream& os) const;
 };
 
 // A face can be aligned along two of its edges at most. Returns the number of edges that are no

@@ -76,7 +76,7 @@ struct Remesh_options
   double number = 10000, maximum_number = 0, edge_length = 0, feature_loss = 0, adaptivity = 1;
   Feature_options features;
   std::optional<double> curvature;
-  bool coarsest = false, verbose = false;
+  bool coarsest = false, verbose = false, leaves_out_noise = false;
 
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
@@ -102,7 +102,9 @@ struct Remesh_options
                 "refuse to make more quads, where features force them\n"
                 "(default: 100 times the number wanted, and at least 100000);\n"
                 "only this allows --number and --edge-length more than 10 million");
-    features.add_to(options, "keep");
+    features.add_to(options, "keep",
+                    "how long edges of the quads are to be, for sharp edges; 0\n"
+                    "leaves out none, as do --coarsest and --features");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of these, from 0 to 1, that may be released where they\n"
                 "force quads: those that force most for their length go first (default: 0)");
@@ -137,6 +139,8 @@ struct Remesh_options
     options.exclude({"number", "edge-length", "coarsest"});
     if(!options.parse(arguments))
       return false;
+    leaves_out_noise = features.angle > 0 && !coarsest && !reading.features &&
+                       !options.is_given("feature-length");
     if(options.is_given("curvature"))
       curvature = strength;
     check_number_of_faces("number", number, "quads", "; --maximum-number allows more",
@@ -153,6 +157,10 @@ struct Remesh_options
     check_outputs({input, field, sizes}, {output, picture, patches, report});
     return true;
   }
+
+  // The length of the edges of the quads, if all are squares.
+  double wanted_length(const Mesh& mesh) const
+  { return edge_length > 0 ? edge_length : std::sqrt(PMP::area(mesh) / number); }
 
   double most_quads() const { return (std::max)(most_faces, maximum_number); }
 };
@@ -282,7 +290,7 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
 struct Remesh_outcome
 {
   Repairs repairs;
-  double length_of_features = 0;
+  Marked_features features;
   QR::Remeshing_report report;
   double diagonal = 0; // of the input
   std::optional<double> turn; // against the directions of --field
@@ -346,7 +354,8 @@ struct Remesh_outcome
       {"median_turn_against_field", turn ? nlohmann::json(*turn) : nullptr},
       {"topology", json_of(topologies)},
       {"patches", json_of(patches)},
-      {"length_of_features", length_of_features},
+      {"length_of_features", features.length},
+      {"number_of_edges_left_out", features.number_left_out},
       {"number_of_released_edges", report.number_of_released_edges},
       {"length_of_released_edges", report.length_of_released_edges}});
     result.update(json_of_shape(report, diagonal));
@@ -368,8 +377,10 @@ void remesh(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  outcome.length_of_features = options.features.mark(model, os);
-  if(options.feature_loss > 0 && outcome.length_of_features == 0)
+  if(options.leaves_out_noise)
+    options.features.length = options.wanted_length(model.mesh);
+  outcome.features = options.features.mark(model, os);
+  if(options.feature_loss > 0 && outcome.features.length == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";
   Located_quads quads;
