@@ -2154,6 +2154,13 @@ struct Flat_quads
     quads.add_face(vertices[first], vertices[first + 1], vertices[first + 5], vertices[first + 4]);
   }
 
+  // The four vertices inside, by 180 degrees.
+  void turn()
+  {
+    for(const auto& [i, j] : {std::pair(5, 10), std::pair(6, 9)})
+      std::swap(quads.point(vertices[std::size_t(i)]), quads.point(vertices[std::size_t(j)]));
+  }
+
   // The least scaled Jacobian before, and after; and the number of vertices that were removed.
   std::tuple<double, double, std::size_t> improve()
   {
@@ -2181,9 +2188,7 @@ void test_unfolding()
   for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
     flat.add_quad(first);
   const std::vector<Point_3> squares(flat.quads.points().begin(), flat.quads.points().end());
-  for(const auto& [i, j] : {std::pair(5, 10), std::pair(6, 9)})
-    std::swap(flat.quads.point(flat.vertices[std::size_t(i)]),
-              flat.quads.point(flat.vertices[std::size_t(j)]));
+  flat.turn();
   run_on_copy(flat.square, flat.quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
     const auto is_held = [&](const Vertex v) { return flat.quads.is_border(v); };
     CHECK(smoother.measure_shape().least_scaled_jacobian < 0);
@@ -2325,7 +2330,9 @@ void test_division()
 }
 
 // Quads that are inverted or upside down, and held by features, are mended, in either precision.
-void check_mending(Flat_quads& flat, const bool has_single_precision)
+// \param has_to_relax whether that takes more than to mend each quad for itself
+void check_mending(Flat_quads& flat, const bool has_single_precision,
+                   const bool has_to_relax = false)
 {
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   const Feature_map is_feature =
@@ -2350,8 +2357,14 @@ void check_mending(Flat_quads& flat, const bool has_single_precision)
   CHECK(number_of_bad() > 0);
   upper_sides.update();
   QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
-  mender.run(false);
+  if(!has_to_relax)
+    mender.run(false);
+  CHECK_EQUAL(number_of_bad() > 0, has_to_relax);
+  mender.relax([&] { return upper_sides.update(); });
   CHECK_EQUAL(number_of_bad(), 0u);
+  for(const auto v : flat.quads.vertices())
+    if(has_to_relax && flat.quads.is_border(v))
+      CHECK_EQUAL(flat.quads.point(v), before[std::size_t(v)]);
 
   std::size_t moved = 0;
   double largest = 0;
@@ -2402,6 +2415,12 @@ void test_mending()
         pleat.quads.point(pleat.vertices[row + i]) =
           Point_3(i == 1 ? 1.75 : 1.25, double(row / 4), 0);
     check_mending(pleat, has_single_precision);
+    // All four vertices inside are turned by 180 degrees.
+    Flat_quads turned(1);
+    for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+      turned.add_quad(first);
+    turned.turn();
+    check_mending(turned, has_single_precision, true);
   }
 }
 

@@ -706,6 +706,8 @@ private:
       upper_sides.update();
       mender.run(true);
     }
+    if(has_work(smoother))
+      mender.relax([&] { return upper_sides.update(); });
     m_report.number_of_displaced_vertices = mender.number_of_displaced_vertices();
     m_report.largest_displacement = m_surface.unscaled(mender.largest_displacement());
   }

@@ -71,6 +71,36 @@ public:
         mend(f, with_neighbors);
   }
 
+  // If at most ten quads are bad even then: around each, up to eight quads away, all vertices but
+  // those on the border move to the middle of their neighbors, along the surface, and what is bad
+  // there is mended, if fewer are bad then.
+  // \param number_of_bad_quads counts them, and tells the smoother of each
+  template <typename Count>
+  void relax(const Count& number_of_bad_quads)
+  {
+    std::size_t least = number_of_bad_quads();
+    if(least > most_to_relax)
+      return;
+    const auto is_bad = [&](const Face f) { return m_smoother.is_bad(f); };
+    std::vector<Face> bad;
+    std::copy_if(faces(m_quads).begin(), faces(m_quads).end(), std::back_inserter(bad), is_bad);
+    for(const Face f : bad)
+      for(std::size_t rings = 1; rings <= most_rings && is_bad(f); rings *= 2) {
+        const std::vector<Mesh::Point> points(m_quads.points().begin(), m_quads.points().end());
+        const auto displaced = m_displaced;
+        relax_around(f, rings);
+        if(number_of_bad_quads() > 0)
+          run(true);
+        if(const std::size_t number = number_of_bad_quads(); number < least)
+          least = number;
+        else {
+          std::copy(points.begin(), points.end(), m_quads.points().begin());
+          m_displaced = displaced;
+          number_of_bad_quads();
+        }
+      }
+  }
+
   // Vertices that have left features, borders, or the surface, and the largest distance by which
   // they have moved.
   std::size_t number_of_displaced_vertices() const { return m_displaced.size(); }
@@ -94,15 +124,7 @@ private:
 
   void mend(const Face f, const bool with_neighbors)
   {
-    m_vertices.clear();
-    m_places.clear();
-    add_vertices(f);
-    m_star.collect(m_vertices);
-    if(with_neighbors) {
-      for(const Face g : m_star.faces())
-        add_vertices(g);
-      m_star.collect(m_vertices);
-    }
+    collect(f, with_neighbors ? 1 : 0);
     double longest = 0;
     const Quad q = m_smoother.quad(f);
     for(std::size_t k = 0; k < 4; ++k)
@@ -111,6 +133,30 @@ private:
     // as far as a long edge reaches only where less does not help
     if(!improve_within((std::min)(longest, m_edge_length)) && longest > m_edge_length)
       improve_within(longest);
+  }
+
+  // The vertices of a quad, and of those around up to a number of rings.
+  void collect(const Face f, const std::size_t rings)
+  {
+    m_vertices.clear();
+    m_places.clear();
+    add_vertices(f);
+    m_star.collect(m_vertices);
+    for(std::size_t i = 0; i < rings; ++i) {
+      for(const Face g : m_star.faces())
+        add_vertices(g);
+      m_star.collect(m_vertices);
+    }
+  }
+
+  void relax_around(const Face f, const std::size_t rings)
+  {
+    collect(f, rings);
+    for(int round = 0; round < most_rounds; ++round)
+      for(const Vertex v : m_vertices)
+        if(!m_quads.is_border(v))
+          m_star.set_point(v, m_smoother.nearest(m_smoother.middle_of_neighbors(v)));
+    note_displacements(Freedom::SURFACE);
   }
 
   bool improve_within(const double size)
@@ -211,6 +257,7 @@ private:
 
   static constexpr int most_rounds = 40;
   static constexpr int most_moves = 20000;
+  static constexpr std::size_t most_to_relax = 10, most_rings = 8;
 
   Mesh& m_quads;
   Quad_smoother& m_smoother;

@@ -250,6 +250,19 @@ public:
     return result;
   }
 
+  Space_vector middle_of_neighbors(const Vertex v) const
+  {
+    Space_vector result{};
+    for(const Vertex w : CGAL::vertices_around_target(v, m_quads)) {
+      const Space_vector p = point(w);
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] += p[c];
+    }
+    for(double& x : result)
+      x /= double(m_quads.degree(v));
+    return result;
+  }
+
   // Calls visit(face, quad, normal) for the quads around a vertex.
   template <typename Visit>
   Star_plane visit_star(const Vertex v, const Visit& visit) const
@@ -349,19 +362,6 @@ private:
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
   static constexpr double distance_of_same_place = 1e-6; // on a surface of a size near 1
   static constexpr double cosine_of_opposite_sides = -0.999;
-
-  Space_vector middle_of_neighbors(const Vertex v) const
-  {
-    Space_vector result{};
-    for(const Vertex w : CGAL::vertices_around_target(v, m_quads)) {
-      const Space_vector p = point(w);
-      for(std::size_t c = 0; c < 3; ++c)
-        result[c] += p[c];
-    }
-    for(double& x : result)
-      x /= double(m_quads.degree(v));
-    return result;
-  }
 
   void move(const Vertex v)
   {
