@@ -80,27 +80,29 @@ public:
       change_points([&](const double x) { return m_surface.unscaled(x); });
   }
 
-  // Those within a number of edges of quads around the corners of bad ones. Returns whether there
-  // are any; the report counts them from here on.
+  // Those within a number of edges of quads around the corners of inverted ones, or, without such,
+  // of thin ones. Returns whether there are any; the report counts them from here on.
   bool release_features_at_bad_quads(const double edges)
   {
     const double area = area_in_squares(surface_mesh(), 1, CGAL::parameters::default_values());
     const double radius = edges * std::sqrt(area / double(m_report.number_of_quads));
     const std::size_t before = m_report.number_of_released_edges;
+    const bool is_inverted = m_report.number_of_inverted_quads > 0;
+    const std::vector<Point>& places = is_inverted ? m_inverted_places : m_thin_places;
     for(const auto e : surface_mesh().edges()) {
       const auto h = surface_mesh().halfedge(e);
       const Surface_to_remesh::Kernel::Segment_3 s(surface_mesh().point(surface_mesh().source(h)),
                                                    surface_mesh().point(surface_mesh().target(h)));
       if(m_surface.is_feature()[e] &&
-         std::any_of(m_bad_places.begin(), m_bad_places.end(), [&](const Point& p)
+         std::any_of(places.begin(), places.end(), [&](const Point& p)
                      { return CGAL::squared_distance(p, s) < radius * radius; }))
         release(h);
     }
     const std::size_t number = m_report.number_of_released_edges - before;
     if(number > 0)
       Progress::tell([&] {
-        return counted(m_report.number_of_inverted_quads, "inverted quad") + "; again without " +
-               counted(number, "feature edge") + " near by";
+        return counted(places.size() / 4, is_inverted ? "inverted quad" : "thin quad") +
+               "; again without " + counted(number, "feature edge") + " near by";
       });
     return number > 0;
   }
@@ -634,17 +636,19 @@ private:
     count();
     std::size_t i = 0;
     for(const auto f : m_quads.faces()) {
-      if(is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f))) {
+      const bool is_bad = is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f));
+      const bool is_thin = smoother.is_thin(f);
+      if(is_bad)
         count_inverted_quad(i, m_report);
+      m_report.number_of_thin_quads += is_thin;
+      if(is_bad || is_thin)
         for(const auto v : CGAL::vertices_around_face(m_quads.halfedge(f), m_quads))
-          m_bad_places.push_back(m_quads.point(v));
-      }
+          (is_bad ? m_inverted_places : m_thin_places).push_back(m_quads.point(v));
       ++i;
     }
     const Quad_smoother::Shape shape = smoother.measure_shape();
     m_report.least_scaled_jacobian = shape.least_scaled_jacobian;
     m_report.mean_scaled_jacobian = shape.mean_scaled_jacobian;
-    m_report.number_of_thin_quads = shape.number_of_thin_quads;
     m_timer.finish("measurement");
     return true;
   }
@@ -746,7 +750,8 @@ private:
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
   std::vector<State> m_choices; // quads are made of the best one
   Work& m_work;
-  std::vector<Point> m_bad_places; // the corners of quads that are inverted or upside down
+  std::vector<Point> m_inverted_places; // the corners of quads that are inverted or upside down
+  std::vector<Point> m_thin_places; // of others
   Step_timer m_timer;
 };
 
@@ -784,40 +789,68 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
                          report.step_times.end());
 }
 
+// Compares results that may have released features.
+class Is_better
+{
+public:
+  explicit Is_better(const Surface_to_remesh& surface)
+    : m_length_of_features(surface.length_of_features())
+  { }
+
+  bool operator()(const Remeshing_report& a, const Remeshing_report& b) const
+    { return badness(a) < badness(b); }
+
+private:
+  std::tuple<bool, std::size_t, double> badness(const Remeshing_report& r) const
+  {
+    const double released =
+      m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
+    return {!r, r.number_of_inverted_quads, released / 2 - r.mean_scaled_jacobian};
+  }
+
+  double m_length_of_features;
+};
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
+  const Is_better is_better(surface);
   const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
-  constexpr double most_edges = 8;
-  double edges = 1; // of quads, around the inverted ones: features there are released next
+  constexpr double most_edges = 8, good_jacobian = 0.9;
+  double edges = 1; // of quads, around the bad ones: features there are released next
   bool may_try_again = true;
+  bool is_first = true;
+  const auto is_bad = [&](const Remeshing_report& r) {
+    const bool is_thin = is_first && r.mean_scaled_jacobian < good_jacobian &&
+                         !options.quantization.is_coarsest &&
+                         double(r.number_of_quads) < 1.1 * options.quantization.number_of_quads;
+    return r && (r.number_of_inverted_quads > 0 || is_thin);
+  };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
     may_try_again = false;
-    for(; report && report.number_of_inverted_quads > 0 && !may_try_again && edges <= most_edges;
-        edges *= 2)
+    for(; is_bad(report) && !may_try_again && edges <= most_edges; edges *= 2)
       may_try_again = remesher.release_features_at_bad_quads(edges);
     before = remesher.report();
     return report;
   };
-  const auto has_fewer_inverted_quads = [](const Remeshing_report& a, const Remeshing_report& b)
-    { return a && a.number_of_inverted_quads < b.number_of_inverted_quads; };
   const double most_work = work.left();
   Remeshing_report best = attempt(quads, is_feature);
   const double of_attempt = most_work - work.left();
   bool is_spent = false;
-  while(may_try_again && best.number_of_inverted_quads > 0) {
+  while(may_try_again && is_bad(best)) {
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
-    make_others(attempt, has_fewer_inverted_quads, quads, is_feature, best);
+    is_first = false;
+    make_others(attempt, is_better, quads, is_feature, best);
   }
   if(is_spent || !work.is_left())
     add_note(best, words_for_spent_work);
@@ -829,17 +862,10 @@ Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_option
                               const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
                               const Surface_to_remesh::Feature_map& is_feature)
 {
-  const double length_of_features = surface.length_of_features();
-  const auto badness = [&](const Remeshing_report& r) {
-    const double released =
-      length_of_features > 0 ? r.length_of_released_edges / length_of_features : 0;
-    return std::tuple(!r, r.number_of_inverted_quads, released / 2 - r.mean_scaled_jacobian);
-  };
   Remeshing_report best = before;
   make_others([&](auto& mesh, const auto& is_kept)
               { return remesh(surface, options, mesh, is_kept); },
-              [&](const auto& a, const auto& b) { return badness(a) < badness(b); },
-              quads, is_feature, best);
+              Is_better(surface), quads, is_feature, best);
   return best;
 }
 

@@ -182,23 +182,25 @@ public:
   struct Shape
   {
     double least_scaled_jacobian = 1, mean_scaled_jacobian = 0;
-    std::size_t number_of_thin_quads = 0;
   };
 
   Shape measure_shape() const
   {
-    constexpr double thin = 0.1; // as a scaled Jacobian
     Shape result;
     double sum = 0;
     for(const Face f : faces(m_quads)) {
-      const Quad q = quad(f);
-      const double value = scaled_jacobian(q, quad_normal(q));
+      const double value = scaled_jacobian_of(f);
       result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
-      result.number_of_thin_quads += value < thin ? 1 : 0;
       sum += value;
     }
     result.mean_scaled_jacobian = sum / static_cast<double>(faces(m_quads).size());
     return result;
+  }
+
+  bool is_thin(const Face f) const
+  {
+    constexpr double thin = 0.1; // as a scaled Jacobian
+    return scaled_jacobian_of(f) < thin;
   }
 
   std::size_t number_of_inverted_quads() const
@@ -351,6 +353,12 @@ public:
   }
 
 private:
+  double scaled_jacobian_of(const Face f) const
+  {
+    const Quad q = quad(f);
+    return scaled_jacobian(q, quad_normal(q));
+  }
+
   const Tree& tree() const
   {
     ++m_number_of_searches;
