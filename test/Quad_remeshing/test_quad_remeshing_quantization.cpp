@@ -13,9 +13,9 @@
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
-#include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>

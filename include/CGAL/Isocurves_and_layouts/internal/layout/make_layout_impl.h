@@ -20,16 +20,23 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/remove_faces.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
+#include <CGAL/Isocurves_and_layouts/internal/layout/Refined_faces.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/build_layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/make_layout.h>
-#include <CGAL/Isocurves_and_layouts/internal/layout/make_patches.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/Report.h>
 
+#include <CGAL/Exact_rational.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,6 +45,218 @@
 namespace CGAL {
 namespace Isocurves_and_layouts {
 namespace internal {
+
+// From arcs to patches, with all checks: rectangles; and what touches an oblique border, of any
+// shape.
+
+class Patch_maker
+{
+public:
+  // The half-arcs of the layout are linked.
+  Patch_maker(const Layout_domain& domain, const Curve_set& curves, Layout& layout)
+    : m_domain(domain), m_mesh(domain.mesh), m_curves(curves), m_layout(layout)
+  { }
+
+  // Returns false if the arcs make no partition, which can't be.
+  bool run()
+  {
+    if(!add_cycles() || (m_domain.has_oblique_border && !join_cycles()))
+      return false;
+    for(Layout_patch& patch : m_layout.patches)
+      if(!patch.is_cut && !make_rectangle(patch))
+        return false;
+    return has_right_euler_characteristic();
+  }
+
+private:
+  // Each is a patch, for now.
+  bool add_cycles()
+  {
+    for(Half_arc_index h = 0; h < Half_arc_index(m_layout.half_arcs.size()); ++h) {
+      const Half_arc& half = m_layout.half(h);
+      if(half.patch == no_index && !half.is_outside && !add_cycle(h))
+        return false;
+    }
+    return true;
+  }
+
+  bool add_cycle(const Half_arc_index first)
+  {
+    std::vector<Half_arc_index> cycle;
+    Half_arc_index h = first;
+    do {
+      Half_arc& half = m_layout.half_arcs[std::size_t(h)];
+      if(half.is_outside)
+        return false;
+      half.patch = Patch_index(m_layout.patches.size());
+      cycle.push_back(h);
+      h = half.next;
+    } while(h != first);
+    m_layout.patches.emplace_back();
+    m_layout.patches.back().cycles.push_back(std::move(cycle));
+    return true;
+  }
+
+  // What surrounds the same part of the surface becomes one patch.
+  bool join_cycles()
+  {
+    const Refined_faces faces(m_mesh, m_curves, m_layout);
+    if(!faces.is_covered())
+      return false;
+    const std::size_t n = m_layout.patches.size();
+    boost::disjoint_sets_with_storage<> sets(n);
+    for(const auto& [a, b] : faces.joined_patches())
+      sets.union_set(a, b);
+    std::vector<Patch_index> numbers(n, no_index);
+    std::vector<Layout_patch> patches;
+    for(std::size_t p = 0; p < n; ++p) {
+      Patch_index& number = numbers[sets.find_set(p)];
+      if(number == no_index) {
+        number = Patch_index(patches.size());
+        patches.emplace_back();
+      }
+      patches[std::size_t(number)].cycles.push_back(std::move(m_layout.patches[p].cycles[0]));
+    }
+    const auto new_number = [&](const Patch_index p)
+      { return numbers[sets.find_set(std::size_t(p))]; };
+    m_layout.patches = std::move(patches);
+    for(Half_arc& half : m_layout.half_arcs)
+      if(half.patch != no_index)
+        half.patch = new_number(half.patch);
+    std::vector<Patch_index> patch_of_cell;
+    for(std::size_t c = 0; c < faces.cells().number_of_cells(); ++c)
+      patch_of_cell.push_back(new_number(Patch_index(faces.patch_of_cell(c))));
+    for(Layout_patch& patch : m_layout.patches)
+      patch.is_cut = touches_oblique_border(patch);
+    measure_topology(faces, patch_of_cell);
+    measure_areas(faces, patch_of_cell);
+    return true;
+  }
+
+  // At a vertex of the border, where curves end but need not start, the angle can be 270 degrees
+  // and more.
+  bool touches_oblique_border(const Layout_patch& patch) const
+  {
+    for(const auto& cycle : patch.cycles)
+      for(const Half_arc_index h : cycle)
+        if(m_layout.arc(h).is_oblique || m_layout.half(h).turns > 2)
+          return true;
+    return false;
+  }
+
+  // Vertices, edges, and cells inside of each patch.
+  void measure_topology(const Refined_faces& faces, const std::vector<Patch_index>& patch_of_cell)
+  {
+    const Polygon_complex& cells = faces.cells();
+    std::vector<std::int32_t> patch_of_vertex(cells.number_of_vertices(), no_index);
+    std::vector<char> is_on_arc(cells.number_of_vertices(), false);
+    for(Layout_patch& patch : m_layout.patches)
+      patch.euler_characteristic = 0;
+    const auto count = [&](const Patch_index p, const int change)
+      { m_layout.patches[std::size_t(p)].euler_characteristic += change; };
+    for(const Patch_index p : patch_of_cell)
+      count(p, 1);
+    for(std::size_t d = 0; d < cells.number_of_darts(); ++d) {
+      const std::size_t v = std::size_t(cells.targets[d]);
+      if(faces.is_on_arc(d / 2)) {
+        is_on_arc[v] = true;
+        continue;
+      }
+      patch_of_vertex[v] = patch_of_cell[std::size_t(cells.cells[d])];
+      if(d % 2 == 0)
+        count(patch_of_vertex[v], -1);
+    }
+    for(std::size_t v = 0; v < cells.number_of_vertices(); ++v)
+      if(!is_on_arc[v] && patch_of_vertex[v] != no_index)
+        count(patch_of_vertex[v], 1);
+  }
+
+  // Of those that are cut: sums over the darts around their cells, each in the chart of its face.
+  void measure_areas(const Refined_faces& faces, const std::vector<Patch_index>& patch_of_cell)
+  {
+    const auto cut_patch = [&](const std::int32_t dart) -> Layout_patch* {
+      const std::int32_t cell = faces.cells().cells[std::size_t(dart)];
+      if(cell == no_index)
+        return nullptr;
+      Layout_patch& patch = m_layout.patches[std::size_t(patch_of_cell[std::size_t(cell)])];
+      return patch.is_cut ? &patch : nullptr;
+    };
+    const Exact_rational half(0.5);
+    const Points_on_edges& points = faces.points_on_edges();
+    for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      for(std::int32_t i = 0; i <= points.number_on(h); ++i)
+        if(Layout_patch* const patch = cut_patch(faces.dart_on_halfedge(h, i))) {
+          const Exact_uv p = points.uv(h, i), q = points.uv(h, i + 1);
+          patch->area += half * (p[0].exact() * q[1].exact() - p[1].exact() * q[0].exact());
+        }
+    for(std::size_t i = 0; i < faces.steps().size(); ++i) {
+      const std::int32_t dart = 2 * faces.edge_of_step(i);
+      if(dart < 0)
+        continue;
+      const Arc_step& step = faces.steps()[i];
+      const Chord& chord = m_curves.chord(step.curve, step.segment);
+      const Exact_rational change(faces.running_coordinate_of_step(step, false) -
+                                  faces.running_coordinate_of_step(step, true));
+      const Exact_rational level(half * chord.level.exact());
+      const Exact_rational area(constant_component(chord.direction) == 1
+                                  ? Exact_rational(level * change)
+                                  : Exact_rational(-level * change));
+      if(Layout_patch* const patch = cut_patch(dart))
+        patch->area += area;
+      if(Layout_patch* const patch = cut_patch(dart + 1))
+        patch->area -= area;
+    }
+  }
+
+  bool make_rectangle(Layout_patch& patch)
+  {
+    std::vector<Half_arc_index>& cycle = patch.cycles[0];
+    const auto is_corner = [&](const Half_arc_index h) { return m_layout.half(h).turns == 1; };
+    const auto last = std::find_if(cycle.begin(), cycle.end(), is_corner);
+    if(patch.cycles.size() != 1 || patch.euler_characteristic != 1 || last == cycle.end())
+      return false;
+    std::rotate(cycle.begin(), std::next(last), cycle.end()); // the first one starts at a corner
+    std::size_t side = 0;
+    for(const Half_arc_index h : cycle) {
+      if(m_layout.half(h).turns > 2 || side == 4)
+        return false;
+      patch.sides[side].push_back(h);
+      side += is_corner(h) ? 1 : 0;
+    }
+    patch.width = length(patch.sides[0]);
+    patch.height = length(patch.sides[1]);
+    return side == 4 && patch.width == length(patch.sides[2]) &&
+           patch.height == length(patch.sides[3]);
+  }
+
+  Exact_level length(const std::vector<Half_arc_index>& side) const
+  {
+    Exact_level sum(0.);
+    for(const Half_arc_index h : side)
+      sum = sum.minus(m_layout.arc(h).length.negated());
+    return sum;
+  }
+
+  // Of a cell complex that covers the surface, the Euler characteristic is that of the surface if
+  // and only if all rectangles are discs, as none of them has no border.
+  bool has_right_euler_characteristic() const
+  {
+    std::ptrdiff_t expected = std::ptrdiff_t(m_mesh.number_of_vertices()) +
+                              std::ptrdiff_t(m_mesh.number_of_faces());
+    for(Corner_index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      expected -= m_mesh.represents_edge(h) ? 1 : 0;
+    std::ptrdiff_t found =
+      std::ptrdiff_t(m_layout.points.size()) - std::ptrdiff_t(m_layout.arcs.size());
+    for(const Layout_patch& patch : m_layout.patches)
+      found += patch.euler_characteristic;
+    return found == expected;
+  }
+
+  const Layout_domain& m_domain;
+  const Chart_mesh& m_mesh;
+  const Curve_set& m_curves;
+  Layout& m_layout;
+};
 
 class Layout_maker
 {

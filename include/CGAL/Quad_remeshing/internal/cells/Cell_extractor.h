@@ -27,7 +27,6 @@
 #include <CGAL/Quad_remeshing/internal/cells/Dart_tracer.h>
 #include <CGAL/Quad_remeshing/internal/cells/Grid_cells.h>
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
-#include <CGAL/Quad_remeshing/internal/cells/cells_with_border.h>
 #include <CGAL/Quad_remeshing/types/Extraction_report.h>
 
 #include <algorithm>

@@ -26,7 +26,6 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Positive_solver.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Surface_complex.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
-#include <CGAL/Quad_remeshing/internal/parametrization/cancel_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/cross_field.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/field_with_cones.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>

@@ -19,7 +19,6 @@
 // cones, corners, the ends of features, and whatever can't be removed; and round triangles.
 
 #include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
-#include <CGAL/Quad_remeshing/internal/quantization/flip.h>
 
 #include <algorithm>
 #include <cstddef>

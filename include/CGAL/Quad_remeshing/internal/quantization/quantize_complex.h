@@ -18,8 +18,8 @@
 // The units of a complex: integers near the vectors wanted, such that all triangles are positive
 // and the angles around vertices are what they were.
 
+#include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
-#include <CGAL/Quad_remeshing/internal/quantization/flip.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>

@@ -22,10 +22,10 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
-#include <CGAL/Quad_remeshing/internal/quantization/read_integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/release_features.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@
 // to be split first.
 
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Half_surface.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/refine_surface.h>
 

@@ -23,7 +23,6 @@
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
-#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
 
 #include <array>
 #include <cstddef>

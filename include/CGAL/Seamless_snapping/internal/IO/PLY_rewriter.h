@@ -20,7 +20,6 @@
 
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
-#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 #include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 

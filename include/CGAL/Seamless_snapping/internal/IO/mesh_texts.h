@@ -21,7 +21,6 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
-#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 #include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 

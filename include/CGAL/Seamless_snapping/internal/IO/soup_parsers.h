@@ -20,7 +20,7 @@
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
-#include <CGAL/Seamless_snapping/internal/IO/PLY_values.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
 #include <array>

@@ -20,7 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <algorithm>
 #include <array>

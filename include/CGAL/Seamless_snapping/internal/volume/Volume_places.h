@@ -24,6 +24,7 @@
 #include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -197,6 +198,188 @@ private:
   std::vector<std::int32_t> m_slot;          // per sector, of the part at hand; else -1
   std::unordered_map<Word, std::size_t, boost::hash<Word> > m_place_of_word;
   Volume_places m_result;
+};
+
+// The members of all places, and how they can move while translations and levels stay as they are.
+
+// How the members of a place can differ: by moves that leave translations and levels alone. One
+// takes slot i by R_i e, where e is fixed by the rotations of all loops of arcs, and R_i e is 0 in
+// coordinates that have a level. As rotations permute coordinates, this makes coordinates of e
+// equal up to a sign, or 0: the integer moves have a basis of vectors without common entries.
+struct Place_freedom
+{
+  std::vector<Cube_rotations::Element> rotation; // per slot
+  // Per coordinate of e: the class, named by its first coordinate, and the sign; -1 if it is 0
+  std::array<int, 3> first, sign;
+
+  int dimension() const
+  {
+    int result = 0;
+    for(int c = 0; c < 3; ++c)
+      result += int(first[std::size_t(c)] == c);
+    return result;
+  }
+};
+
+inline Place_freedom freedom_of(const Volume_places::Place& place, const Volume_places& places,
+                                const std::vector<Cube_rotations::Element>& sheet_element)
+{
+  using Group = Cube_rotations;
+  Place_freedom result{std::vector<int>(place.number_of_slots, -1), {}, {}};
+  std::vector<int>& rotation = result.rotation;
+  rotation[0] = Group::identity();
+  for(bool is_done = false; !is_done;) { // the arcs connect the slots
+    is_done = true;
+    for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
+      const Sector_arc& arc = places.arcs[i];
+      int &plus = rotation[std::size_t(arc.plus)], &minus = rotation[std::size_t(arc.minus)];
+      const int g = sheet_element[std::size_t(arc.sheet)];
+      if((plus < 0) != (minus < 0)) {
+        (plus < 0 ? plus : minus) = plus < 0 ? Group::compose(Group::inverse(g), minus)
+                                             : Group::compose(g, plus);
+        is_done = false;
+      }
+    }
+  }
+  Signed_union_find coordinates(3);
+  for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
+    const Sector_arc& arc = places.arcs[i];
+    const int along = Group::compose(sheet_element[std::size_t(arc.sheet)],
+                                     rotation[std::size_t(arc.plus)]);
+    const int loop = Group::compose(Group::inverse(rotation[std::size_t(arc.minus)]), along);
+    for(std::size_t c = 0; c < 3; ++c)
+      coordinates.unite(c, Group::source(loop, c), Group::sign(loop, c));
+  }
+  for(std::size_t i = place.first_level; i < place.end_of_levels; ++i) {
+    const Sector_level& level = places.levels[i];
+    coordinates.set_zero(Group::source(rotation[std::size_t(level.sector)],
+                                       std::size_t(level.coordinate)));
+  }
+  for(std::size_t c = 0; c < 3; ++c) {
+    const auto found = coordinates.find(c);
+    result.first[c] = coordinates.is_zero(c) ? -1 : int(found.index);
+    result.sign[c] = found.sign;
+  }
+  return result;
+}
+
+using Member_index = std::size_t;
+
+// Invariant: a member moves by a vector e, where coordinates of one class of its freedom are equal
+// up to signs: each class is an unknown. Sector i of the member moves by R_i e.
+class Volume_members
+{
+  using Group = Cube_rotations;
+  using Place = Volume_places::Place;
+
+public:
+  // A corner's coordinate moves by a sign times an unknown, or not at all (sign 0).
+  struct Term
+  {
+    std::size_t unknown;
+    int sign;
+  };
+
+  Volume_members(const Volume_sectors& sectors, const Volume_places& places)
+    : m_sectors(sectors), m_places(places), m_member_of_sector(sectors.number_of_sectors())
+  {
+    for(std::size_t p = 0; p < places.places.size(); ++p) {
+      const Place& place = places.places[p];
+      m_freedoms.push_back(freedom_of(place, places, sectors.sheet_element));
+      for(std::size_t i = 0; i < place.members.size(); ++i)
+        m_member_of_sector[std::size_t(place.members[i])] =
+          {m_member.size() + i / place.number_of_slots, i % place.number_of_slots};
+      for(std::size_t m = 0; m < place.number_of_members(); ++m) {
+        m_member.push_back({p, m});
+        m_first_unknown.push_back(m_number_of_unknowns);
+        m_number_of_unknowns += std::size_t(m_freedoms.back().dimension());
+      }
+    }
+  }
+
+  std::size_t size() const { return m_member.size(); }
+  std::size_t number_of_unknowns() const { return m_number_of_unknowns; }
+  const Place& place(const Member_index m) const { return m_places.places[m_member[m].first]; }
+  const Place_freedom& freedom(const Member_index m) const
+  {
+    return m_freedoms[m_member[m].first];
+  }
+
+  // The unknowns of a member are consecutive.
+  std::size_t first_unknown(const Member_index m) const { return m_first_unknown[m]; }
+
+  Member_index member_of_corner(const Corner_index i) const
+  {
+    return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].first;
+  }
+
+  // The sector of a corner among those of its place.
+  std::size_t slot_of_corner(const Corner_index i) const
+  {
+    return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].second;
+  }
+
+  Sector_number sector(const Member_index m, const std::size_t slot) const
+  {
+    return place(m).sector(m_member[m].second, slot);
+  }
+
+  // Calls f(slot, corner) for all corners of a member.
+  template <typename F>
+  void for_each_corner(const Member_index m, const F& f) const
+  {
+    for(std::size_t slot = 0; slot < place(m).number_of_slots; ++slot)
+      for(const Corner_index i : m_sectors.corners[sector(m, slot)])
+        f(slot, i);
+  }
+
+  // Keeps what `move()` does to the coordinates of a member if it returns that it is a gain, and no
+  // cell at the member is worse by it; else takes it back. Returns whether it is kept.
+  template <typename Move, typename IsGood>
+  bool try_move(const Member_index m, std::vector<Uvw>& coordinates, const Move& move,
+                const IsGood& is_good) const
+  {
+    std::vector<Uvw> before;
+    std::vector<char> was_good;
+    for_each_corner(m, [&](std::size_t, const Corner_index i) {
+      before.push_back(coordinates[std::size_t(i)]);
+      was_good.push_back(is_good(std::size_t(i / 4)));
+    });
+    bool is_kept = move();
+    std::size_t k = 0;
+    for_each_corner(m, [&](std::size_t, const Corner_index i) {
+      is_kept = is_kept && (was_good[k] == 0 || is_good(std::size_t(i / 4)));
+      ++k;
+    });
+    k = 0;
+    if(!is_kept)
+      for_each_corner(m, [&](std::size_t, const Corner_index i) {
+        coordinates[std::size_t(i)] = before[k++];
+      });
+    return is_kept;
+  }
+
+  // How coordinate c of a sector moves.
+  Term term(const Member_index m, const std::size_t slot, const std::size_t c) const
+  {
+    const Place_freedom& f = freedom(m);
+    const std::size_t source = Group::source(f.rotation[slot], c);
+    if(f.first[source] < 0)
+      return {0, 0};
+    std::size_t unknown = first_unknown(m);
+    for(int k = 0; k < f.first[source]; ++k)
+      unknown += std::size_t(f.first[std::size_t(k)] == k);
+    return {unknown, Group::sign(f.rotation[slot], c) * f.sign[source]};
+  }
+
+private:
+  const Volume_sectors& m_sectors;
+  const Volume_places& m_places;
+  std::vector<std::pair<std::size_t, std::size_t> > m_member; // the place, and which of its members
+  std::vector<std::size_t> m_first_unknown;                   // per member
+  std::vector<std::pair<Member_index, std::size_t> > m_member_of_sector; // and which slot
+  std::vector<Place_freedom> m_freedoms;                      // per place
+  std::size_t m_number_of_unknowns = 0;
 };
 
 } // namespace internal

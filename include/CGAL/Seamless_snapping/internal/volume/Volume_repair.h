@@ -21,7 +21,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/linear/nonnegative_program.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <Eigen/Core>
 

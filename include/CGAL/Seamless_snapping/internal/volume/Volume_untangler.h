@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_members.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

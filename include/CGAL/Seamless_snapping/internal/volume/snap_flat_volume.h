@@ -21,7 +21,6 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
-#include <CGAL/Seamless_snapping/internal/volume/Chart_fitter.h>
 #include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>

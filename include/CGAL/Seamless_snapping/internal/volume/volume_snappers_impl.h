@@ -15,13 +15,233 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_rounder.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
-#include <CGAL/Seamless_snapping/internal/volume/snap_whole_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/volume_snappers.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// Snapping of volumes where it may change cells away from cuts and boundary, too: to integer-grid
+// maps, and with repairs of cells that are not positive. An exactly seamless map comes first.
+
+class Whole_volume_snapper
+{
+public:
+  // \param volume holds all cells, none of whose vertices is fixed
+  Whole_volume_snapper(const Flat_volume& volume, const Volume_options& options,
+                       const Number_format& format, Snapping_report& report, Step_timer& timer)
+    : m_volume(volume), m_number_of_feature_edges(volume.aligned_edges.size()),
+      m_options(options), m_format(format), m_report(report), m_timer(timer)
+  { }
+
+  // As that of `Flat_volume_snapper`.
+  std::optional<Refusal> run(std::vector<Uvw>& snapped)
+  {
+    if(!(m_options.grid_scale > 0 && std::isfinite(m_options.grid_scale)))
+      return Refusal(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite");
+    if(const auto refusal = scale())
+      return refusal;
+    const std::vector<Uvw> input = m_volume.coordinates;
+    if(const auto refusal = Flat_volume_snapper(m_volume, m_options.tolerance, m_format, m_report,
+                                                m_timer).run(snapped))
+      return refusal;
+    if(m_report.status == Outcome::SNAPPED)
+      m_volume.coordinates.swap(snapped);
+    m_report.lost_faces.clear();
+    const CGAL::Orientation orientation = orientation_of_most_cells(input);
+    if(m_options.rounds || m_options.flip_repair != Flip_repair::NONE)
+      if(const auto refusal = round_and_repair(input, orientation))
+        return refusal;
+    compare_with(input, orientation);
+    snapped = m_volume.coordinates;
+    if(m_options.rounds)
+      return refusal_of_collapse();
+    return std::nullopt;
+  }
+
+private:
+  // Numbers of the format, and none that can't be used afterwards.
+  std::optional<Refusal> scale()
+  {
+    if(m_options.grid_scale == 1)
+      return std::nullopt;
+    const double largest = (std::min)(1e300, std::ldexp(1., m_format.maximum_exponent - 2));
+    const double least = std::ldexp(1., 2 * m_format.digits - m_format.maximum_exponent);
+    if(m_volume.extent > 0 && !(m_volume.extent * m_options.grid_scale > least))
+      return Refusal(Outcome::NOT_REPRESENTABLE,
+                     "grid_scale makes the coordinates too small for the number type; choose a "
+                     "larger one");
+    for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
+      for(double& x : m_volume.coordinates[i]) {
+        x = rounded_to(m_format, x * m_options.grid_scale);
+        if(!(std::abs(x) <= largest))
+          return Refusal(Outcome::NOT_REPRESENTABLE,
+                         "grid_scale makes a coordinate of cell " + std::to_string(i / 4) +
+                           " too large for the number type; choose a smaller one");
+      }
+    m_volume.extent *= m_options.grid_scale;
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> round_and_repair(const std::vector<Uvw>& input,
+                                          const CGAL::Orientation orientation)
+  {
+    if(m_options.rounds)
+      if(const auto refusal = add_grid_edges(m_volume))
+        return refusal;
+    const Volume_structure structure(m_volume);
+    if(m_options.rounds) {
+      std::vector<Uvw> rounded;
+      if(const auto refusal =
+           Volume_rounder(m_volume, structure, m_options.tolerance * m_volume.extent,
+                          m_options.rounding_tolerance, m_format, m_report, m_timer).run(rounded))
+        return refusal;
+      if(!rounded.empty())
+        m_volume.coordinates.swap(rounded);
+    }
+    return repair(structure, input, orientation);
+  }
+
+  // After roundings, near by at least: their displacement may have made flips.
+  std::optional<Refusal> repair(const Volume_structure& structure, const std::vector<Uvw>& input,
+                                const CGAL::Orientation orientation)
+  {
+    constexpr std::size_t reach_near_by = 2;
+    std::vector<Uvw> u = m_volume.coordinates;
+    Volume_untangler untangler(structure.members, m_volume, input, orientation, m_format, u);
+    std::size_t& passes = m_report.run.number_of_untangling_iterations;
+    passes = untangler.run(m_options.number_of_untangling_iterations, reach_near_by, false);
+    if(m_options.flip_repair == Flip_repair::UNTANGLE)
+      passes += untangler.run(m_options.number_of_untangling_iterations - passes,
+                              (std::numeric_limits<std::size_t>::max)(), true);
+    m_timer.finish("orientation");
+    if(!is_exact(m_volume, structure.transitions, structure.alignment, u) ||
+       (m_options.rounds &&
+        !is_on_integers(m_volume, structure.transitions, structure.alignment, u)))
+      return Refusal(Outcome::INTERNAL_ERROR,
+                     "the repaired map failed its exact verification and was discarded; please "
+                     "report this");
+    m_volume.coordinates.swap(u);
+    fill_in_changes(structure.sectors, input, m_volume.coordinates, m_report);
+    m_report.run.number_of_faces_without_area = number_without_volume(structure);
+    m_timer.finish("verification");
+    return std::nullopt;
+  }
+
+  // Roundings may take levels to one integer, so that what is between is flat, and of which
+  // transition its facets are can't be told.
+  std::optional<Refusal> refusal_of_collapse()
+  {
+    m_volume.aligned_edges.resize(m_number_of_feature_edges);
+    const bool are_most = 2 * m_report.lost_faces.size() >= m_volume.number_of_cells();
+    if(!are_most && measure_integer_grid(m_volume))
+      return std::nullopt;
+    return Refusal(Outcome::NOT_INTEGER,
+                   "at the nearest integers, " + counted(m_report.lost_faces.size(), "cell") +
+                     (m_report.lost_faces.size() == 1 ? " loses its orientation"
+                                                      : " lose their orientation") +
+                     (m_report.lost_faces.empty()
+                        ? std::string()
+                        : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
+                     (are_most ? ": these are most of them"
+                               : ", and the grid can't be told from the coordinates any more") +
+                     "; scale the map up by grid_scale, as no repair brings these back");
+  }
+
+  // Cells all of whose vertices lie in one plane that a level fixes each.
+  std::size_t number_without_volume(const Volume_structure& structure) const
+  {
+    std::vector<char> is_level(3 * structure.sectors.number_of_sectors(), 0);
+    for(const Sector_level& l : structure.sectors.levels)
+      is_level[3 * std::size_t(l.sector) + std::size_t(l.coordinate)] = 1;
+    std::size_t result = 0;
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
+      bool is_flat = false;
+      for(std::size_t k = 0; k < 3; ++k) {
+        std::size_t number = 0; // of corners with the level of the first
+        for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
+          number += std::size_t(
+            is_level[3 * std::size_t(structure.sectors.sector[i]) + k] != 0 &&
+            m_volume.coordinates[i][k] == m_volume.coordinates[4 * c][k]);
+        is_flat = is_flat || number == 4;
+      }
+      result += std::size_t(is_flat);
+    }
+    return result;
+  }
+
+  // All that came between does not count.
+  void compare_with(const std::vector<Uvw>& input, const CGAL::Orientation sign)
+  {
+    m_report.largest_change = 0;
+    m_report.run.number_of_repaired_flips = 0;
+    const std::vector<Uvw>& u = m_volume.coordinates;
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
+      const bool was_good = orientation(uvw_of_cell(input, c)) == sign,
+                 is_good = orientation(uvw_of_cell(u, c)) == sign;
+      if(!is_good)
+        (was_good ? m_report.lost_faces : m_report.remaining_flips).push_back(c);
+      m_report.run.number_of_repaired_flips += std::size_t(is_good && !was_good);
+      for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
+        for(std::size_t k = 0; k < 3; ++k)
+          m_report.largest_change = (std::max)(m_report.largest_change,
+                                               std::abs(u[i][k] - input[i][k]));
+    }
+    m_report.status = m_options.grid_scale == 1 && u == input ? Outcome::ALREADY_EXACT
+                                                              : Outcome::SNAPPED;
+    if(m_options.flip_repair != Flip_repair::NONE)
+      tell_of_cells();
+    else
+      m_report.remaining_flips.clear();
+  }
+
+  void tell_of_cells()
+  {
+    const std::size_t lost = m_report.lost_faces.size(), flips = m_report.remaining_flips.size();
+    if(lost + flips == 0)
+      return;
+    m_report.status = Outcome::FLIPS_REMAIN;
+    const auto names = [](const std::vector<std::size_t>& cells) {
+      return std::to_string(cells.size()) + " (the first is cell " + std::to_string(cells.front()) +
+             ")";
+    };
+    if(flips > 0)
+      m_report.message = "cells that are still flipped or degenerate: " +
+                         names(m_report.remaining_flips);
+    if(lost > 0)
+      m_report.message += (flips > 0 ? "; " : "") + std::string("cells that had the orientation of "
+                          "most cells and lost it: ") + names(m_report.lost_faces);
+    if(const std::size_t n = m_report.run.number_of_faces_without_area; n > 0)
+      m_report.message += "; alignments leave " + counted(n, "cell") + " no volume, whatever "
+                          "the coordinates are: align less, or divide them";
+    else if(m_report.run.number_of_untangling_iterations ==
+            m_options.number_of_untangling_iterations)
+      m_report.message += "; the search for repairs ended at number_of_untangling_iterations: "
+                          "raise it";
+    else if(m_options.flip_repair == Flip_repair::NEAR_BY)
+      m_report.message += "; Flip_repair::UNTANGLE changes more of the map";
+  }
+
+  Flat_volume m_volume; // becomes the result
+  std::size_t m_number_of_feature_edges;
+  const Volume_options& m_options;
+  Number_format m_format;
+  Snapping_report& m_report;
+  Step_timer& m_timer;
+};
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const Volume_options& options,
