@@ -11,8 +11,7 @@ set(linear Linear_snapping/internal/linear/Linear_solver
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
   Seamless_snapping/internal/snapping/surface_solvers)
 set(volumes Seamless_snapping/internal/volume/volume_snappers)
-set(layouts Isocurves_and_layouts/internal/layout/Refined_faces
-  Isocurves_and_layouts/internal/layout/make_layout)
+set(layouts Isocurves_and_layouts/internal/layout/make_layout)
 set(quads Quad_remeshing/internal/quantization/quantize_surface
   Quad_remeshing/internal/quad_remesh)
 

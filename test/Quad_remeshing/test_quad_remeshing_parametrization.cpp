@@ -228,9 +228,11 @@ QR::internal::parametrization::Triangle_surface flat_surface(const Mesh& mesh)
 {
   namespace P = QR::internal::parametrization;
   const QR::internal::Flat_numbering<Mesh> numbering(mesh);
-  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
+  P::Triangle_surface surface;
+  QR::internal::read_flat_mesh<CGAL::Sequential_tag>(
+    mesh, numbering, surface, [](QR::internal::Flat_corner&, Halfedge) { });
   P::find_components(surface);
-  P::read_geometry(numbering, mesh.points(), surface);
+  P::read_geometry(QR::internal::places_of(numbering.vertices_in_order(), mesh.points()), surface);
   surface.is_aligned.resize(std::size_t(surface.number_of_halfedges()), false);
   return surface;
 }
@@ -932,10 +934,7 @@ void test_clusters()
   Mesh mesh = perturbed(icosphere(3), 0.01, 1);
   mesh += height_field(9);
   CGAL::make_triangle(Point_3(9, 0, 0), Point_3(9, 1, 0), Point_3(9, 0, 1), mesh);
-  const QR::internal::Flat_numbering<Mesh> numbering(mesh);
-  P::Triangle_surface surface = P::read_connectivity(mesh, numbering);
-  P::find_components(surface);
-  P::read_geometry(numbering, mesh.points(), surface);
+  P::Triangle_surface surface = flat_surface(mesh);
   P::Cross_graph graph = P::cross_graph(surface);
   const auto sum = [](const std::vector<double>& a)
   { return std::accumulate(a.begin(), a.end(), 0.); };

@@ -30,6 +30,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -1642,9 +1643,16 @@ void test_locations()
   }
 }
 
-// What surfaces to remesh have if none is given.
-const auto no_direction = [](const Mesh::Face_index) { return Kernel::Vector_3(0, 0, 0); };
-const auto no_size = [](const Mesh::Vertex_index) { return 1.; };
+template <typename NamedParameters>
+internal::Surface_to_remesh surface_to_remesh(const Mesh& mesh, const NamedParameters& np)
+{
+  return internal::surface_to_remesh(mesh, internal::strip(np), std::nullopt);
+}
+
+internal::Surface_to_remesh surface_to_remesh(const Mesh& mesh)
+{
+  return surface_to_remesh(mesh, parameters::default_values());
+}
 
 // --- long triangles ------------------------------------------------------------------------------
 
@@ -1741,9 +1749,10 @@ double area_of(const Mesh& mesh)
 // In each part, below a height or above it, the area is the same as before.
 void check_refined_coin(const Coin& coin, const std::string& context)
 {
-  internal::Surface_to_remesh surface(
-    coin.mesh, coin.mesh.points(), coin.is_feature, no_direction,
-    [&](const Vertex v) { return 2 + coin.mesh.point(v).x() / 4; }, std::nullopt);
+  const auto sizes = boost::make_function_property_map<Vertex>(
+    [&](const Vertex v) { return 2 + coin.mesh.point(v).x() / 4; });
+  internal::Surface_to_remesh surface = surface_to_remesh(
+    coin.mesh, parameters::edge_is_constrained_map(coin.is_feature).vertex_sizing_map(sizes));
   const double scale = surface.unscaled(1);
   CHECK_IN(context, surface.refine(false));
   const auto& refined = surface.mesh();
@@ -1830,10 +1839,10 @@ void check_refined_strips(const double height)
   const auto is_feature =
     strips.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   is_feature[strips.edge(strips.halfedge(Vertex(20), Vertex(21)))] = true;
-  internal::Surface_to_remesh surface(
-    strips, strips.points(), is_feature,
-    [](const Mesh::Face_index f) { return Kernel::Vector_3(f < Mesh::Face_index(18), 0, 0); },
-    no_size, std::nullopt);
+  const auto direction = boost::make_function_property_map<Mesh::Face_index>(
+    [](const Mesh::Face_index f) { return Kernel::Vector_3(f < Mesh::Face_index(18), 0, 0); });
+  internal::Surface_to_remesh surface = surface_to_remesh(
+    strips, parameters::edge_is_constrained_map(is_feature).face_direction_map(direction));
   const double scale = surface.unscaled(1);
   CHECK(surface.refine(true));
   const auto& refined = surface.mesh();
@@ -1856,11 +1865,9 @@ void test_refinement()
     check_refined_coin(Coin(is_open), is_open ? "open coin" : "coin");
   check_refined_strips(0);
   check_refined_strips(0.001);
-  const CGAL::Static_boolean_property_map<Mesh::Edge_index, false> no_feature;
   const Mesh torus = symmetric_torus(48, 24, 0);
   const auto copy = [&](const bool may_refine) {
-    internal::Surface_to_remesh surface(torus, torus.points(), no_feature, no_direction, no_size,
-                                        std::nullopt);
+    internal::Surface_to_remesh surface = surface_to_remesh(torus);
     CHECK(!may_refine || !surface.refine(true));
     std::vector<Point_3> points;
     for(const auto f : surface.mesh().faces())
@@ -1874,8 +1881,7 @@ void test_refinement()
   for(const auto& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0)})
     one_triangle.add_vertex(p);
   one_triangle.add_face(Vertex(0), Vertex(1), Vertex(2));
-  const internal::Surface_to_remesh divided(one_triangle, one_triangle.points(), no_feature,
-                                            no_direction, no_size, std::nullopt);
+  const internal::Surface_to_remesh divided = surface_to_remesh(one_triangle);
   CHECK_EQUAL(divided.mesh().number_of_faces(), 9u);
   CHECK(!divided.has_sizes_that_vary());
 }
@@ -2104,9 +2110,7 @@ void run_on_copy(const Mesh& mesh, Mesh& quads, const Run& run)
   const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   for(const auto e : quads.edges())
     is_feature[e] = quads.is_border(e);
-  const QR::internal::Surface_to_remesh surface(
-    mesh, mesh.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
-    no_direction, no_size, std::nullopt);
+  const internal::Surface_to_remesh surface = surface_to_remesh(mesh);
   scale(quads, 1 / surface.unscaled(1));
   QR::internal::Quad_smoother smoother(quads, surface.mesh());
   run(surface, is_feature, QR::internal::Feature_lines(surface), smoother);
@@ -2307,10 +2311,7 @@ void test_division()
     quads.add_face(v[0], v[1], v[2], v[3]);
     const Feature_map is_feature =
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
-    const QR::internal::Surface_to_remesh surface(
-      surface_mesh, surface_mesh.points(),
-      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
-      std::nullopt);
+    const internal::Surface_to_remesh surface = surface_to_remesh(surface_mesh);
     QR::internal::Quad_smoother smoother(quads, surface.mesh());
     CHECK(smoother.measure_shape().least_scaled_jacobian <= 0);
     QR::internal::Quad_divider divider(quads, is_feature, smoother);
@@ -2337,9 +2338,7 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   const Feature_map is_feature =
     flat.quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
-  const QR::internal::Surface_to_remesh surface(
-    flat.square, flat.square.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
-    no_direction, no_size, std::nullopt);
+  const internal::Surface_to_remesh surface = surface_to_remesh(flat.square);
   scale(flat.quads, 1 / surface.unscaled(1));
   QR::internal::Quad_smoother smoother(flat.quads, surface.mesh());
   QR::internal::Upper_sides upper_sides(flat.quads, is_feature, surface, smoother);
@@ -2444,9 +2443,7 @@ void test_folded_quads()
       valley.add_face(a, c, b);
     else
       valley.add_face(a, b, c);
-    const QR::internal::Surface_to_remesh surface(
-      valley, valley.points(), CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(),
-      no_direction, no_size, std::nullopt);
+    const internal::Surface_to_remesh surface = surface_to_remesh(valley);
     Mesh quads;
     std::vector<Vertex> corners;
     for(const std::size_t i : {0, 4, 5, 1})
@@ -2495,10 +2492,7 @@ void test_collapse()
                            [&](const auto e) { return bool(is_feature[e]); });
     };
     const auto features_before = number_of_features();
-    const QR::internal::Surface_to_remesh surface(
-      flat.square, flat.square.points(),
-      CGAL::Static_boolean_property_map<Mesh::Edge_index, false>(), no_direction, no_size,
-      std::nullopt);
+    const internal::Surface_to_remesh surface = surface_to_remesh(flat.square);
     scale(flat.quads, 1 / surface.unscaled(1));
     QR::internal::Quad_smoother smoother(quads, surface.mesh());
     const Point_3 on_line = quads.point(v[10]);

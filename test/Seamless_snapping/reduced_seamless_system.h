@@ -9,7 +9,7 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
+#include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
 
 #include <cstddef>
 #include <optional>

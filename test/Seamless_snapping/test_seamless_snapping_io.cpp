@@ -3,7 +3,7 @@
 #include "floating_point_traps.h"
 #include "obj_models.h"
 
-#include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
+#include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -29,9 +29,10 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/sizes.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -135,10 +136,12 @@ std::vector<int> read_cones(const Flat_numbering<TriangleMesh>& numbering,
   return index;
 }
 
+// \param points of the vertices
 template <typename TriangleMesh, typename NamedParameters>
 Parametrization_options read_options(const TriangleMesh& tmesh,
                                      const Flat_numbering<TriangleMesh>& numbering,
-                                      const Triangle_surface& surface, const NamedParameters& np)
+                                     const std::vector<Point>& points,
+                                     const Triangle_surface& surface, const NamedParameters& np)
 {
   using CGAL::parameters::get_parameter;
   Parametrization_options options;
@@ -159,14 +162,17 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   options.random_seed = chosen(np, internal_np::random_seed, 0u);
   if constexpr(is_given<NamedParameters, internal_np::cone_index_t>)
     options.cone_index = read_cones(numbering, surface, get_parameter(np, internal_np::cone_index));
-  if constexpr(is_given<NamedParameters, internal_np::face_direction_t>)
-    options.directions =
-      read_directions(tmesh, numbering,
-                      chosen(np, internal_np::vertex_point,
-                             get_const_property_map(CGAL::vertex_point, tmesh)),
-                      get_parameter(np, internal_np::face_direction));
-  if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
-    read_sizes(numbering, surface, get_parameter(np, internal_np::vertex_sizing), options);
+  if constexpr(is_given<NamedParameters, internal_np::face_direction_t>) {
+    const auto direction = get_parameter(np, internal_np::face_direction);
+    options.directions = read_directions(surface, points, places_of(faces(tmesh), direction));
+  }
+  if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>) {
+    const auto size = get_parameter(np, internal_np::vertex_sizing);
+    std::vector<double> sizes;
+    for(const auto v : numbering.vertices_in_order())
+      sizes.push_back(CGAL::to_double(get(size, v)));
+    read_sizes(sizes, surface, options);
+  }
   check_options(options, surface);
   return options;
 }
@@ -200,25 +206,38 @@ void write_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleM
   }
 }
 
+// The edges that are to lie on isocurves.
+template <typename TriangleMesh, typename NamedParameters>
+void read_alignment(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                    const NamedParameters& np, Triangle_surface& surface)
+{
+  surface.is_aligned = feature_corners(tmesh, numbering, np);
+  surface.is_aligned.resize(surface.number_of_halfedges(), false);
+  if(chosen(np, internal_np::align_border, false))
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+      surface.is_aligned[h] = surface.is_aligned[h] || surface.is_border_edge(h);
+}
+
 // Reads, computes, and writes when nothing can fail any more.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters, typename Report>
 void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters& np, Report& report)
 {
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   using Solver = typename internal_np::Lookup_named_param_def<
     internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
 
   const Flat_numbering<TriangleMesh> numbering(tmesh);
-  Triangle_surface surface = read_connectivity(tmesh, numbering);
+  if(numbering.refusal())
+    throw *numbering.refusal();
+  Triangle_surface surface;
+  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface, [](Flat_corner&, const auto) { });
+  check_connectivity(surface);
   find_components(surface);
-  read_geometry(numbering,
-                chosen(np, internal_np::vertex_point,
-                       get_const_property_map(CGAL::vertex_point, tmesh)), surface);
-  read_alignment(tmesh, numbering,
-                 chosen(np, internal_np::edge_is_constrained,
-                        CGAL::Static_boolean_property_map<Edge, false>()),
-                 chosen(np, internal_np::align_border, false), surface);
-  const Parametrization_options options = read_options(tmesh, numbering, surface, np);
+  const auto point_map = chosen(np, internal_np::vertex_point,
+                                get_const_property_map(CGAL::vertex_point, tmesh));
+  const std::vector<Point> points = places_of(numbering.vertices_in_order(), point_map);
+  read_geometry(points, surface);
+  read_alignment(tmesh, numbering, np, surface);
+  const Parametrization_options options = read_options(tmesh, numbering, points, surface, np);
   const Parametrization_result result = parametrize(
     surface, options, Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
     make_solver<Solver>, static_cast<Parametrization_figures&>(report));

@@ -28,7 +28,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Straight_walk.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
 #include <CGAL/Quad_remeshing/types/Quantization.h>
-#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/snapping/snap_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
@@ -283,17 +283,9 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
   using Parameters = std::decay_t<decltype(internal::strip(np))>;
   using Group = internal::Symmetry_group<Parameters>;
   internal::check_parameters<Parameters>();
-  constexpr bool may_scale = internal::is_given<Parameters, CGAL::internal_np::grid_scale_t> ||
-                             internal::is_given<Parameters, CGAL::internal_np::integer_grid_t>;
-  const auto& plain_np = internal::strip(np);
-  const internal::Progress progress(plain_np);
-  if constexpr(!internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return Snapping_report();
-  else if constexpr(!may_scale)
-    return internal::snap_surface<Group>(tmesh, uv_map, plain_np);
-  else
-    return internal::snap_scaled<Group>(
-      tmesh, uv_map, plain_np, internal::chosen(plain_np, CGAL::internal_np::grid_scale, 1.));
+  const internal::Progress progress(internal::strip(np));
+  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return internal::snap_surface<Group>(tmesh, uv_map, internal::strip(np));
 }
 
 namespace internal {

@@ -22,7 +22,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_place.h>
-#include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -87,7 +86,16 @@ struct Arc_step
 class Refined_faces
 {
 public:
-  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout);
+  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout)
+    : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())
+  {
+    mark_inner_points();
+    add_edges();
+    for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
+      cut_face(f);
+    link_border();
+    m_is_covered = spread_patches();
+  }
 
   // Whether all cells belong to a patch, as they must.
   bool is_covered() const { return m_is_covered; }
@@ -483,9 +491,5 @@ private:
 } // namespace internal
 } // namespace Isocurves_and_layouts
 } // namespace CGAL
-
-#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
-#include <CGAL/Isocurves_and_layouts/internal/layout/Refined_faces_impl.h>
-#endif
 
 #endif // CGAL_ISOCURVES_AND_LAYOUTS_INTERNAL_LAYOUT_REFINED_FACES_H

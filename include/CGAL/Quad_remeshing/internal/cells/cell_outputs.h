@@ -18,16 +18,24 @@
 // What becomes of the cells: a mesh, or points and lists of their indices. Each output first takes
 // the places of all points, while the surface is known, and then writes the cells, or refuses.
 
+#include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Quad_remeshing/internal/cells/Grid_embedding.h>
+#include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
+#include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Seamless_snapping/internal/mesh/write_cells.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
 
 #include <boost/container/small_vector.hpp>
+#include <boost/container/vector.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -40,6 +48,61 @@
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+// Where the points of the grid lie in space, and the cells as they are written.
+
+using Places = boost::container::vector<Place>;
+
+// The index of the cone at a point, in turns of the group; 0 where there is none.
+template <typename Group>
+int cone_index(const Basic_chart_mesh<Group>& mesh, const Cell_complex& complex,
+               const std::size_t p)
+{
+  const Lattice_point& point = complex.points[p];
+  return point.place == Lattice_place::VERTEX && mesh.is_singular[mesh.vertex(point.corner)]
+           ? Group::order - int(complex.darts.degree(p)) : 0;
+}
+
+// The cells for `Cell_writer`.
+class Cells_to_write
+{
+public:
+  Cells_to_write(const Cell_complex& complex, const Cell_vertices& vertices)
+    : m_complex(complex), m_vertices(vertices)
+  { }
+
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  std::size_t number_of_cells() const { return m_complex.cells.size(); }
+  std::size_t number_of_darts() const { return m_complex.darts.size(); }
+  bool is_edge(const std::size_t d) const { return m_complex.is_edge(d); }
+  std::size_t twin(const std::size_t d) const { return m_complex.twin(d); }
+  Cell_index cell(const std::size_t d) const { return m_complex.cells.cell(d); }
+
+  // Around cells, and the holes that folded cells leave; a dart of the border is followed by the
+  // one at the other end of the fan around its target.
+  std::size_t next(const std::size_t d) const
+  {
+    if(m_complex.has_cell(d))
+      return m_complex.next(d);
+    if(m_complex.is_folded(d)) {
+      std::size_t following = m_complex.next(d);
+      while(!is_edge(following))
+        following = m_complex.next(following);
+      return following;
+    }
+    std::size_t last = twin(d);
+    while(!m_complex.is_gap(last))
+      last = m_complex.darts.counterclockwise(last);
+    return last;
+  }
+
+  std::size_t target(const std::size_t d) const
+  { return m_vertices.vertex(m_complex.has_cell(d) ? m_complex.next(d) : twin(d)); }
+
+private:
+  const Cell_complex& m_complex;
+  const Cell_vertices& m_vertices;
+};
 
 template <typename ConcurrencyTag, typename Group>
 bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertices)
@@ -84,11 +147,10 @@ void count_inverted_quads(const Cell_vertices& vertices, const Places& places,
 }
 
 // Adds the quads to a graph, and fills the maps that are given; or refuses.
-template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+// \tparam Location of a point on the input
+template <typename Location, typename QuadMesh, typename NamedParameters>
 class Cell_mesh_output
 {
-  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-
 public:
   Cell_mesh_output(QuadMesh& quads, const NamedParameters& np) : m_quads(quads), m_np(np) { }
 
@@ -172,16 +234,9 @@ private:
   QuadMesh& m_quads;
   const NamedParameters& m_np;
   Places m_places; // of all points; so are the following, where they are asked for
-  std::vector<std::pair<Face, std::array<double, 3> > > m_locations;
+  std::vector<Location> m_locations;
   std::vector<int> m_cones;
 };
-
-template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
-Cell_mesh_output<TriangleMesh, QuadMesh, NamedParameters>
-cell_mesh_output(const TriangleMesh&, QuadMesh& quads, const NamedParameters& np)
-{
-  return {quads, np};
-}
 
 template <typename Polygon>
 struct Is_array : public std::false_type

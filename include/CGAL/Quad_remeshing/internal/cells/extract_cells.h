@@ -24,19 +24,89 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/cells/cell_outputs.h>
 #include <CGAL/Quad_remeshing/types/Extraction_report.h>
-#include <CGAL/Seamless_snapping/internal/mesh/check_uv_map.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
+#include <boost/container/vector.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+// In the order of CGAL's locations: source and target of the face's halfedge, then the third.
+template <typename TriangleMesh>
+using Location_in_face =
+  std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3> >;
+
+// The points of the grid in space, and on the input mesh. locate(point) gives a Face_point.
+template <typename TriangleMesh, typename VertexPointMap, typename Locate>
+class Grid_embedding
+{
+public:
+  Grid_embedding(const TriangleMesh& tmesh, const VertexPointMap& point_map, const Locate& locate)
+    : m_tmesh(tmesh), m_faces(faces(tmesh).begin(), faces(tmesh).end()), m_point_map(point_map),
+      m_locate(locate)
+  { }
+
+  Location_in_face<TriangleMesh> location(const Lattice_point& p) const
+  {
+    const Face_point at = m_locate(p);
+    return {m_faces[std::size_t(at.face)], {at.weights[2], at.weights[0], at.weights[1]}};
+  }
+
+  // Of all points in space. They are computed concurrently only if coordinates are no objects that
+  // threads may share.
+  template <typename ConcurrencyTag>
+  Places places(const Lattice_points& points) const
+  {
+    using Point = typename boost::property_traits<VertexPointMap>::value_type;
+    using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+    using Tag =
+      std::conditional_t<std::is_floating_point_v<FT>, ConcurrencyTag, CGAL::Sequential_tag>;
+    Places result(points.size(), boost::container::default_init);
+    for_each_chunk<Tag>(chunks_of(points.size()), [&](const Chunk& chunk) {
+      for(std::size_t i = chunk.begin; i < chunk.end; ++i)
+        result[i] = place(m_locate(points[i]));
+    });
+    return result;
+  }
+
+private:
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+  Place place(const Face_point& at) const
+  {
+    return place_in_face(m_tmesh, m_point_map, halfedge(m_faces[std::size_t(at.face)], m_tmesh),
+                         at.weights);
+  }
+
+  const TriangleMesh& m_tmesh;
+  std::vector<Face> m_faces; // in their order
+  const VertexPointMap& m_point_map;
+  const Locate& m_locate;
+};
+
+template <typename TriangleMesh, typename QuadMesh, typename NamedParameters>
+Cell_mesh_output<Location_in_face<TriangleMesh>, QuadMesh, NamedParameters>
+cell_mesh_output(const TriangleMesh&, QuadMesh& quads, const NamedParameters& np)
+{
+  return {quads, np};
+}
 
 template <typename NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)

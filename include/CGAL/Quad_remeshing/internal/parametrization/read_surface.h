@@ -15,16 +15,13 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Reads a mesh of any type into a Triangle_surface, and refuses what is not a triangulated
-// manifold; and the crosses that the caller prescribes, by one direction in space for each face.
+// From the points of a mesh to a Triangle_surface, and what is refused of it; and the crosses that
+// the caller prescribes, by one direction in space for each face.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
-
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -39,22 +36,14 @@ namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
-// The connectivity of a mesh, whose indices are those of `numbering`.
-template <typename TriangleMesh>
-Triangle_surface read_connectivity(const TriangleMesh& tmesh,
-                                   const Flat_numbering<TriangleMesh>& numbering)
+// Refuses what is no manifold.
+inline void check_connectivity(const Triangle_surface& surface)
 {
-  if(const auto& refusal = numbering.refusal())
-    throw *refusal;
-  Triangle_surface surface;
-  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface,
-                                       [](Flat_corner&, const auto&) { });
   if(const auto refusal = find_several_fans(surface))
     throw *refusal;
   if(surface.corners.empty())
     throw Refusal(Outcome::INVALID_ARGUMENT,
                   "the mesh has no face; was it read?");
-  return surface;
 }
 
 inline void find_components(Triangle_surface& surface)
@@ -67,7 +56,7 @@ inline void find_components(Triangle_surface& surface)
                                                        surface.component.end());
 }
 
-using Point = std::array<double, 3>;
+using Point = Place;
 
 inline Point operator-(const Point& p, const Point& q)
 {
@@ -105,23 +94,17 @@ inline void measure_bending(Triangle_surface& surface, const std::vector<Point>&
   }
 }
 
-template <typename TriangleMesh, typename VertexPointMap>
-void read_geometry(const Flat_numbering<TriangleMesh>& numbering,
-                   const VertexPointMap vertex_points,
-                   Triangle_surface& surface)
+// \param points of the vertices
+inline void read_geometry(std::vector<Point> points, Triangle_surface& surface)
 {
-  std::vector<Point> points;
   double size = 0;
-  for(std::size_t v = 0; v < numbering.vertices_in_order().size(); ++v) {
-    const auto& p = get(vertex_points, numbering.vertices_in_order()[v]);
-    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-    for(const double x : points.back()) {
+  for(std::size_t v = 0; v < points.size(); ++v)
+    for(const double x : points[v]) {
       if(!std::isfinite(x))
         throw Refusal(Outcome::NOT_FINITE,
                       surface.describe_vertex(v) + " has a NaN or infinite coordinate");
       size = (std::max)(size, std::abs(x));
     }
-  }
   surface.exponent = (size > 0) ? std::ilogb(size) : 0;
   for(Point& p : points)
     for(double& x : p)
@@ -135,20 +118,6 @@ void read_geometry(const Flat_numbering<TriangleMesh>& numbering,
   measure_bending(surface, points);
   mollify_lengths(surface);
   lay_out_faces(surface);
-}
-
-template <typename TriangleMesh, typename EdgeIsConstrainedMap>
-void read_alignment(const TriangleMesh& tmesh,
-                    const Flat_numbering<TriangleMesh>& numbering,
-                    const EdgeIsConstrainedMap edge_is_constrained,
-                    const bool align_border,
-                    Triangle_surface& surface)
-{
-  surface.is_aligned.resize(surface.number_of_halfedges());
-  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
-    surface.is_aligned[h] = get(edge_is_constrained,
-                                edge(numbering.halfedges_of_corners()[h], tmesh))
-                            || (align_border && surface.is_border_edge(h));
 }
 
 // The vector times a power of two, with coordinates of at most 2.
@@ -179,28 +148,22 @@ inline Complex cross_of_direction(const Point& direction, const Point& first_edg
 }
 
 // Empty where no face has a direction.
-template <typename TriangleMesh, typename VertexPointMap, typename FaceDirectionMap>
-Prescribed_field read_directions(const TriangleMesh& tmesh,
-                                 const Flat_numbering<TriangleMesh>& numbering,
-                                 const VertexPointMap vertex_points,
-                                 const FaceDirectionMap face_direction)
+// \param points of the vertices
+// \param directions of the faces
+inline Prescribed_field read_directions(const Triangle_surface& surface,
+                                        const std::vector<Point>& points,
+                                        const std::vector<Point>& directions)
 {
-  const auto coordinates = [](const auto& p) {
-    return Point{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  };
   Prescribed_field field;
-  const auto& halfedges = numbering.halfedges_of_corners();
-  for(std::size_t h = 0; h < halfedges.size(); h += 3) {
-    const Point direction = coordinates(get(face_direction, face(halfedges[h], tmesh)));
-    for(const double x : direction)
+  for(std::size_t f = 0; f < directions.size(); ++f) {
+    for(const double x : directions[f])
       if(!std::isfinite(x))
-        throw Refusal(Outcome::NOT_FINITE, "the direction of face " + std::to_string(h / 3) +
+        throw Refusal(Outcome::NOT_FINITE, "the direction of face " + std::to_string(f) +
                                              " has a NaN or infinite coordinate");
-    std::array<Point, 3> corners;
-    for(std::size_t i = 0; i < 3; ++i)
-      corners[i] = coordinates(get(vertex_points, target(halfedges[h + i], tmesh)));
+    const auto corner = [&](const int i) -> const Point&
+      { return points[surface.vertex(Corner_index(3 * f) + i)]; };
     field.push_back(
-      cross_of_direction(direction, corners[0] - corners[2], corners[1] - corners[0]));
+      cross_of_direction(directions[f], corner(0) - corner(2), corner(1) - corner(0)));
   }
   const bool has_none = std::all_of(field.begin(), field.end(),
                                     [](const Complex& z) { return z == Complex(0); });

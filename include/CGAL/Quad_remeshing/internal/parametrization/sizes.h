@@ -23,9 +23,6 @@
 #include <CGAL/Quad_remeshing/internal/parametrization/Parametrization_options.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Sparse_system.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
-#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -42,14 +39,12 @@ namespace parametrization {
 
 // Sizes that are all the same go into the target edge length, and so does a power of two near their
 // mean, so that no factor is too large.
-template <typename TriangleMesh, typename VertexSizingMap>
-void read_sizes(const Flat_numbering<TriangleMesh>& numbering, const Triangle_surface& surface,
-                const VertexSizingMap sizes, Parametrization_options& options)
+// \param size wanted at each vertex, in multiples of the target edge length
+inline void read_sizes(const std::vector<double>& size, const Triangle_surface& surface,
+                       Parametrization_options& options)
 {
-  std::vector<double> size;
   double sum = 0;
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
-    size.push_back(CGAL::to_double(get(sizes, numbering.vertices_in_order()[v])));
+  for(std::size_t v = 0; v < size.size(); ++v) {
     if(!(size[v] > 0 && std::isfinite(size[v])))
       throw Refusal(Outcome::INVALID_ARGUMENT,
                     "the size of " + surface.describe_vertex(v) + " is not positive and finite");

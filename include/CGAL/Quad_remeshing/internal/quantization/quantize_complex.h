@@ -83,7 +83,7 @@ public:
   // Rounds what is wanted to units, and repairs them. Returns whether they are feasible.
   bool round()
   {
-    return has_room() && Unit_rounder(m_complex, m_scales).round(m_scales, m_complex) &&
+    return has_room() && Unit_rounder(m_complex, m_scales).round() &&
            is_repairable() && repair();
   }
 

@@ -21,11 +21,11 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -94,42 +94,45 @@ locate_in_face(const Point& point,
                const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
                const TriangleMesh& tmesh, const VertexPointMap& point_map)
 {
-  const auto coordinates = [](const auto& p) {
-    return std::array<double, 3>{CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                 CGAL::to_double(p.z())};
-  };
   const auto h = halfedge(f, tmesh);
-  return {f, barycentric_coordinates({coordinates(get(point_map, source(h, tmesh))),
-                                      coordinates(get(point_map, target(h, tmesh))),
-                                      coordinates(get(point_map, target(next(h, tmesh), tmesh)))},
-                                     coordinates(point))};
+  return {f, barycentric_coordinates({place_of(get(point_map, source(h, tmesh))),
+                                      place_of(get(point_map, target(h, tmesh))),
+                                      place_of(get(point_map, target(next(h, tmesh), tmesh)))},
+                                     place_of(point))};
 }
 
 template <typename TriangleMesh, typename NamedParameters>
 Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
                                     const std::optional<Mirror>& mirror)
 {
-  using CGAL::parameters::get_parameter;
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  const auto read_direction = [&]([[maybe_unused]] const auto f) {
-    if constexpr(is_given<NamedParameters, internal_np::face_direction_t>) {
-      const auto& d = get(get_parameter(np, internal_np::face_direction), f);
-      return Surface_to_remesh::Kernel::Vector_3(CGAL::to_double(d.x()), CGAL::to_double(d.y()),
-                                                 CGAL::to_double(d.z()));
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Copy = Surface_to_remesh;
+  const auto read = [&](Copy::Mesh& copy, const Copy::Feature_map is_feature,
+                        const Copy::Direction_map directions, const Copy::Sizing_map sizes) {
+    std::vector<std::pair<Halfedge, Copy::Halfedge> > copies;
+    CGAL::copy_face_graph(
+      tmesh, copy,
+      CGAL::parameters::vertex_point_map(
+        chosen(np, CGAL::internal_np::vertex_point,
+               CGAL::get_const_property_map(CGAL::vertex_point, tmesh)))
+        .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+    const auto feature_map =
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    const auto direction_map = CGAL::parameters::get_parameter(np, internal_np::face_direction);
+    const auto size_map = CGAL::parameters::get_parameter(np, internal_np::vertex_sizing);
+    for(const auto& [original, h] : copies) {
+      if constexpr(is_given<decltype(feature_map)>)
+        is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
+      if constexpr(is_given<decltype(direction_map)>)
+        if(!copy.is_border(h) && copy.halfedge(copy.face(h)) == h) {
+          const Place d = place_of(get(direction_map, face(original, tmesh)));
+          directions[copy.face(h)] = {d[0], d[1], d[2]};
+        }
+      if constexpr(is_given<decltype(size_map)>)
+        sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
     }
-    return Surface_to_remesh::Kernel::Vector_3(0, 0, 0);
   };
-  const auto read_size = [&]([[maybe_unused]] const auto v) {
-    if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
-      return CGAL::to_double(get(get_parameter(np, internal_np::vertex_sizing), v));
-    return 1.;
-  };
-  return Surface_to_remesh(
-    tmesh,
-    chosen(np, CGAL::internal_np::vertex_point,
-           CGAL::get_const_property_map(CGAL::vertex_point, tmesh)),
-    chosen(np, internal_np::edge_is_constrained, CGAL::Static_boolean_property_map<Edge, false>()),
-    read_direction, read_size, mirror);
+  return Surface_to_remesh(read, mirror);
 }
 
 // Of quads, and the side that they face to there.

@@ -25,20 +25,14 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -75,37 +69,21 @@ public:
   using Rotation_map = Mesh::Property_map<Halfedge, int>;
   using Sizing_map = Mesh::Property_map<Vertex, double>;
 
-  // \param read_direction of the cross of a face, or 0
-  // \param read_size of the quads at a vertex
+  // Fills in the mesh, its features, the directions of crosses, and the sizes of quads at vertices,
+  // where these are not false, 0, and 1.
+  using Reader = std::function<void(Mesh&, Feature_map, Direction_map, Sizing_map)>;
+
   // \param mirror on whose upper side the surface is to be
-  template <typename TriangleMesh, typename VertexPointMap, typename EdgeIsConstrainedMap,
-            typename Traits = boost::graph_traits<TriangleMesh> >
-  Surface_to_remesh(
-    const TriangleMesh& tmesh, const VertexPointMap& point_map,
-    const EdgeIsConstrainedMap& is_feature,
-    const std::function<Kernel::Vector_3(typename Traits::face_descriptor)>& read_direction,
-    const std::function<double(typename Traits::vertex_descriptor)>& read_size,
-    const std::optional<Mirror>& mirror)
+  Surface_to_remesh(const Reader& read, const std::optional<Mirror>& mirror)
     : m_mesh(), m_is_feature(m_mesh.add_property_map<Edge, bool>("e:is_feature", false).first),
       m_uv_map(m_mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first),
-      m_directions(m_mesh.add_property_map<Face, Kernel::Vector_3>("f:direction").first),
+      m_directions(m_mesh.add_property_map<Face>("f:direction", Kernel::Vector_3(0, 0, 0)).first),
       m_is_cut(m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first),
       m_rotations(m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first),
       m_sizes(m_mesh.add_property_map<Vertex, double>("v:size", 1).first)
   {
-    std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor,
-                          Halfedge> > copies;
-    CGAL::copy_face_graph(tmesh, m_mesh,
-                          CGAL::parameters::vertex_point_map(point_map)
-                            .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+    read(m_mesh, m_is_feature, m_directions, m_sizes);
     scale();
-    for(const auto& [original, copy] : copies)
-      if(!m_mesh.is_border(copy) && m_mesh.halfedge(m_mesh.face(copy)) == copy)
-        m_directions[m_mesh.face(copy)] = read_direction(face(original, tmesh));
-    for(const auto& [original, copy] : copies) {
-      m_is_feature[m_mesh.edge(copy)] = bool(get(is_feature, edge(original, tmesh)));
-      m_sizes[m_mesh.target(copy)] = read_size(target(original, tmesh));
-    }
     for(const Face f : m_mesh.faces())
       m_originals.push_back(std::size_t(f));
     if(!CGAL::is_triangle_mesh(m_mesh))

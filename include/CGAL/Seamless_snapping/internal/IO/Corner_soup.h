@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/types/Polygon_soup.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -60,6 +61,15 @@ template <>
 struct Corner_soup<double, void> : IO::Polygon_soup
 {
   const auto& faces() const { return polygons; }
+};
+
+// What was done to the vertices, and could have been done.
+struct Vertex_changes
+{
+  std::size_t number_of_split_vertices = 0;
+  std::size_t number_of_welded_edges = 0;
+  std::size_t number_of_coinciding_border_edges = 0; // that are left
+  std::vector<std::size_t> file_vertices; // the index in the file of each new vertex of the mesh
 };
 
 } // namespace internal

@@ -17,8 +17,8 @@
 
 // Files and streams as whole texts, and how their failures become a status.
 
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
-#include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <cerrno>
@@ -28,6 +28,7 @@
 #include <istream>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace CGAL {

@@ -18,17 +18,10 @@
 // From a mesh with its property maps to the text of a file: the steps of `write_OBJ()` and of
 // `write_PLY()`.
 
-#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 #include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
-
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -176,43 +169,6 @@ private:
   std::string m_body;
   std::size_t m_number_of_points = 0, m_number_of_faces = 0, m_number_of_edges = 0;
 };
-
-// Throws `File_refusal` if a coordinate is not finite, or the mesh is too large for the format.
-template <typename Text, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-std::string text_of_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                            const std::string& comments, const NamedParameters& np)
-{
-  CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
-  const auto points =
-    chosen(np, CGAL::internal_np::vertex_point,
-           CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh);
-  Text text(vertices(tmesh).size());
-  std::size_t number_of_vertices = 0;
-  for(const auto v : vertices(tmesh)) {
-    put(index, v, number_of_vertices++);
-    const auto& p = get(points, v);
-    text.add_point({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-  }
-  std::vector<Corner_to_write> corners;
-  for(const auto f : faces(tmesh)) {
-    corners.clear();
-    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      const auto& uv = get(uv_map, h);
-      corners.push_back({get(index, target(h, tmesh)),
-                         {CGAL::to_double(uv.x()), CGAL::to_double(uv.y())}});
-    }
-    text.add_face(corners);
-  }
-  if constexpr(is_given<NamedParameters, CGAL::internal_np::edge_is_constrained_t>) {
-    const auto is_feature =
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-    for(const auto e : edges(tmesh))
-      if(get(is_feature, e))
-        text.add_edge(get(index, source(e, tmesh)), get(index, target(e, tmesh)));
-  }
-  return text.text(comments);
-}
 
 } // namespace internal
 } // namespace Seamless_snapping

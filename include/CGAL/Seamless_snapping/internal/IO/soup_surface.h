@@ -19,7 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
-#include <CGAL/Seamless_snapping/internal/IO/Mesh_builder.h>
+#include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>

@@ -21,6 +21,7 @@
 // merely lie in one place. `Polygon_mesh_processing::stitch_borders()` does the like on a mesh, and
 // drops the coordinates of the halfedges that it removes.
 
+#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/Soup_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -111,6 +113,39 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
     for(std::size_t& vertex : segment.vertices)
       vertex = welded[vertex];
   soup.is_welded = true;
+}
+
+// Makes the soup a surface that a halfedge data structure can hold: welds it, if asked to, and
+// splits vertices with several fans. Returns the edges of the surface. Throws `File_refusal`.
+template <typename Soup>
+Soup_edges<typename Soup::Triangle> connect_soup(const bool weld, Soup& soup,
+                                                 Vertex_changes& changes)
+{
+  using Edges = Soup_edges<typename Soup::Triangle>;
+  Edges edges(soup.triangles);
+  edges.check_manifold();
+  const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
+  changes.number_of_coinciding_border_edges = coinciding.number;
+  const std::size_t number_of_seams = weld ? coinciding.seams.size() : 0;
+  std::vector<std::size_t> welded(soup.points.size());
+  std::iota(welded.begin(), welded.end(), std::size_t(0));
+  if(number_of_seams > 0) {
+    welded = welded_vertices(soup, coinciding.seams);
+    replace_vertices(welded, soup);
+    edges = Edges(soup.triangles);
+    edges.check_manifold("once welded, ");
+    changes.number_of_welded_edges = number_of_seams;
+    changes.number_of_coinciding_border_edges -= 2 * number_of_seams;
+  }
+  for(std::size_t v = 0; v < welded.size(); ++v)
+    if(welded[v] == v)
+      changes.file_vertices.push_back(v);
+
+  const std::vector<std::size_t> origins
+    = split_non_manifold_vertices(edges.mates(), soup.triangles, soup.points);
+  changes.number_of_split_vertices = origins.size();
+  changes.file_vertices.insert(changes.file_vertices.end(), origins.begin(), origins.end());
+  return edges;
 }
 
 } // namespace internal

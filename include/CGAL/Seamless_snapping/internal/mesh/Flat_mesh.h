@@ -21,6 +21,7 @@
 #include <boost/container/vector.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,8 @@ using Corner_index = std::int32_t;
 using Flat_vertex_index = std::int32_t;
 using Flat_face_index = std::int32_t;
 constexpr std::int32_t no_index = -1;
+
+using Place = std::array<double, 3>; // in space
 
 // What a flat mesh knows of a corner at least. Without initial values: threads share the writing of
 // large arrays, and so the time that memory takes which is touched for the first time.

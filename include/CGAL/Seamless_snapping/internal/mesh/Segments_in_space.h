@@ -17,9 +17,6 @@
 
 // Which of a set of segments have the same ends: the two sides of a seam that was cut open.
 
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/helpers.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -73,29 +70,6 @@ public:
 private:
   std::vector<Segment> m_segments;
 };
-
-// Returns how many border edges have the same two points as another border edge. A mesh that has
-// them looks as if it was cut open: what is a seam to the user is a border to every function here.
-template <typename TriangleMesh, typename VertexPointMap>
-std::size_t number_of_coinciding_border_edges(const TriangleMesh& tmesh, const VertexPointMap& vpm)
-{
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  const auto coordinates = [&vpm](const auto v) {
-    const Point& p = get(vpm, v);
-    return std::array<FT, 3>{p.x(), p.y(), p.z()};
-  };
-
-  Segments_in_space<FT> border;
-  for(const auto h : halfedges(tmesh))
-    if(is_border(h, tmesh))
-      border.add(coordinates(source(h, tmesh)), coordinates(target(h, tmesh)), 0);
-  std::size_t result = 0;
-  border.for_each_coincidence([&result](const auto first, const auto last) {
-    result += static_cast<std::size_t>(last - first);
-  });
-  return result;
-}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -28,10 +28,12 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -167,6 +169,41 @@ std::optional<Refusal> find_several_fans(const Flat_mesh<Corner>& mesh)
                        "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()");
   }
   return std::nullopt;
+}
+
+// A point or vector, rounded.
+template <typename Point>
+Place place_of(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+// What a map tells of each of some elements.
+template <typename Elements, typename Map>
+std::vector<Place> places_of(const Elements& elements, const Map& map)
+{
+  std::vector<Place> result;
+  for(const auto e : elements)
+    result.push_back(place_of(get(map, e)));
+  return result;
+}
+
+// The weighted sum of the corners of a face, in floating point: of the one that `h` points to, and
+// those that follow.
+template <typename TriangleMesh, typename VertexPointMap, typename Halfedge>
+Place place_in_face(const TriangleMesh& tmesh, const VertexPointMap& points, Halfedge h,
+                    const std::array<double, 3>& weights)
+{
+  Place sum{};
+  for(const double w : weights) {
+    if(w != 0) {
+      const Place p = place_of(get(points, target(h, tmesh)));
+      for(std::size_t c = 0; c < 3; ++c)
+        sum[c] += w * p[c];
+    }
+    h = next(h, tmesh);
+  }
+  return sum;
 }
 
 // Marks, per corner, the edges that are features; empty if none are given.

@@ -16,13 +16,13 @@
 
 // From polygons glued along edges to a face graph.
 
+#include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,32 +30,11 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-using Place = std::array<double, 3>; // in space
-
 template <typename Point>
 Point point_at(const Place& place)
 {
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
   return Point(FT(place[0]), FT(place[1]), FT(place[2]));
-}
-
-// The weighted sum of the corners of a face, in floating point: of the one that `h` points to, and
-// those that follow.
-template <typename TriangleMesh, typename VertexPointMap, typename Halfedge>
-Place place_in_face(const TriangleMesh& tmesh, const VertexPointMap& points, Halfedge h,
-                    const std::array<double, 3>& weights)
-{
-  Place sum{};
-  for(const double w : weights) {
-    if(w != 0) {
-      const auto& p = get(points, target(h, tmesh));
-      sum[0] += w * CGAL::to_double(p.x());
-      sum[1] += w * CGAL::to_double(p.y());
-      sum[2] += w * CGAL::to_double(p.z());
-    }
-    h = next(h, tmesh);
-  }
-  return sum;
 }
 
 // Adds vertices, edges, and cells to a graph, in this order. `Cells` knows number_of_vertices(),

@@ -22,14 +22,13 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
-#include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
-#include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
@@ -37,10 +36,6 @@
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
-
-#include <CGAL/Named_function_parameters.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -140,9 +135,6 @@ private:
   Magnitudes m_magnitudes;
 };
 
-// Relative to the extent of the coordinates.
-constexpr double default_connection_tolerance = 0.01;
-
 template <typename Halfedge>
 struct Snapping_options
 {
@@ -167,20 +159,6 @@ struct Snapping_options
       rounding_tolerance, rounds, flip_repair, number_of_untangling_iterations};
   }
 };
-
-template <typename Group, typename TriangleMesh, typename NamedParameters>
-Snapping_options<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
-snapping_options(const TriangleMesh& tmesh, const NamedParameters& np)
-{
-  return {edges_to_align(tmesh, np),
-          read_constraints<Group>(tmesh, np),
-          chosen_tolerance(np),
-          chosen(np, CGAL::internal_np::connection_tolerance, default_connection_tolerance),
-          chosen(np, CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
-          chosen(np, CGAL::internal_np::integer_grid, false),
-          chosen_flip_repair(np),
-          chosen_number_of_untangling_iterations(np)};
-}
 
 template <typename Group, typename Surface, bool may_untangle,
           Untangling how = Untangling::NEAR_BY_FIRST>

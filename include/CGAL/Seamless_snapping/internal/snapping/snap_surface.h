@@ -31,10 +31,15 @@
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -118,6 +123,29 @@ void tell_of_faces(const NamedParameters& np, Snapping_report& report)
   report.message += (report.message.empty() ? "" : "; ") + note;
 }
 
+// Returns how many border edges have the same two points as another border edge. A mesh that has
+// them looks as if it was cut open: what is a seam to the user is a border to every function here.
+template <typename TriangleMesh, typename VertexPointMap>
+std::size_t number_of_coinciding_border_edges(const TriangleMesh& tmesh, const VertexPointMap& vpm)
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  const auto coordinates = [&vpm](const auto v) {
+    const Point& p = get(vpm, v);
+    return std::array<FT, 3>{p.x(), p.y(), p.z()};
+  };
+
+  Segments_in_space<FT> border;
+  for(const auto h : halfedges(tmesh))
+    if(is_border(h, tmesh))
+      border.add(coordinates(source(h, tmesh)), coordinates(target(h, tmesh)), 0);
+  std::size_t result = 0;
+  border.for_each_coincidence([&result](const auto first, const auto last) {
+    result += static_cast<std::size_t>(last - first);
+  });
+  return result;
+}
+
 // A mesh without cuts may have been cut open: then the user's seams are borders here.
 template <typename TriangleMesh>
 void note_coinciding_border_edges(const TriangleMesh& tmesh, Snapping_report& report)
@@ -131,6 +159,23 @@ void note_coinciding_border_edges(const TriangleMesh& tmesh, Snapping_report& re
     }
 }
 
+// Relative to the extent of the coordinates.
+constexpr double default_connection_tolerance = 0.01;
+
+template <typename Group, typename TriangleMesh, typename NamedParameters>
+Snapping_options<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
+snapping_options(const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  return {edges_to_align(tmesh, np),
+          read_constraints<Group>(tmesh, np),
+          chosen_tolerance(np),
+          chosen(np, CGAL::internal_np::connection_tolerance, default_connection_tolerance),
+          chosen(np, CGAL::internal_np::rounding_tolerance, default_rounding_tolerance),
+          chosen(np, CGAL::internal_np::integer_grid, false),
+          chosen_flip_repair(np),
+          chosen_number_of_untangling_iterations(np)};
+}
+
 template <typename Group, typename NamedParameters>
 constexpr bool may_untangle() // others have no free coordinates
 {
@@ -139,25 +184,7 @@ constexpr bool may_untangle() // others have no free coordinates
   return Group::is_signed_permutation && std::is_same<Flip_parameter, Flip_repair>::value;
 }
 
-// The named parameters as values: the rest does not know their types.
-template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                             const NamedParameters& np)
-{
-  auto surface = uv_surface(tmesh, uv_map, np);
-  const auto given = given_transitions<Group>(tmesh, np);
-  const auto options = snapping_options<Group>(tmesh, np);
-  Surface_snapper<Group, decltype(surface), may_untangle<Group, NamedParameters>()> snapper(
-    surface, given, options);
-  Snapping_report report = snapper.run();
-  note_coinciding_border_edges(tmesh, report);
-  tell_of_faces(np, report);
-  if(const auto refusal = snapper.write())
-    refuse(report, *refusal);
-  return report;
-}
-
-// The same for the map times a number, in a copy, which is written back if all succeeds.
+// Snaps the map times a number, in a copy, which is written back if all succeeds.
 // \param index is to take the index of each halfedge
 // \param add_notes to a report, before
 template <typename Snapper, typename Group, typename Surface, typename IndexMap, typename Add_notes>
@@ -204,23 +231,34 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
   return report;
 }
 
-// To an integer-grid map, if that is asked for.
+// The named parameters as values: the rest does not know their types.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
-Snapping_report snap_scaled(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                            const NamedParameters& np, const double scale)
+Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                             const NamedParameters& np)
 {
   constexpr bool untangles = may_untangle<Group, NamedParameters>();
-  using Snapper = std::conditional_t<is_given<NamedParameters, CGAL::internal_np::integer_grid_t>,
-                                     Integer_grid_snapper<Group, untangles>,
-                                     Surface_snapper<Group, Flat_surface, untangles> >;
+  constexpr bool rounds = is_given<NamedParameters, CGAL::internal_np::integer_grid_t>;
   auto surface = uv_surface(tmesh, uv_map, np);
-  return snap_copy<Snapper>(
-    surface, scale, get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh),
-    given_transitions<Group>(tmesh, np), snapping_options<Group>(tmesh, np),
-    [&](Snapping_report& report) {
-      note_coinciding_border_edges(tmesh, report);
-      tell_of_faces(np, report);
-    });
+  const auto given = given_transitions<Group>(tmesh, np);
+  const auto options = snapping_options<Group>(tmesh, np);
+  const auto add_notes = [&](Snapping_report& report) {
+    note_coinciding_border_edges(tmesh, report);
+    tell_of_faces(np, report);
+  };
+  if constexpr(rounds || is_given<NamedParameters, CGAL::internal_np::grid_scale_t>) {
+    using Snapper = std::conditional_t<rounds, Integer_grid_snapper<Group, untangles>,
+                                       Surface_snapper<Group, Flat_surface, untangles> >;
+    return snap_copy<Snapper>(surface, chosen(np, CGAL::internal_np::grid_scale, 1.),
+                              get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh), given,
+                              options, add_notes);
+  } else {
+    Surface_snapper<Group, decltype(surface), untangles> snapper(surface, given, options);
+    Snapping_report report = snapper.run();
+    add_notes(report);
+    if(const auto refusal = snapper.write())
+      refuse(report, *refusal);
+    return report;
+  }
 }
 
 } // namespace internal
