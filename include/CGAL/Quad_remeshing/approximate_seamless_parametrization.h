@@ -182,7 +182,7 @@ void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
                        const Parametrization_result& result, HalfedgeUVMap uv_map)
 {
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using FT = typename Uv_number<HalfedgeUVMap>::type;
+  using FT = typename Map_number<HalfedgeUVMap>::type;
   for(std::size_t h = 0; h < numbering.halfedges_of_corners().size(); ++h) {
     const std::array<double, 2>& uv = result.uv[result.sector[h]];
     put(uv_map, numbering.halfedges_of_corners()[h], Point_2(FT(uv[0]), FT(uv[1])));
@@ -239,7 +239,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   read_alignment(tmesh, numbering, np, surface);
   const Parametrization_options options = read_options(tmesh, numbering, points, surface, np);
   const Parametrization_result result = parametrize(
-    surface, options, Number_format::of<typename Uv_number<HalfedgeUVMap>::type>(),
+    surface, options, Number_format::of<typename Map_number<HalfedgeUVMap>::type>(),
     make_solver<Solver>, static_cast<Parametrization_figures&>(report));
   for(std::size_t v = 0; v < result.cone_index.size(); ++v)
     if(result.cone_index[v] != 0)

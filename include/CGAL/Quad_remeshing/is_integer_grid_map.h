@@ -234,9 +234,7 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 bool is_integer_grid_map(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Require_exact_arithmetic protect;
-  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return bool(internal::measure_integer_grid(tmesh, uv_map, internal::strip(np)));
+  return bool(measure_integer_grid(tmesh, uv_map, np));
 }
 
 } // namespace Quad_remeshing

@@ -144,12 +144,8 @@ template <typename Group>
 Vertex_rays rays_from_vertex(const Basic_chart_mesh<Group>& mesh, const std::size_t vertex)
 {
   Vertex_rays rays;
-  const Corner_index start = mesh.corner_at_vertex[vertex];
-  Corner_index corner = start;
-  do {
-    add_rays_at_corner(mesh, corner, rays);
-    corner = mesh.counterclockwise(corner);
-  } while(corner != no_index && corner != start);
+  for_each_corner(mesh, vertex,
+                  [&](const Corner_index corner) { add_rays_at_corner(mesh, corner, rays); });
   return rays;
 }
 
@@ -206,8 +202,17 @@ struct Walk_state
   }
 };
 
-// Which of the rays around the vertex that a segment ends at leads back along it; their number, if
-// none does.
+// Which of some rays around the vertex where a walk is leads back to where it came from; their
+// number, if none does.
+template <typename Group, typename Level, typename Rays>
+std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Walk_state<Level>& state,
+                            const Rays& rays)
+{
+  return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
+                                  { return state.arrived_by(mesh, ray); }) - rays.begin());
+}
+
+// The same of all rays, where a segment ends.
 template <typename Group, typename Segment>
 std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Segment& segment,
                             const Direction direction)
@@ -218,9 +223,7 @@ std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Segment& 
   state.direction = direction;
   if(segment.along != no_index)
     state.arrival_key = mesh.edge_key(segment.along);
-  const auto rays = rays_from_vertex(mesh, mesh.vertex(state.halfedge));
-  return std::size_t(std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& ray)
-                                  { return state.arrived_by(mesh, ray); }) - rays.begin());
+  return slot_of_arrival(mesh, state, rays_from_vertex(mesh, mesh.vertex(state.halfedge)));
 }
 
 // A component as a level: rounded where that is a `double`.

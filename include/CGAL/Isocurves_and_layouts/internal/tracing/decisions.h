@@ -82,10 +82,7 @@ public:
                                       const Isocurve_rays& around, Vertex_ray& chosen)
   {
     const std::size_t n = around.rays.size();
-    const std::size_t arrival = std::size_t(
-      std::find_if(around.rays.begin(), around.rays.end(),
-                   [&](const Vertex_ray& ray) { return state.arrived_by(mesh, ray); }) -
-      around.rays.begin());
+    const std::size_t arrival = slot_of_arrival(mesh, state, around.rays);
     const bool is_border = mesh.is_border[mesh.vertex(state.halfedge)];
     if(arrival == n || (!is_border && n % 2 != 0))
       return Isocurve_status::CONSTANT_ON_FACE;

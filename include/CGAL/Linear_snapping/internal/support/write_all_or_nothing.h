@@ -20,12 +20,26 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
+
+// The number type of the points in a map.
+template <typename PointMap>
+struct Map_number
+{
+  using Point = typename boost::property_traits<PointMap>::value_type;
+  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
+                "the coordinates in the map must be of type float or double");
+};
 
 template <typename Corner, typename Coordinates>
 struct Corner_change

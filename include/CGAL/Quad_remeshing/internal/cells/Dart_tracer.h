@@ -156,10 +156,8 @@ private:
   {
     const std::size_t v = m_mesh.vertex(state.halfedge);
     const Corner_index c = m_mesh.corner_at_vertex[v];
-    const Vertex_rays rays = rays_from_vertex(m_mesh, v);
-    const auto ray = std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& r)
-                                  { return state.arrived_by(m_mesh, r); });
-    return dart(face_of(c), m_mesh.uv(c), int(ray - rays.begin()));
+    return dart(face_of(c), m_mesh.uv(c),
+                int(slot_of_arrival(m_mesh, state, rays_from_vertex(m_mesh, v))));
   }
 
   Dart_index twin_at_arrival() const

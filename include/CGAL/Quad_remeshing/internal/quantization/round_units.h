@@ -49,21 +49,20 @@ class Unit_rounder
 {
 public:
   // \param scales units per step of the input's grid, for each connected part
-  Unit_rounder(const Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_columns(columns(complex)),
-      m_solver(system(complex), weights(complex, scales), Number_format::of<double>(),
-               m_number_of_columns, false)
+  Unit_rounder(Intrinsic_complex& complex, const std::vector<double>& scales)
+    : m_complex(complex), m_scales(scales), m_columns(columns()),
+      m_solver(system(), weights(), Number_format::of<double>(), m_number_of_columns, false)
   { }
 
   // Sets the units near the vectors wanted. Returns false if the solver finds none.
-  bool round(const std::vector<double>& scales, Intrinsic_complex& complex) const
+  bool round()
   {
     const Grid units(Number_format::of<double>(), 0);
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), units),
                          std::vector<Grid_value>(m_number_of_columns)};
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
-      if(complex.represents_edge(h)) {
-        const auto wanted = wanted_units(complex, h, scales);
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.represents_edge(h)) {
+        const auto wanted = wanted_units(m_complex, h, m_scales);
         for(std::size_t c = 0; c < 2; ++c)
           target.values[std::size_t(column(h, c))] = units.split(wanted[c]);
       }
@@ -73,24 +72,24 @@ public:
     for(const Grid& grid : solution.grids)
       if(grid.exponent() != 0)
         return false;
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
-      if(complex.represents_edge(h)) {
-        Intrinsic_corner& corner = complex.corners[std::size_t(h)];
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.represents_edge(h)) {
+        Intrinsic_corner& corner = m_complex.corners[std::size_t(h)];
         corner.units = {solution.x[std::size_t(column(h, 0))],
                         solution.x[std::size_t(column(h, 1))]};
         if(corner.opposite != no_index)
-          complex.corners[std::size_t(corner.opposite)].units =
+          m_complex.corners[std::size_t(corner.opposite)].units =
             negated(rotated(corner.rotation, corner.units));
       }
     return true;
   }
 
 private:
-  std::vector<Column_index> columns(const Intrinsic_complex& complex)
+  std::vector<Column_index> columns()
   {
-    std::vector<Column_index> result(complex.corners.size());
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
-      if(complex.represents_edge(h)) {
+    std::vector<Column_index> result(m_complex.corners.size());
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.represents_edge(h)) {
         result[std::size_t(h)] = Column_index(m_number_of_columns);
         m_number_of_columns += 2;
       }
@@ -100,48 +99,48 @@ private:
   Column_index column(const Corner_index key, const std::size_t component) const
   { return m_columns[std::size_t(key)] + Column_index(component); }
 
-  Scaled_system system(const Intrinsic_complex& complex) const
+  Scaled_system system() const
   {
     System_builder builder(m_number_of_columns);
     Entries<std::int64_t> row;
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
       for(std::size_t c = 0; c < 2; ++c) {
         if(h % 3 == 0) {
           row.clear();
           for(Corner_index k = h; k < h + 3; ++k)
-            row.push_back(entry(complex, k, c));
+            row.push_back(entry(k, c));
           builder.add_row(row);
         }
-        if(complex.represents_edge(h) && complex.corner(h).is_wall &&
-           complex.corner(h).vector[c] == 0)
+        if(m_complex.represents_edge(h) && m_complex.corner(h).is_wall &&
+           m_complex.corner(h).vector[c] == 0)
           builder.add_row({{column(h, c), 1}});
       }
     return builder.take();
   }
 
   // Component c of a halfedge's vector in terms of the halfedge that stands for its edge.
-  Entry<std::int64_t> entry(const Intrinsic_complex& complex, const Corner_index h,
-                            const std::size_t c) const
+  Entry<std::int64_t> entry(const Corner_index h, const std::size_t c) const
   {
-    const Corner_index key = complex.edge_key(h);
+    const Corner_index key = m_complex.edge_key(h);
     if(key == h)
       return {column(h, c), 1};
-    const auto& row = Quarter_turns::matrix(complex.corner(key).rotation)[c];
+    const auto& row = Quarter_turns::matrix(m_complex.corner(key).rotation)[c];
     const std::size_t d = row[0] != 0 ? 0 : 1;
     return {column(key, d), -row[d]};
   }
 
-  std::vector<double> weights(const Intrinsic_complex& complex,
-                              const std::vector<double>& scales) const
+  std::vector<double> weights() const
   {
     std::vector<double> result(m_number_of_columns);
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
-      if(complex.represents_edge(h))
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.represents_edge(h))
         for(std::size_t c = 0; c < 2; ++c)
-          result[std::size_t(column(h, c))] = weight_of_edge(wanted_units(complex, h, scales));
+          result[std::size_t(column(h, c))] = weight_of_edge(wanted_units(m_complex, h, m_scales));
     return result;
   }
 
+  Intrinsic_complex& m_complex;
+  const std::vector<double>& m_scales;
   std::size_t m_number_of_columns = 0;
   std::vector<Column_index> m_columns; // per halfedge that stands for its edge: the first of two
   Linear_solver m_solver;

@@ -18,6 +18,7 @@
 // What a file holds, in any format: points, coordinates, faces, and polylines, with the lines they
 // come from.
 
+#include <CGAL/Seamless_snapping/types/File_status.h>
 #include <CGAL/Seamless_snapping/types/Polygon_soup.h>
 
 #include <array>
@@ -64,11 +65,8 @@ struct Corner_soup<double, void> : IO::Polygon_soup
 };
 
 // What was done to the vertices, and could have been done.
-struct Vertex_changes
+struct Vertex_changes : IO::File_status
 {
-  std::size_t number_of_split_vertices = 0;
-  std::size_t number_of_welded_edges = 0;
-  std::size_t number_of_coinciding_border_edges = 0; // that are left
   std::vector<std::size_t> file_vertices; // the index in the file of each new vertex of the mesh
 };
 

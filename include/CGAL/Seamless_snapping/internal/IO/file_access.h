@@ -17,7 +17,6 @@
 
 // Files and streams as whole texts, and how their failures become a status.
 
-#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
@@ -96,21 +95,15 @@ inline void write_text(const std::string& filename, const std::string& text)
     throw File_refusal(0, "cannot write to '" + filename + "'" + reason_of_system());
 }
 
-// Calls `f()`, which returns what was done to the vertices.
+// Calls `f()`, which returns what was done.
 template <typename F>
 IO::File_status status_of_reading(const F& f)
 {
-  IO::File_status status;
   try {
-    const Vertex_changes changes = f();
-    status.number_of_split_vertices = changes.number_of_split_vertices;
-    status.number_of_welded_edges = changes.number_of_welded_edges;
-    status.number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+    return f();
   } catch(const File_refusal& refusal) {
-    status.line = refusal.line();
-    status.message = refusal.message();
+    return {refusal.message(), refusal.line()};
   }
-  return status;
 }
 
 template <typename F>
@@ -118,7 +111,7 @@ IO::File_status status_of_writing(const F& f)
 {
   return status_of_reading([&f] {
     f();
-    return Vertex_changes();
+    return IO::File_status();
   });
 }
 

@@ -42,7 +42,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -51,8 +50,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// From what a file holds to a mesh with its property maps: the steps that all readers share.
 
 // The type that a file's numbers are rounded to, once, on their way to a point map.
 template <typename PointMap>
@@ -191,25 +188,6 @@ bool has_faces_of(const Soup& soup, const TriangleMesh& tmesh, const IsSame& is_
   return true;
 }
 
-// Calls `f()` with the coordinates of each corner. Throws unless the faces have the same points in
-// the file and in the mesh: else coordinates would go to corners that they do not belong to.
-template <typename Soup, typename TriangleMesh, typename HalfedgeUVMap, typename VertexPointMap,
-          typename Function>
-void for_each_uv_of_mesh(const Soup& soup, const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
-                         const VertexPointMap& vpm, const Function& f)
-{
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
-  if(!has_faces_of(soup, tmesh, [&](const auto& triangle, const std::size_t i, const auto h) {
-       const auto& p = soup.points[triangle.vertices[i]];
-       const Point& q = get(vpm, target(h, tmesh));
-       const auto& uv = get(uv_map, h);
-       f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
-       return q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]);
-     }))
-    throw File_refusal(0, "the faces of the mesh are not those of the file");
-}
-
 // Throws `File_refusal`.
 template <template <typename, typename> class Parser, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters>
@@ -221,15 +199,27 @@ Vertex_changes read_text(const std::string_view text, TriangleMesh& tmesh, Halfe
   return build_mesh(soup, tmesh, uv_map, np);
 }
 
-// The text of a file with the coordinates of the mesh that was read from it. Throws `File_refusal`.
+// The text of a file with the coordinates of the mesh that was read from it. Throws `File_refusal`,
+// also unless the faces have the same points in the file and in the mesh: else coordinates would go
+// to corners that they do not belong to.
 template <template <typename> class Rewriter, typename Soup, typename TriangleMesh,
           typename HalfedgeUVMap, typename VertexPointMap>
 std::string rewritten_text(const std::string_view text, const Soup& soup, const TriangleMesh& tmesh,
                            const HalfedgeUVMap& uv_map, const VertexPointMap& vpm)
 {
-  return Rewriter<Soup>(text, soup, [&](const auto& f) {
-    for_each_uv_of_mesh(soup, tmesh, uv_map, vpm, f);
-  }).rewrite();
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
+  const auto for_each_uv = [&](const auto& f) {
+    if(!has_faces_of(soup, tmesh, [&](const auto& triangle, const std::size_t i, const auto h) {
+         const auto& p = soup.points[triangle.vertices[i]];
+         const Point& q = get(vpm, target(h, tmesh));
+         const auto& uv = get(uv_map, h);
+         f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
+         return q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]);
+       }))
+      throw File_refusal(0, "the faces of the mesh are not those of the file");
+  };
+  return Rewriter<Soup>(text, soup, for_each_uv).rewrite();
 }
 
 // The same where only the text is known.

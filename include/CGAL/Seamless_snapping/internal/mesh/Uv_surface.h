@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -123,16 +124,6 @@ constexpr bool check_uv_map()
     return check_map_of_corners<HalfedgeUVMap, Halfedge>();
 }
 
-// The number type of a uv map's points.
-template <typename HalfedgeUVMap>
-struct Uv_number
-{
-  using Point = typename boost::property_traits<HalfedgeUVMap>::value_type;
-  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
-                "the coordinates of the uv map must be of type float or double");
-};
-
 template <typename HalfedgeUVMap, typename Halfedge>
 Uv get_uv(const HalfedgeUVMap& uv_map, const Halfedge h)
 {
@@ -164,7 +155,7 @@ class Uv_surface
 
 public:
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Number = typename Uv_number<HalfedgeUVMap>::type;
+  using Number = typename Map_number<HalfedgeUVMap>::type;
 
   // \param has_given_indices whether the indices are the caller's, and may be wrong
   Uv_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,

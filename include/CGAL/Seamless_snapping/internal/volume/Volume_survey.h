@@ -22,8 +22,6 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Tetrahedra.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,23 +30,11 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// The number type of a map's points.
-template <typename CornerUVWMap>
-struct Uvw_number
-{
-  using Point = typename boost::property_traits<CornerUVWMap>::value_type;
-  using type = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  static_assert(std::is_same<type, double>::value || std::is_same<type, float>::value,
-                "the coordinates must be of type float or double");
-};
 
 template <typename CornerUVWMap>
 Uvw get_uvw(const CornerUVWMap& uvw_map, const std::size_t corner)

@@ -108,7 +108,7 @@ std::optional<Refusal> write_corners(const Flat_volume& volume, const std::vecto
                                      CornerUVWMap& uvw_map)
 {
   using Point = typename boost::property_traits<CornerUVWMap>::value_type;
-  using Number = typename Uvw_number<CornerUVWMap>::type;
+  using Number = typename Map_number<CornerUVWMap>::type;
   using Change = Corner_change<std::size_t, Uvw>;
   return write_all_or_nothing(
     u.size(),
@@ -162,7 +162,7 @@ std::optional<Refusal> find_map(const TetrahedronRange& range, const CornerUVWMa
         return refusal;
     }
     read_coordinates(uvw_map, volume);
-    const auto format = Number_format::of<typename Uvw_number<CornerUVWMap>::type>();
+    const auto format = Number_format::of<typename Map_number<CornerUVWMap>::type>();
     if(auto refusal = snap_flat_volume(volume, options, format, report, timer, snapped))
       return refusal;
     further_vertices = free_vertices_of_lost_cells(volume, report.lost_faces);
