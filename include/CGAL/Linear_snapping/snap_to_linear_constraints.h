@@ -86,9 +86,10 @@ std::string read_weights(const Weights& range, const std::size_t size,
   return "";
 }
 
-template <typename Constraints, typename RightHandSide, typename Values, typename NamedParameters>
-Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSide& b,
-                                         Values& values, const NamedParameters& np)
+template <typename Coefficient, typename RightHandSide, typename Values, typename NamedParameters>
+Linear_report snap_to_linear_constraints(const Linear_constraints<Coefficient>& c,
+                                         const RightHandSide& b, Values& values,
+                                         const NamedParameters& np)
 {
   using Value = std::decay_t<decltype(*std::begin(values))>;
   using CGAL::parameters::get_parameter_reference;
@@ -102,11 +103,11 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
 
   std::vector<double> x;
   const std::size_t unbounded = read_values(values, x);
-  if(x.size() != number_of_columns(c))
+  if(x.size() != c.number_of_unknowns())
     return refused<Linear_report>(
       Outcome::INVALID_ARGUMENT,
       "there are " + std::to_string(x.size()) + " values, but the constraints have " +
-        std::to_string(number_of_columns(c)) + " unknowns");
+        std::to_string(c.number_of_unknowns()) + " unknowns");
   if(unbounded != x.size())
     return refused<Linear_report>(
       Outcome::NOT_FINITE, "value " + std::to_string(unbounded) +
@@ -118,7 +119,7 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
   if(!problem.empty() || !read_constraints(c, b, system, problem))
     return refused<Linear_report>(Outcome::INVALID_ARGUMENT, problem);
   report.linear_solver.number_of_unknowns = x.size();
-  report.linear_solver.number_of_constraints = number_of_rows(c);
+  report.linear_solver.number_of_constraints = c.number_of_constraints();
   if(const std::optional<Refusal> refusal =
        snap_values(system, weights, Number_format::of<Value>(), x, report, timer)) {
     refuse(report, *refusal);
@@ -246,7 +247,8 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
                                          const NamedParameters& np =
                                            CGAL::parameters::default_values())
 {
-  return internal::snap_to_linear_constraints(c, b, x, internal::strip(np));
+  return internal::snap_to_linear_constraints(internal::as_constraints(c), b, x,
+                                              internal::strip(np));
 }
 
 /*!
@@ -265,7 +267,8 @@ Linear_report snap_to_linear_constraints(const Constraints& c, Values& x,
                                          const NamedParameters& np =
                                            CGAL::parameters::default_values())
 {
-  return internal::snap_to_linear_constraints(c, internal::No_right_hand_side(), x,
+  return internal::snap_to_linear_constraints(internal::as_constraints(c),
+                                              internal::No_right_hand_side(), x,
                                               internal::strip(np));
 }
 

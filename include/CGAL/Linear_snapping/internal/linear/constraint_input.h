@@ -53,30 +53,29 @@ Exact_rational to_exact_rational(const Number& a)
 }
 
 template <typename Coefficient>
-std::size_t number_of_columns(const Linear_constraints<Coefficient>& c)
+const Linear_constraints<Coefficient>& as_constraints(const Linear_constraints<Coefficient>& c)
 {
-  return c.number_of_unknowns();
-}
-
-template <typename Coefficient>
-std::size_t number_of_rows(const Linear_constraints<Coefficient>& c)
-{
-  return c.number_of_constraints();
+  return c;
 }
 
 template <typename Scalar, int Options, typename StorageIndex>
-std::size_t number_of_columns(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+Linear_constraints<Scalar>
+as_constraints(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
 {
-  return std::size_t(c.cols());
+  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, StorageIndex>;
+  const Rows rows(c);
+  Linear_constraints<Scalar> result(std::size_t(rows.cols()));
+  std::vector<typename Linear_constraints<Scalar>::Term> row;
+  for(Eigen::Index i = 0; i < rows.outerSize(); ++i) {
+    row.clear();
+    for(typename Rows::InnerIterator e(rows, i); e; ++e)
+      row.emplace_back(std::size_t(e.col()), e.value());
+    result.add_constraint(row);
+  }
+  return result;
 }
 
-template <typename Scalar, int Options, typename StorageIndex>
-std::size_t number_of_rows(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
-{
-  return std::size_t(c.rows());
-}
-
-// Stored right-hand sides are those of the constraints; a matrix has none.
+// In place of those of the constraints.
 struct No_right_hand_side { };
 
 template <typename Coefficient>
@@ -86,15 +85,9 @@ const Exact_rational& right_hand_side(const Linear_constraints<Coefficient>& c,
   return c.right_hand_side(i);
 }
 
-template <typename Scalar, int Options, typename StorageIndex>
-No_right_hand_side right_hand_side(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&,
-                                   const No_right_hand_side& b, const std::size_t)
-{
-  return b;
-}
-
-template <typename Constraints, typename RightHandSide>
-Exact_rational right_hand_side(const Constraints&, const RightHandSide& b, const std::size_t i)
+template <typename Coefficient, typename RightHandSide>
+Exact_rational right_hand_side(const Linear_constraints<Coefficient>&, const RightHandSide& b,
+                               const std::size_t i)
 {
   return to_exact_rational(*std::next(std::begin(b), std::ptrdiff_t(i)));
 }
@@ -145,12 +138,6 @@ bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& pr
   return true;
 }
 
-template <typename Scalar, int Options, typename StorageIndex>
-bool has_valid_indices(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>&, std::string&)
-{
-  return true;
-}
-
 // Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
 // \pre has_valid_indices(c)
 template <typename Coefficient, typename F>
@@ -167,22 +154,6 @@ bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
   return true;
 }
 
-template <typename Scalar, int Options, typename StorageIndex, typename F>
-bool for_each_row(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c, const F& f)
-{
-  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, StorageIndex>;
-  const Rows rows(c);
-  std::vector<Entry<Scalar> > row;
-  for(Eigen::Index i = 0; i < rows.outerSize(); ++i) {
-    row.clear();
-    for(typename Rows::InnerIterator e(rows, i); e; ++e)
-      row.push_back({Column_index(e.col()), e.value()});
-    if(!f(row, std::size_t(i)))
-      return false;
-  }
-  return true;
-}
-
 // Whether a built-in number is an integer that fits into 64 bits.
 template <typename T>
 bool is_small_integer(const T& t)
@@ -193,9 +164,9 @@ bool is_small_integer(const T& t)
     return sizeof(T) < 8 || (sizeof(T) == 8 && std::is_signed<T>::value);
 }
 
-// Adds a row with the right-hand side that `b()` returns. `integers` is scratch.
-template <typename Coefficient, typename RightHandSide>
-void add_row(const std::vector<Entry<Coefficient> >& row, const RightHandSide& b,
+// `integers` is scratch.
+template <typename Coefficient>
+void add_row(const std::vector<Entry<Coefficient> >& row, const Exact_rational& b,
              Entries<std::int64_t>& integers, System_builder& builder)
 {
   if constexpr(std::is_arithmetic<Coefficient>::value) {
@@ -205,36 +176,29 @@ void add_row(const std::vector<Entry<Coefficient> >& row, const RightHandSide& b
         break;
       integers.push_back({e.column, static_cast<std::int64_t>(e.coefficient)});
     }
-    if(integers.size() == row.size()) {
-      if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
-        builder.add_row(integers);
-      else
-        builder.add_row(integers, b());
-      return;
-    }
+    if(integers.size() == row.size())
+      return builder.add_row(integers, b);
   }
   Entries<Exact_rational> entries;
   for(const Entry<Coefficient>& e : row)
     entries.push_back({e.column, to_exact_rational(e.coefficient)});
-  if constexpr(std::is_same<decltype(b()), No_right_hand_side>::value)
-    builder.add_row(entries, Exact_rational(0));
-  else
-    builder.add_row(entries, b());
+  builder.add_row(entries, b);
 }
 
 // Returns false and tells the problem if something is not a number or of the wrong size.
-template <typename Constraints, typename RightHandSide>
-bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_system& system,
-                      std::string& problem)
+template <typename Coefficient, typename RightHandSide>
+bool read_constraints(const Linear_constraints<Coefficient>& c, const RightHandSide& b,
+                      Scaled_system& system, std::string& problem)
 {
-  if(!has_valid_right_hand_side(b, number_of_rows(c), problem) || !has_valid_indices(c, problem))
+  if(!has_valid_right_hand_side(b, c.number_of_constraints(), problem) ||
+     !has_valid_indices(c, problem))
     return false;
   constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
-  if(number_of_columns(c) > largest || number_of_rows(c) > largest) {
+  if(c.number_of_unknowns() > largest || c.number_of_constraints() > largest) {
     problem = "more than " + std::to_string(largest) + " unknowns or constraints are not supported";
     return false;
   }
-  System_builder builder(number_of_columns(c));
+  System_builder builder(c.number_of_unknowns());
   Entries<std::int64_t> integers;
   const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
     for(const auto& e : row)
@@ -243,7 +207,7 @@ bool read_constraints(const Constraints& c, const RightHandSide& b, Scaled_syste
                   std::to_string(i) + " is NaN or infinite";
         return false;
       }
-    add_row(row, [&]() -> decltype(auto) { return right_hand_side(c, b, i); }, integers, builder);
+    add_row(row, right_hand_side(c, b, i), integers, builder);
     return true;
   });
   if(finite)

@@ -29,19 +29,13 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-template <typename Integer>
-Echelon_form eliminate_in(const Integer_system& system)
-{
-  return Unit_pivot_elimination<Integer>(system).take_echelon_form();
-}
-
 inline Echelon_form eliminate(const Integer_system& system)
 {
   if(system.is_small())
     try {
-      return eliminate_in<std::int64_t>(system);
+      return Unit_pivot_elimination<std::int64_t>(system).take_echelon_form();
     } catch(const Integer_overflow&) { }
-  return eliminate_in<Exact_integer>(system);
+  return Unit_pivot_elimination<Exact_integer>(system).take_echelon_form();
 }
 
 // A combination of eliminated rows, as one of the system's own: eliminates once more, with a log,
