@@ -152,13 +152,12 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
   measure.area = grid_size(mesh, 0, mesh.corners.size() / 3).area;
   if(std::find(mesh.is_border.begin(), mesh.is_border.end(), true) != mesh.is_border.end())
     measure.number_of_border_edges_off_grid = number_of_border_edges_off_grid(mesh);
-  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+  for(const auto h : edges_to_align(tmesh, np)) {
     const double distance = distance_to_grid_line<Group>(tmesh, uv_map, h);
     ++measure.number_of_aligned_edges;
     measure.number_of_unaligned_edges += distance != 0 ? 1 : 0;
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
-    return true;
-  });
+  }
   return measure;
 }
 

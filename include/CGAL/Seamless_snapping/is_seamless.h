@@ -139,10 +139,10 @@ bool is_seamless(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, const N
   for(const auto h : surface.one_per_edge())
     if(!lies_on_border(surface, h) && !is_exact_edge<Group>(surface, given, h))
       return false;
-  const bool aligned = for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    return misalignment<Group>(surface, h) == 0;
-  });
-  return aligned && further_constraints_hold<Group>(tmesh, uv_map, np);
+  for(const auto h : edges_to_align(tmesh, np))
+    if(misalignment<Group>(surface, h) != 0)
+      return false;
+  return further_constraints_hold<Group>(tmesh, uv_map, np);
 }
 
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
@@ -179,13 +179,12 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
     result.violation = (std::max)(result.violation,
                                   transition_violation<Group>(sides, given, h, scale) / scale);
   }
-  for_each_edge_to_align(tmesh, np, [&](const auto h) {
+  for(const auto h : edges_to_align(tmesh, np)) {
     const double m = misalignment<Group>(surface, h);
     ++result.number_of_aligned_edges;
     result.number_of_misaligned_edges += (m == 0) ? 0 : 1;
     result.misalignment = (std::max)(result.misalignment, m);
-    return true;
-  });
+  }
   return result;
 }
 

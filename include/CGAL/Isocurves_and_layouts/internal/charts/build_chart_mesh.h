@@ -216,8 +216,6 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                               if(!numbering.refusal())
                                 read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
                             });
-  if(mesh.corners.empty() && !numbering.refusal())
-    return Refusal(Outcome::INVALID_ARGUMENT, "the mesh has no face; was it read?");
   if(seams.refusal)
     return seams.refusal;
   if(!seams.is_exact)

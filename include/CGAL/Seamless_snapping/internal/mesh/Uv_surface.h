@@ -247,6 +247,13 @@ private:
   bool m_has_given_indices;
 };
 
+template <typename Surface>
+Uv_triangle uv_triangle(const Surface& surface, const typename Surface::Halfedge corner)
+{
+  return {{surface.uv(corner), surface.uv(surface.next(corner)),
+           surface.uv(surface.prev(corner))}};
+}
+
 // All halfedges towards the target of one, clockwise from it: calls `f(h)`.
 template <typename Surface, typename F>
 void for_each_around_target(const Surface& surface, const typename Surface::Halfedge first,

@@ -93,34 +93,23 @@ auto read_transitions(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
            surface, given, chosen_tolerance(np)).run();
 }
 
-// Calls `f(h)`, for one halfedge each, for the edges that the named parameters ask to align, while
-// it returns true. Returns whether it always did.
-template <typename TriangleMesh, typename NamedParameters, typename F>
-bool for_each_edge_to_align(const TriangleMesh& tmesh, const NamedParameters& np, const F& f)
-{
-  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
-  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
-  const auto is_constrained = chosen(np, CGAL::internal_np::edge_is_constrained, No_edges());
-  const bool align_border = chosen(np, CGAL::internal_np::align_border, false);
-  if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
-    return true;
-  for(const Edge e : edges(tmesh)) {
-    const auto h = halfedge(e, tmesh);
-    if((get(is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
-       (!is_border(h, tmesh) || !is_border(opposite(h, tmesh), tmesh)) && !f(h)) // has a face
-      return false;
-  }
-  return true;
-}
-
+// One halfedge each of the edges that the named parameters ask to align.
 template <typename TriangleMesh, typename NamedParameters>
 auto edges_to_align(const TriangleMesh& tmesh, const NamedParameters& np)
 {
+  using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using No_edges = CGAL::Static_boolean_property_map<Edge, false>;
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> result;
-  for_each_edge_to_align(tmesh, np, [&](const auto h) {
-    result.push_back(h);
-    return true;
-  });
+  const auto is_constrained = chosen(np, CGAL::internal_np::edge_is_constrained, No_edges());
+  const bool align_border = chosen(np, CGAL::internal_np::align_border, false);
+  if(std::is_same<std::decay_t<decltype(is_constrained)>, No_edges>::value && !align_border)
+    return result;
+  for(const Edge e : edges(tmesh)) {
+    const auto h = halfedge(e, tmesh);
+    if((get(is_constrained, e) || (align_border && CGAL::is_border_edge(h, tmesh))) &&
+       (!is_border(h, tmesh) || !is_border(opposite(h, tmesh), tmesh))) // has a face
+      result.push_back(h);
+  }
   return result;
 }
 

@@ -58,8 +58,7 @@ double unfolded_angle(const Surface& surface, const typename Surface::Halfedge f
     return 0;
   auto h = first;
   do {
-    const Uv_triangle t{surface.uv(h), surface.uv(surface.next(h)), surface.uv(surface.prev(h))};
-    if(orientation(t) != CGAL::POSITIVE)
+    if(orientation(uv_triangle(surface, h)) != CGAL::POSITIVE)
       return 0;
     angle += corner_angle<Group>(surface, h, scale, n);
     h = surface.opposite(surface.next(h));

@@ -18,6 +18,7 @@
 // Reads from a mesh what repairs of orientations ask for.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 
 #include <algorithm>
@@ -28,13 +29,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-template <typename Surface>
-Uv_triangle uv_triangle(const Surface& surface, const typename Surface::Halfedge corner)
-{
-  return {{surface.uv(corner), surface.uv(surface.next(corner)),
-           surface.uv(surface.prev(corner))}};
-}
 
 // Whether there are faces that are not positive.
 template <typename Surface>
