@@ -2461,6 +2461,34 @@ void test_folded_quads()
   }
 }
 
+// Three corners are on one side of a fin, and one on the other, to which the quad faces: it is as
+// large as the fin is thick, so that both sides are below it.
+void test_quad_across_fin()
+{
+  Mesh fin;
+  std::vector<Vertex> v;
+  for(const double x : {0., 0.1})
+    for(const auto& [y, z] : {std::pair(-3, -3), std::pair(3, -3), std::pair(3, 3), std::pair(-3, 3)})
+      v.push_back(fin.add_vertex(Point_3(x, y, z)));
+  for(const auto& [i, j, k] : {std::tuple(0, 3, 2), std::tuple(2, 1, 0), std::tuple(4, 5, 6),
+                               std::tuple(6, 7, 4), std::tuple(2, 3, 7), std::tuple(7, 6, 2)})
+    fin.add_face(v[std::size_t(i)], v[std::size_t(j)], v[std::size_t(k)]);
+  const internal::Surface_to_remesh surface = surface_to_remesh(fin);
+  for(const bool is_folded : {false, true}) { // all four corners are on one side
+    Mesh quads;
+    std::vector<Vertex> corners;
+    for(const auto& [x, y, z] : {std::tuple(0., 0, 0), std::tuple(0., 1, 0),
+                                 std::tuple(is_folded ? 0. : 0.1, 1, 1), std::tuple(0., 0, 1)})
+      corners.push_back(
+        quads.add_vertex(Point_3(surface.scaled(x), surface.scaled(y), surface.scaled(z))));
+    const auto f = quads.add_face(corners);
+    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+    const QR::internal::Upper_sides upper_sides(quads, is_feature, surface, smoother);
+    CHECK_EQUAL(upper_sides.is_folded(f), is_folded);
+  }
+}
+
 // An inverted quad goes, unless it is on the border, or features around it would be folded.
 void test_collapse()
 {
@@ -2690,6 +2718,7 @@ int main()
   test_division();
   test_mending();
   test_folded_quads();
+  test_quad_across_fin();
   test_collapse();
   test_triangles();
   test_refusals();

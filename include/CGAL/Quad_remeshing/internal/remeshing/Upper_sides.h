@@ -47,12 +47,15 @@ public:
       m_starts[v] = nearest_face(v);
   }
 
-  // Whether a quad faces against the surface below it, on the average; and against what is nearest,
-  // or the quads beside it.
+  // Whether a quad faces against the surface below it, on the average and clearly: one that is as
+  // large as a thin part has all sides of that below it. And against what is nearest, or the quads
+  // beside it.
   bool is_folded(const Face f) const
   {
+    constexpr double clearly = -0.5; // a cosine where the surface below is flat
     const Quad q = m_smoother.quad(f);
-    return is_suspicious(f, q) && inner_product(quad_normal(q), upper_side(f, q)) < 0;
+    return is_suspicious(f, q) &&
+           inner_product(scaled_to_one(quad_normal(q)), upper_side(f, q)) < clearly;
   }
 
   // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
@@ -127,17 +130,20 @@ private:
   }
 
   // Where the surface faces below a quad: at its middle, and half way from there to each corner, as
-  // walks from all corners find it, or from those that are on no feature; the sum.
+  // walks from all corners find it, or from those that are on no feature; the mean of the unit
+  // normals.
   Space_vector upper_side(const Face f, const Quad& q) const
   {
-    Space_vector sum{};
-    for(const Face start : faces_of_corners(f))
-      for(const Point& p : places(q)) {
+    Space_vector mean{};
+    const std::vector<Face> starts = faces_of_corners(f);
+    const std::array<Point, 5> below = places(q);
+    for(const Face start : starts)
+      for(const Point& p : below) {
         const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
         for(std::size_t c = 0; c < 3; ++c)
-          sum[c] += n[c];
+          mean[c] += n[c] / double(starts.size() * below.size());
       }
-    return sum;
+    return mean;
   }
 
   // To where no face around is nearer to a point; not over features.
