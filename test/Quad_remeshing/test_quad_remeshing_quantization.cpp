@@ -2468,7 +2468,8 @@ void test_quad_across_fin()
   Mesh fin;
   std::vector<Vertex> v;
   for(const double x : {0., 0.1})
-    for(const auto& [y, z] : {std::pair(-3, -3), std::pair(3, -3), std::pair(3, 3), std::pair(-3, 3)})
+    for(const auto& [y, z] :
+        {std::pair(-3, -3), std::pair(3, -3), std::pair(3, 3), std::pair(-3, 3)})
       v.push_back(fin.add_vertex(Point_3(x, y, z)));
   for(const auto& [i, j, k] : {std::tuple(0, 3, 2), std::tuple(2, 1, 0), std::tuple(4, 5, 6),
                                std::tuple(6, 7, 4), std::tuple(2, 3, 7), std::tuple(7, 6, 2)})
