@@ -149,6 +149,7 @@ private:
     }
   }
 
+  // Vertices may be off the surface, so that no search for the nearest place can begin at them.
   void relax_around(const Face f, const std::size_t rings)
   {
     collect(f, rings);
