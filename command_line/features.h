@@ -21,15 +21,15 @@ struct Marked_features
 struct Feature_options
 {
   double angle = 0; // in degrees: edges that are sharper
-  double length = 0; // of chains that lead nowhere: shorter ones are no features
+  double length = 0; // of remove_feature_noise()
 
   // \param keep "keep" or "align", what is done with them
   // \param default_length in words
   void add_to(Options& options, const std::string& keep,
               const std::string& default_length = "0, which leaves out none");
 
-  // Marks them in the model, and tells how many there are, in how many chains, each from end to end
-  // or as a loop; and notes whether most of these are noise.
+  // Marks them in the model, and tells how many there are; and notes whether most of these look like
+  // noise.
   Marked_features mark(Model& model, std::ostream& os) const;
 };
 

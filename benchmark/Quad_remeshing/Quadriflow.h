@@ -26,7 +26,8 @@ public:
   bool is_there() const { return m_is_there; }
 
   // Writes about so many quads to a file. Returns the seconds of CPU time that this took without
-  // reading and writing, or a negative number where it has failed.
+  // reading and writing, or a negative number where it has failed or takes more than three minutes,
+  // after which the system ends it.
   double remesh(const std::filesystem::path& mesh, const std::filesystem::path& quads,
                 const std::size_t number, const bool has_features) const
   {
@@ -42,7 +43,9 @@ public:
 
 private:
   static constexpr const char* script = R"(
-import bpy, sys, time
+import bpy, resource, sys, time
+most_seconds = 180
+resource.setrlimit(resource.RLIMIT_CPU, (most_seconds, most_seconds))
 source, goal, number, is_sharp, seconds = sys.argv[sys.argv.index("--") + 1:]
 words = iter(open(source).read().split()[1:])
 counts = [int(next(words)) for _ in range(3)]

@@ -1,8 +1,8 @@
 // What quad_remesh() makes of the given meshes, and of all meshes in given folders, at several
 // sizes, and what QuadriFlow does where Blender is installed: tables of quads, irregular vertices,
 // topology, inverted quads, scaled Jacobians, Hausdorff distances from the input, and CPU times.
-// Edges with an angle of more than that of --feature-angle are features; without, none. With
-// --results, the quads are kept in a folder.
+// Edges with an angle of more than that of --feature-angle are features, but for noise; without,
+// none. With --results, the quads are kept in a folder.
 //
 //   quad_comparison [--quads N]... [--feature-angle DEGREES] [--blender PROGRAM]
 //                   [--results FOLDER] MESH_OR_FOLDER...
@@ -12,23 +12,28 @@
 #include "command_line.h"
 
 #include <CGAL/Quad_remeshing/quad_remesh.h>
+#include <CGAL/Quad_remeshing/remove_feature_noise.h>
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <random>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -39,7 +44,36 @@ namespace QR = CGAL::Quad_remeshing;
 
 using Kernel = benchmark::Kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
+// A new folder for files, which goes with its content unless it has a name.
+class Folder
+{
+public:
+  explicit Folder(const std::string& name)
+    : m_path(name), m_is_temporary(name.empty())
+  {
+    if(m_is_temporary)
+      m_path = fs::temp_directory_path() /
+               ("quad_comparison_" + std::to_string(std::random_device{}()));
+    fs::create_directories(m_path);
+  }
+
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  ~Folder()
+  {
+    std::error_code ignored;
+    if(m_is_temporary)
+      fs::remove_all(m_path, ignored);
+  }
+
+  const fs::path& path() const { return m_path; }
+
+private:
+  fs::path m_path;
+  bool m_is_temporary;
+};
 
 // Of one program, over all meshes and sizes.
 class Totals
@@ -92,8 +126,7 @@ struct Input
 {
   std::string name;
   Mesh mesh;
-  Feature_map is_feature;
-  bool has_features;
+  double feature_angle; // in degrees; 0: no features
   benchmark::Triangles triangles;
   double diagonal;
   std::ptrdiff_t euler_characteristic;
@@ -106,11 +139,7 @@ bool read(const std::string& filename, const double feature_angle, Input& input)
   if(!PMP::IO::read_polygon_mesh(filename, input.mesh))
     return false;
   PMP::triangulate_faces(input.mesh);
-  input.is_feature =
-    input.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
-  input.has_features = feature_angle > 0;
-  if(input.has_features)
-    PMP::detect_sharp_edges(input.mesh, feature_angle, input.is_feature);
+  input.feature_angle = feature_angle;
   benchmark::Polygon_soup soup;
   PMP::polygon_mesh_to_polygon_soup(input.mesh, soup.points, soup.polygons);
   input.triangles = soup.triangles();
@@ -149,12 +178,17 @@ void print_row(const Input& input, const std::size_t number, const fs::path& qua
 void remesh(const Input& input, const std::size_t number, const fs::path& quads_file,
             Totals& totals)
 {
-  Mesh quads;
+  Mesh mesh = input.mesh, quads;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   CGAL::Timer timer;
   timer.start();
+  if(input.feature_angle > 0) {
+    PMP::detect_sharp_edges(mesh, input.feature_angle, is_feature);
+    QR::remove_feature_noise(mesh, is_feature, std::sqrt(PMP::area(mesh) / double(number)));
+  }
   const QR::Remeshing_report report = QR::quad_remesh(
-    input.mesh, quads,
-    QR::parameters::target_number_of_quads(number).edge_is_constrained_map(input.is_feature));
+    mesh, quads,
+    QR::parameters::target_number_of_quads(number).edge_is_constrained_map(is_feature));
   timer.stop();
   if(report)
     CGAL::IO::write_OFF(quads_file.string(), quads,
@@ -168,7 +202,7 @@ void remesh_by_quadriflow(const Input& input, const std::size_t number,
                           const Quadriflow& quadriflow, const fs::path& mesh_file,
                           const fs::path& quads_file, Totals& totals)
 {
-  const double seconds = quadriflow.remesh(mesh_file, quads_file, number, input.has_features);
+  const double seconds = quadriflow.remesh(mesh_file, quads_file, number, input.feature_angle > 0);
   print_row(input, number, quads_file, seconds, seconds < 0 ? "no quads" : "success", totals);
 }
 
@@ -181,7 +215,8 @@ int main(int argc, char** argv)
   po::options_description options("Options");
   options.add_options()
     ("quads", po::value(&numbers)->composing(), "sizes (default: 300 and 5000)")
-    ("feature-angle", po::value(&feature_angle), "edges with a larger angle are features, degrees")
+    ("feature-angle", po::value(&feature_angle),
+     "edges with a larger angle are features, but for noise, degrees")
     ("blender", po::value(&blender)->default_value("blender"),
      "the program that has QuadriFlow")
     ("results", po::value(&results), "a folder in which the quads are kept")
@@ -191,9 +226,8 @@ int main(int argc, char** argv)
     return *exit_code;
   if(numbers.empty())
     numbers = {300, 5000};
-  const fs::path folder =
-    results.empty() ? fs::temp_directory_path() / "quad_comparison" : fs::path(results);
-  fs::create_directories(folder);
+  const Folder results_folder(results);
+  const fs::path& folder = results_folder.path();
   const Quadriflow quadriflow(blender, folder);
   std::cout << "| mesh | faces | asked | program | quads | irregular | topology | inverted "
                "| mean Jacobian | 1st percentile | distance, % of diagonal | CPU seconds "
@@ -220,7 +254,5 @@ int main(int argc, char** argv)
     theirs.print();
   else
     std::cout << "QuadriFlow is left out: the program '" << blender << "' is not there\n";
-  if(results.empty())
-    fs::remove_all(folder);
   return EXIT_SUCCESS;
 }

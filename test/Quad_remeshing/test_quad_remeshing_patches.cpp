@@ -1,7 +1,9 @@
 // Tests of patches: each is a rectangle of quads, each quad is in one, and they are those of the
-// motorcycle graph, which is made by exact numbers, where each quad is a unit square.
+// motorcycle graph, which is made by exact numbers, where each quad is a unit square. And which
+// features are noise.
 
 #include <CGAL/Quad_remeshing/quad_patches.h>
+#include <CGAL/Quad_remeshing/remove_feature_noise.h>
 
 #include "Polyhedron_copy.h"
 #include "checking.h"
@@ -20,6 +22,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
@@ -275,6 +278,152 @@ void test_polyhedron()
   CHECK(patches && patches.patches.size() == 6 && is_partition(cube, patches, patch_of));
 }
 
+// The squares of a grid, and edges along its lines, which are 1 long.
+struct Net
+{
+  Quads grid;
+  int n;
+
+  explicit Net(const int n) : grid(make(n)), n(n) { }
+
+  static Mesh make(const int n)
+  {
+    Mesh mesh;
+    CGAL::make_grid(std::size_t(n), std::size_t(n), mesh);
+    return mesh;
+  }
+
+  bool is_feature(const Mesh::Edge_index e) const
+  { return grid.is_feature[e] && !grid.mesh.is_border(e); }
+
+  // Marks an edge from a point to the right, or above.
+  void mark(const int x, const int y, const bool is_upright)
+  {
+    const quad_reference::Kernel::Point_3 p(x, y, 0), q(x + !is_upright, y + is_upright, 0);
+    for(const Mesh::Edge_index e : grid.mesh.edges()) {
+      const auto a = grid.mesh.point(grid.mesh.vertex(e, 0)),
+                 b = grid.mesh.point(grid.mesh.vertex(e, 1));
+      if((a == p && b == q) || (a == q && b == p))
+        grid.is_feature[e] = true;
+    }
+  }
+
+  void mark_row(const int y, const int from, const int to)
+  {
+    for(int x = from; x < to; ++x)
+      mark(x, y, false);
+  }
+
+  std::size_t number() const
+  {
+    const auto edges = grid.mesh.edges();
+    return std::size_t(std::count_if(edges.begin(), edges.end(),
+                                     [&](const auto e) { return is_feature(e); }));
+  }
+
+  std::size_t remove_noise(const double length)
+  { return QR::remove_feature_noise(grid.mesh, grid.is_feature, length); }
+
+  // Of all chains: how long they are, and whether they lead nowhere. Follows them edge by edge.
+  std::vector<std::pair<int, bool> > chains() const
+  {
+    const Mesh& mesh = grid.mesh;
+    std::vector<std::pair<int, bool> > result;
+    std::set<Mesh::Edge_index> seen;
+    const auto others = [&](const Halfedge h) { // features at the target of a feature
+      std::vector<Halfedge> next;
+      for(const Halfedge g : mesh.halfedges_around_target(h))
+        if(g != h && is_feature(mesh.edge(g)))
+          next.push_back(mesh.opposite(g));
+      return next;
+    };
+    for(const Mesh::Edge_index e : mesh.edges()) {
+      if(!is_feature(e) || seen.count(e) > 0)
+        continue;
+      seen.insert(e);
+      int length = 1;
+      bool leads_nowhere = false;
+      for(Halfedge h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))}) {
+        auto next = others(h);
+        for(; next.size() == 1 && seen.insert(mesh.edge(next[0])).second; next = others(h)) {
+          h = next[0];
+          ++length;
+        }
+        leads_nowhere |= next.empty() && !mesh.is_border(mesh.target(h));
+      }
+      result.emplace_back(length, leads_nowhere);
+    }
+    return result;
+  }
+};
+
+// Of the chains that are shorter, or lead nowhere: their part of the length of all.
+double part(const std::vector<std::pair<int, bool> >& chains, const double length,
+            const bool must_lead_nowhere)
+{
+  int all = 0, meant = 0;
+  for(const auto& [own_length, leads_nowhere] : chains) {
+    all += own_length;
+    if(own_length < length && (leads_nowhere || !must_lead_nowhere))
+      meant += own_length;
+  }
+  return all > 0 ? double(meant) / all : 0;
+}
+
+void test_known_noise()
+{
+  Net net(20);
+  net.mark_row(10, 4, 8); // leads nowhere
+  net.mark_row(15, 0, 20);
+  for(int y = 15; y < 17; ++y)
+    net.mark(9, y, true); // ends at the long one
+  for(int y = 0; y < 2; ++y)
+    net.mark(3, y, true); // begins at the border
+  for(const double none : {0., -1., 2., std::nan("")})
+    CHECK_EQUAL(net.remove_noise(none), 0u);
+  CHECK_EQUAL(net.remove_noise(2.5), 4u);
+  CHECK_EQUAL(net.remove_noise(4), 0u);
+  CHECK_EQUAL(net.remove_noise(4.5), 4u);
+  CHECK_EQUAL(net.number(), 20u);
+  CHECK_EQUAL(net.remove_noise(1000), 0u); // it leads from border to border
+
+  Net squares(20); // as on a model that is made of boxes
+  for(int y = 2; y <= 18; y += 4)
+    for(int x = 2; x < 18; ++x) {
+      squares.mark(x, y, false);
+      squares.mark(y, x, true);
+    }
+  CHECK_EQUAL(squares.remove_noise(1000), 0u);
+}
+
+// Whatever is kept is as documented. Nets of all densities are seen as noise, and as none.
+void test_random_noise()
+{
+  Random random(seed);
+  int number_of_nets_of_noise = 0;
+  for(int i = 0; i < 600; ++i) {
+    Net net(4 + below(random, 12));
+    const int percent = 1 + below(random, 99);
+    for(const auto e : net.grid.mesh.edges())
+      net.grid.is_feature[e] = below(random, 100) < percent;
+    const auto before = net.chains();
+    const std::size_t number = net.number();
+    const double length = (1 + below(random, 24)) / 4.;
+    const std::size_t number_removed = net.remove_noise(length);
+    CHECK_EQUAL(number_removed, number - net.number());
+    const auto after = net.chains();
+    CHECK_EQUAL(part(after, length, true), 0);
+    const bool has_dead_ends = part(before, 1e9, true) > 0.2;
+    CHECK(!(has_dead_ends && part(after, 2 * length, false) > 0.2));
+    if(!has_dead_ends) // only what leads nowhere went
+      CHECK(std::all_of(before.begin(), before.end(), [](const auto& c) { return c.second; }) ||
+            net.number() > 0);
+    if(has_dead_ends && net.number() < number && part(after, 4 * length, false) == 0)
+      ++number_of_nets_of_noise;
+  }
+  CHECK(number_of_nets_of_noise > 100 && number_of_nets_of_noise < 500);
+}
+
 int main()
 {
   std::cout << "random seed " << seed << std::endl;
@@ -282,5 +431,7 @@ int main()
   test_known_surfaces();
   test_refusals();
   test_polyhedron();
+  test_known_noise();
+  test_random_noise();
   return report_checks();
 }

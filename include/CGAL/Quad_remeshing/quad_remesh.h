@@ -400,7 +400,8 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
     \cgalParamDefault{`0`: all are kept}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges}
+    \cgalParamDescription{the feature edges; `remove_feature_noise()` removes those that are not
+                          worth their price}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}

@@ -1,0 +1,134 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_NET_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_NET_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The feature edges of a mesh as a net, and which of them are noise.
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// Edges between numbered vertices, from which short chains are removed.
+class Feature_net
+{
+public:
+  struct Edge
+  {
+    std::array<std::size_t, 2> vertices;
+    double length;
+    bool is_kept = true;
+  };
+
+  // \param is_on_border for each vertex
+  Feature_net(std::vector<Edge> edges, std::vector<char> is_on_border)
+    : m_edges(std::move(edges)), m_is_on_border(std::move(is_on_border)) { }
+
+  const Edge& edge(const std::size_t i) const { return m_edges[i]; }
+
+  // Removes chains that lead nowhere and are shorter. Where these were much of the net, and many of
+  // the others are short, too, these are noise as well: the net of a scan has meshes.
+  void remove_noise(const double length)
+  {
+    constexpr double a_fifth = 0.2;
+    const bool has_dead_ends =
+      part_of_chains([](const Chain& c) { return c.leads_nowhere; }) > a_fifth;
+    remove_shorter(length, true);
+    if(has_dead_ends &&
+       part_of_chains([=](const Chain& c) { return c.length < 2 * length; }) > a_fifth)
+      remove_shorter(4 * length, false);
+  }
+
+private:
+  // Edges from one end or branching to the next, or around a loop.
+  struct Chain
+  {
+    std::vector<std::size_t> edges;
+    double length = 0;
+    bool leads_nowhere = false; // it ends inside the surface, where no other feature is
+  };
+
+  std::vector<Chain> chains() const
+  {
+    std::vector<std::vector<std::size_t> > edges_at(m_is_on_border.size());
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      if(m_edges[e].is_kept)
+        for(const std::size_t v : m_edges[e].vertices)
+          edges_at[v].push_back(e);
+    boost::disjoint_sets_with_storage<> sets(m_edges.size());
+    for(const std::vector<std::size_t>& edges : edges_at)
+      if(edges.size() == 2)
+        sets.union_set(edges[0], edges[1]);
+    std::map<std::size_t, Chain> chains;
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      if(m_edges[e].is_kept) {
+        Chain& chain = chains[sets.find_set(e)];
+        chain.edges.push_back(e);
+        chain.length += m_edges[e].length;
+        for(const std::size_t v : m_edges[e].vertices)
+          chain.leads_nowhere |= edges_at[v].size() == 1 && !m_is_on_border[v];
+      }
+    std::vector<Chain> result;
+    for(auto& [set, chain] : chains)
+      result.push_back(std::move(chain));
+    return result;
+  }
+
+  // By length.
+  template <typename Predicate>
+  double part_of_chains(const Predicate& is_meant) const
+  {
+    double all = 0, meant = 0;
+    for(const Chain& chain : chains()) {
+      all += chain.length;
+      meant += is_meant(chain) ? chain.length : 0;
+    }
+    return all > 0 ? meant / all : 0;
+  }
+
+  // The shortest go first: where they end, two others can go on as one that is long enough.
+  void remove_shorter(const double length, const bool must_lead_nowhere)
+  {
+    for(const int exponent : {-5, -4, -3, -2, -1, 0})
+      for(bool is_changed = true; is_changed;) {
+        is_changed = false;
+        for(const Chain& chain : chains())
+          if(chain.length < std::ldexp(length, exponent) &&
+             (chain.leads_nowhere || !must_lead_nowhere)) {
+            is_changed = true;
+            for(const std::size_t e : chain.edges)
+              m_edges[e].is_kept = false;
+          }
+      }
+  }
+
+  std::vector<Edge> m_edges;
+  std::vector<char> m_is_on_border;
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_FEATURE_NET_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_REMOVE_FEATURE_NOISE_H
+#define CGAL_QUAD_REMESHING_REMOVE_FEATURE_NOISE_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Leaves out of the feature edges of a mesh what noise made sharp.
+
+#include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_net.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+removes from the feature edges of a mesh those that are noise, as
+`CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds them on scans and on coarse models of
+round shapes. `quad_remesh()` would keep each, at the price of irregular vertices and of the shape
+of quads. How long the edges of the quads are to be is a good `length` for it.
+
+A chain of features is a loop, or goes from one place where they end or meet others to the next. It
+leads nowhere if one of its ends is inside the surface, where no other feature is. Removed are:
+- chains that lead nowhere and are shorter than `length`;
+- all chains shorter than `4 * length`, where the features are a net of noise: chains that lead
+  nowhere are more than a fifth of it, and then, of what is kept, chains shorter than `2 * length`
+  are more than a fifth, too. Both parts are by length.
+
+The shortest go first, as others can become one chain without them, which is long enough. Edges of
+the border are neither removed nor counted.
+
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam EdgeIsConstrainedMap a class model of `ReadWritePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh a mesh
+\param is_feature the feature edges, of which some are set to `false`
+\param length a length, in the unit of the points. If it isn't positive, nothing is removed.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{numbers of the vertices, from 0}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of edges that are no features any more
+
+\par Complexity
+A pass over the mesh, and passes over the features until nothing is removed: few in practice, and
+at most as many as there are chains.
+
+\sa `quad_remesh()`
+*/
+template <typename TriangleMesh, typename EdgeIsConstrainedMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap is_feature,
+                                 const double length,
+                                 const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const auto stripped = internal::strip(np);
+  const auto point_map =
+    internal::chosen(stripped, CGAL::internal_np::vertex_point,
+                     CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto index_map = CGAL::get_initialized_vertex_index_map(tmesh, stripped);
+  std::vector<char> is_on_border(num_vertices(tmesh), false);
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features;
+  std::vector<internal::Feature_net::Edge> edges_of_net;
+  for(const auto e : edges(tmesh)) {
+    const auto v = source(e, tmesh), w = target(e, tmesh);
+    const std::size_t i = get(index_map, v), j = get(index_map, w);
+    if(CGAL::is_border(e, tmesh))
+      is_on_border[i] = is_on_border[j] = true;
+    else if(get(is_feature, e)) {
+      features.push_back(e);
+      edges_of_net.push_back({{i, j}, std::sqrt(CGAL::to_double(CGAL::squared_distance(
+                                        get(point_map, v), get(point_map, w))))});
+    }
+  }
+  internal::Feature_net net(std::move(edges_of_net), std::move(is_on_border));
+  net.remove_noise(length);
+  std::size_t result = 0;
+  for(std::size_t i = 0; i < features.size(); ++i)
+    if(!net.edge(i).is_kept) {
+      put(is_feature, features[i], false);
+      ++result;
+    }
+  return result;
+}
+
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_REMOVE_FEATURE_NOISE_H
