@@ -2564,8 +2564,10 @@ void check_aligned_triangles(const std::vector<Point_3>& points,
   std::set<Point_3> corners;
   for(const auto v : vertices(quads))
     corners.insert(get(point_map, v));
+  const bool is_as_wanted =
+    report.number_of_released_edges == 0 && report.number_of_displaced_vertices == 0;
   for(const Point_3& p : points)
-    CHECK(corners.count(p) == 1 || report.number_of_released_edges > 0);
+    CHECK(corners.count(p) == 1 || !is_as_wanted);
   // As long in both meshes: where two quads meet at an angle, or at the border.
   double length = 0, length_of_features = 0, expected = 0;
   for(const auto e : edges(mesh))
@@ -2583,16 +2585,19 @@ void check_aligned_triangles(const std::vector<Point_3>& points,
       return is_on_edge(p, e) && is_on_edge(q, e);
     });
     CHECK(is_on_feature.count(f) == 1);
-    CHECK(is_on_feature[f] == is_along || report.number_of_released_edges > 0);
+    CHECK(is_on_feature[f] == is_along || !is_as_wanted);
     const double length_of_edge = std::sqrt(CGAL::squared_distance(p, q));
     length += is_along ? length_of_edge : 0;
     length_of_features += is_on_feature[f] ? length_of_edge : 0;
   }
-  // What is not kept was released; quads may go on along a bit of that.
-  CHECK(length_of_features < (1 + 1e-9) * expected);
-  CHECK(length_of_features + report.length_of_released_edges > (1 - 1e-9) * expected);
+  // What is not kept was released; quads may go on along a bit of that. A vertex that was displaced
+  // makes each of its edges on features longer or shorter, of which there are at most three.
+  const double tolerance =
+    1e-9 * expected + 3 * double(report.number_of_displaced_vertices) * report.largest_displacement;
+  CHECK(length_of_features < expected + tolerance);
+  CHECK(length_of_features + report.length_of_released_edges > expected - tolerance);
   CHECK((report.length_of_released_edges > 0) == (report.number_of_released_edges > 0));
-  CHECK(report.number_of_released_edges > 0 || std::abs(length - expected) < 1e-9 * expected);
+  CHECK(!is_as_wanted || std::abs(length - expected) < 1e-9 * expected);
   CHECK(report.number_of_released_edges == 0 || triangles.size() > 1);
 }
 
