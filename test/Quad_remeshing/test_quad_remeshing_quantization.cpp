@@ -1884,6 +1884,17 @@ void test_refinement()
   const internal::Surface_to_remesh divided = surface_to_remesh(one_triangle);
   CHECK_EQUAL(divided.mesh().number_of_faces(), 9u);
   CHECK(!divided.has_sizes_that_vary());
+  // and where there is a half only, of which it is the first one, its parts are of the second one
+  Mesh two_triangles;
+  for(const auto& p : {Point_3(-1, 0, 0), Point_3(0, 0, 0), Point_3(0, 1, 0), Point_3(1, 0, 0)})
+    two_triangles.add_vertex(p);
+  two_triangles.add_face(Vertex(0), Vertex(1), Vertex(2));
+  two_triangles.add_face(Vertex(1), Vertex(3), Vertex(2));
+  const internal::Surface_to_remesh half = internal::surface_to_remesh(
+    two_triangles, internal::strip(parameters::default_values()), internal::Mirror(1, 0, 0, 0));
+  CHECK_EQUAL(half.mesh().number_of_faces(), 9u);
+  for(const auto f : half.mesh().faces())
+    CHECK_EQUAL(half.original(f), 1u);
 }
 
 // Few quads are shaped at more expense: without that, the mean here is 0.9526.

@@ -290,7 +290,8 @@ private:
     const Halfedge h = CGAL::Euler::add_center_vertex(m_mesh.halfedge(f), m_mesh);
     m_mesh.point(m_mesh.target(h)) = Kernel::Point_3(center[0], center[1], center[2]);
     m_sizes[m_mesh.target(h)] = size;
-    m_originals.resize(m_mesh.number_of_faces(), std::size_t(f));
+    const std::size_t original = m_originals[f];
+    m_originals.resize(m_mesh.number_of_faces(), original);
     for(const Halfedge g : m_mesh.halfedges_around_target(h))
       m_directions[m_mesh.face(g)] = m_directions[f];
   }
