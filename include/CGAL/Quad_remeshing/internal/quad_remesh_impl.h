@@ -772,7 +772,7 @@ inline void replace_quads(const Surface_to_remesh::Mesh& others,
 }
 
 // Makes quads once more, by `make(quads, is_feature)`, which take the place of those that there are
-// if `is_better(report, best)`. The steps of both are reported.
+// if `is_better(report, best)`. The steps of both are reported, in their order.
 template <typename Make, typename Is_better>
 void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh::Mesh& quads,
                  const Surface_to_remesh::Feature_map& is_feature, Remeshing_report& best)
@@ -781,12 +781,13 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
   Mesh mesh;
   const auto is_kept = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
   Remeshing_report report = make(mesh, is_kept);
+  std::vector<std::pair<std::string, double> > steps = best.step_times;
+  steps.insert(steps.end(), report.step_times.begin(), report.step_times.end());
   if(is_better(report, best)) {
     replace_quads(mesh, is_kept, quads, is_feature);
-    std::swap(report, best);
+    best = std::move(report);
   }
-  best.step_times.insert(best.step_times.end(), report.step_times.begin(),
-                         report.step_times.end());
+  best.step_times = std::move(steps);
 }
 
 // Compares results that may have released features.
