@@ -311,7 +311,7 @@ struct Remesh_outcome
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
-      os << "not kept, as faces would be flipped: "
+      os << "not kept, as faces would be flipped, or quads inverted or thin: "
          << counted(report.number_of_released_edges, "feature edge") << ", of length "
          << report.length_of_released_edges << " in sum\n";
     ::write_summary(os, patches);
