@@ -282,9 +282,8 @@ void test_polyhedron()
 struct Net
 {
   Quads grid;
-  int n;
 
-  explicit Net(const int n) : grid(make(n)), n(n) { }
+  explicit Net(const int n) : grid(make(n)) { }
 
   static Mesh make(const int n)
   {
