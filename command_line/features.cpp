@@ -54,7 +54,8 @@ void Feature_options::add_to(Options& options, const std::string& keep,
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
               "leave out features that are shorter and lead nowhere, as noise makes them:\n"
               "lines of edges with an end where no other feature is, nor the border; and\n"
-              "where many do, all that are shorter than four times this length\n"
+              "where much of a net of more than 20 lines does, all that are shorter than\n"
+              "four times this length\n"
               "(default: " + default_length + ")");
 }
 
@@ -65,18 +66,18 @@ Marked_features Feature_options::mark(Model& model, std::ostream& os) const
   Marked_features result;
   result.number_left_out = QR::remove_feature_noise(model.mesh, model.is_feature, length);
   if(result.number_left_out > 0)
-    os << "left out as noise, in chains too short for edges of length " << length << ": "
-       << counted(result.number_left_out, "feature edge") << "; --feature-length 0 keeps them\n";
+    os << "left out as noise, by a --feature-length of " << length << ": "
+       << counted(result.number_left_out, "feature edge") << "; 0 keeps them\n";
   std::size_t number = 0;
   for(const Edge e : model.mesh.edges())
     if(model.is_feature[e] && !model.mesh.is_border(e)) {
       ++number;
       result.length += PMP::edge_length(e, model.mesh);
     }
-  if(number > 0)
+  if(number + result.number_left_out > 0)
     os << "features: " << counted(number, "edge") << ", of length " << result.length
        << " in sum\n";
-  else if(length > 0 && angle == 0 && result.number_left_out == 0)
+  else if(length > 0 && angle == 0)
     os << "note: no edge is a feature that --feature-length could leave out; see --feature-angle and "
           "--features\n";
   if(length == 0)

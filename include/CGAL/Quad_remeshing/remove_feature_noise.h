@@ -48,12 +48,13 @@ of quads. How long the edges of the quads are to be is a good `length` for it.
 A chain of features is a loop, or goes from one place where they end or meet others to the next. It
 leads nowhere if one of its ends is inside the surface, where no other feature is. Removed are:
 - chains that lead nowhere and are shorter than `length`;
-- all chains shorter than `4 * length`, where the features are a net of noise: chains that lead
-  nowhere are more than a fifth of it, and then, of what is kept, chains shorter than `2 * length`
-  are more than a fifth, too. Both parts are by length.
+- all chains shorter than `4 * length`, however sharp they are, where the features are a net of
+  noise: of more than 20 chains, those that lead nowhere are more than a fifth, and then, of what is
+  kept, chains shorter than `2 * length` are more than a fifth, too. Both parts are by length.
 
 The shortest go first, as others can become one chain without them, which is long enough. Edges of
-the border are neither removed nor counted.
+the border are neither removed nor counted. Where noise bends most edges by more than the angle, the
+net has few ends, and is not seen as noise: smooth such a surface first, or ask for a larger angle.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam EdgeIsConstrainedMap a class model of `ReadWritePropertyMap` with

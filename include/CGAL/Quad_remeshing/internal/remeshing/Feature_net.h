@@ -48,14 +48,17 @@ public:
   const Edge& edge(const std::size_t i) const { return m_edges[i]; }
 
   // Removes chains that lead nowhere and are shorter. Where these were much of the net, and many of
-  // the others are short, too, these are noise as well: the net of a scan has meshes.
+  // the others are short, too, these are noise as well: the net of a scan has meshes. Of a few
+  // chains, a part means nothing.
   void remove_noise(const double length)
   {
+    constexpr std::size_t few = 20;
     constexpr double a_fifth = 0.2;
     const bool has_dead_ends =
       part_of_chains([](const Chain& c) { return c.leads_nowhere; }) > a_fifth;
+    const bool may_be_noise = has_dead_ends && chains().size() > few;
     remove_shorter(length, true);
-    if(has_dead_ends &&
+    if(may_be_noise &&
        part_of_chains([=](const Chain& c) { return c.length < 2 * length; }) > a_fifth)
       remove_shorter(4 * length, false);
   }
