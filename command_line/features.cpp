@@ -27,18 +27,22 @@ void mark_sharp_edges(const double angle, Model& model)
     model.is_feature[e] = model.is_feature[e] || (is_sharp[e] && !model.mesh.is_border(e));
 }
 
-// That more than half of all features are short for the edges of the mesh.
-void note_noise(const Model& model, const std::size_t number_of_features, std::ostream& os)
+// That more than half of all features are short for the edges of the mesh, if these are not few.
+void note_noise(const std::size_t number_of_features, Model& model, std::ostream& os)
 {
-  Mesh mesh = model.mesh;
-  const Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:kept", false).first;
-  for(const Edge e : mesh.edges())
-    is_feature[e] = model.is_feature[e];
+  constexpr std::size_t few = 20;
+  if(number_of_features <= few)
+    return;
+  Mesh& mesh = model.mesh;
+  Edge_bool_map is_kept = mesh.add_property_map<Edge, bool>("e:kept", false).first;
   double sum = 0;
-  for(const Edge e : mesh.edges())
+  for(const Edge e : mesh.edges()) {
+    is_kept[e] = model.is_feature[e];
     sum += PMP::edge_length(e, mesh);
+  }
   const double length = 2 * sum / double(mesh.num_edges());
-  const std::size_t number = QR::remove_feature_noise(mesh, is_feature, length);
+  const std::size_t number = QR::remove_feature_noise(mesh, is_kept, length);
+  mesh.remove_property_map(is_kept);
   if(2 * number > number_of_features)
     os << "note: " << number << " of these edges look like noise: --feature-length " << length
        << " leaves them out, and a larger --feature-angle keeps fewer\n";
@@ -81,7 +85,7 @@ Marked_features Feature_options::mark(Model& model, std::ostream& os) const
     os << "note: no edge is a feature that --feature-length could leave out; see --feature-angle and "
           "--features\n";
   if(length == 0)
-    note_noise(model, number, os);
+    note_noise(number, model, os);
   return result;
 }
 
