@@ -52,15 +52,18 @@ public:
   // chains, a part means nothing.
   void remove_noise(const double length)
   {
+    if(!(length > 0))
+      return;
     constexpr std::size_t few = 20;
     constexpr double a_fifth = 0.2;
-    const bool has_dead_ends =
-      part_of_chains([](const Chain& c) { return c.leads_nowhere; }) > a_fifth;
-    const bool may_be_noise = has_dead_ends && chains().size() > few;
-    remove_shorter(length, true);
+    std::vector<Chain> chains = make_chains();
+    const bool may_be_noise =
+      chains.size() > few &&
+      part_of(chains, [](const Chain& c) { return c.leads_nowhere; }) > a_fifth;
+    remove_shorter(length, true, chains);
     if(may_be_noise &&
-       part_of_chains([=](const Chain& c) { return c.length < 2 * length; }) > a_fifth)
-      remove_shorter(4 * length, false);
+       part_of(chains, [=](const Chain& c) { return c.length < 2 * length; }) > a_fifth)
+      remove_shorter(4 * length, false, chains);
   }
 
 private:
@@ -72,17 +75,30 @@ private:
     bool leads_nowhere = false; // it ends inside the surface, where no other feature is
   };
 
-  std::vector<Chain> chains() const
+  struct Vertex
   {
-    std::vector<std::vector<std::size_t> > edges_at(m_is_on_border.size());
+    std::size_t number_of_edges = 0;
+    std::array<std::size_t, 2> first_edges;
+  };
+
+  std::vector<Vertex> make_vertices() const
+  {
+    std::vector<Vertex> result(m_is_on_border.size());
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       if(m_edges[e].is_kept)
         for(const std::size_t v : m_edges[e].vertices)
-          edges_at[v].push_back(e);
+          if(const std::size_t i = result[v].number_of_edges++; i < 2)
+            result[v].first_edges[i] = e;
+    return result;
+  }
+
+  std::vector<Chain> make_chains() const
+  {
+    const std::vector<Vertex> vertices = make_vertices();
     boost::disjoint_sets_with_storage<> sets(m_edges.size());
-    for(const std::vector<std::size_t>& edges : edges_at)
-      if(edges.size() == 2)
-        sets.union_set(edges[0], edges[1]);
+    for(const Vertex& v : vertices)
+      if(v.number_of_edges == 2)
+        sets.union_set(v.first_edges[0], v.first_edges[1]);
     std::map<std::size_t, Chain> chains;
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       if(m_edges[e].is_kept) {
@@ -90,7 +106,7 @@ private:
         chain.edges.push_back(e);
         chain.length += m_edges[e].length;
         for(const std::size_t v : m_edges[e].vertices)
-          chain.leads_nowhere |= edges_at[v].size() == 1 && !m_is_on_border[v];
+          chain.leads_nowhere |= vertices[v].number_of_edges == 1 && !m_is_on_border[v];
       }
     std::vector<Chain> result;
     for(auto& [set, chain] : chains)
@@ -100,10 +116,10 @@ private:
 
   // By length.
   template <typename Predicate>
-  double part_of_chains(const Predicate& is_meant) const
+  static double part_of(const std::vector<Chain>& chains, const Predicate& is_meant)
   {
     double all = 0, meant = 0;
-    for(const Chain& chain : chains()) {
+    for(const Chain& chain : chains) {
       all += chain.length;
       meant += is_meant(chain) ? chain.length : 0;
     }
@@ -111,19 +127,30 @@ private:
   }
 
   // The shortest go first: where they end, two others can go on as one that is long enough.
-  void remove_shorter(const double length, const bool must_lead_nowhere)
+  // \param chains those that are there, before and after
+  void remove_shorter(const double length, const bool must_lead_nowhere,
+                      std::vector<Chain>& chains)
   {
-    for(const int exponent : {-5, -4, -3, -2, -1, 0})
-      for(bool is_changed = true; is_changed;) {
-        is_changed = false;
-        for(const Chain& chain : chains())
-          if(chain.length < std::ldexp(length, exponent) &&
-             (chain.leads_nowhere || !must_lead_nowhere)) {
-            is_changed = true;
-            for(const std::size_t e : chain.edges)
-              m_edges[e].is_kept = false;
-          }
+    for(const int exponent : {-5, -4, -3, -2, -1, 0}) {
+      const double least = std::ldexp(length, exponent);
+      while(remove_if(chains, [=](const Chain& c)
+              { return c.length < least && (c.leads_nowhere || !must_lead_nowhere); }))
+        chains = make_chains();
+    }
+  }
+
+  // Returns whether there are such chains.
+  template <typename Predicate>
+  bool remove_if(const std::vector<Chain>& chains, const Predicate& is_meant)
+  {
+    bool result = false;
+    for(const Chain& chain : chains)
+      if(is_meant(chain)) {
+        result = true;
+        for(const std::size_t e : chain.edges)
+          m_edges[e].is_kept = false;
       }
+    return result;
   }
 
   std::vector<Edge> m_edges;
