@@ -554,7 +554,7 @@ expect_message("${err}" "patches are written to .obj files, and drawn as .svg")
 seamless(0 remesh box.off box_quads.obj --number 200 --feature-angle 40 --patches box_patches.obj
   --report box.json)
 expect_message("${out}" "6 patches, 0 T-junctions") # the sides of the box
-expect_message("${out}" " edges, of length ")
+expect_message("${out}" "features: 40 edges, of length 20 in sum")
 file(STRINGS "${WORK_DIR}/box_quads.obj" lines REGEX "^l [0-9]+ [0-9]+$")
 list(LENGTH lines number)
 seamless(0 remesh box_quads.obj box_again.obj --number 200 --features) # kept along a pipeline
