@@ -1056,7 +1056,6 @@ void test_interruptions()
       mesh, uv, parameters::integer_grid(true).grid_scale(scale).rounding_tolerance(10.)
                   .repair_flips(QR::Flip_repair::UNTANGLE).visitor(visitor)));
   }, [&] { return std::equal(before.begin(), before.end(), uv.begin()); });
-  CHECK(!std::equal(before.begin(), before.end(), uv.begin()));
 }
 
 void test_integer_grids()

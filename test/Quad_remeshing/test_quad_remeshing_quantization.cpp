@@ -1330,19 +1330,24 @@ void test_interruptions()
   const auto features = parameters::edge_is_constrained_map(model.is_aligned);
   const std::vector<Point_2> before(model.uv.begin(), model.uv.end());
   interruptions::test("parametrization", [&](const auto& visitor) {
+    std::copy(before.begin(), before.end(), model.uv.begin());
     return bool(QR::approximate_seamless_parametrization(mesh, model.uv,
                                                          features.visitor(visitor)));
   }, [&] { return std::equal(before.begin(), before.end(), model.uv.begin()); });
   CHECK(bool(QR::snap_to_seamless(mesh, model.uv, features.repair_flips(true))));
+  QR::Quantization quantization;
   interruptions::test("quantization", [&](const auto& visitor) {
-    return bool(QR::quantize(mesh, model.uv, features.needs_face_graph(true).visitor(visitor)));
-  }, [] { return true; });
+    quantization = QR::Quantization();
+    quantization = QR::quantize(mesh, model.uv, features.needs_face_graph(true).visitor(visitor));
+    return bool(quantization);
+  }, [&] { return quantization.number_of_quads == 0; });
   Mesh quads;
   const auto texts = interruptions::test("remeshing", [&](const auto& visitor) {
+    quads.clear();
     return bool(QR::quad_remesh(mesh, quads,
                                 features.target_number_of_quads(300).visitor(visitor)));
   }, [&] { return quads.is_empty(); });
-  CHECK(!quads.is_empty() && texts.size() > 10);
+  CHECK(texts.size() > 10);
 }
 
 // A square, and one of random heights.
@@ -2712,7 +2717,7 @@ int main()
     test_search_without_work();
     test_numbers();
     test_remeshing();
-  test_interruptions();
+    test_interruptions();
     test_spent_work();
     test_sizes_of_quads();
     test_symmetry();

@@ -733,7 +733,6 @@ void test_interruptions(const unsigned int seed)
         std::copy(before.begin(), before.end(), uv.begin());
         return bool(SS::snap_to_seamless(mesh, uv, np.visitor(visitor)));
       }, [&] { return std::equal(before.begin(), before.end(), uv.begin()); });
-      CHECK_IN(name, !std::equal(before.begin(), before.end(), uv.begin()));
     };
     test(SS::parameters::default_values());
     test(SS::parameters::repair_flips(SS::Flip_repair::UNTANGLE));
