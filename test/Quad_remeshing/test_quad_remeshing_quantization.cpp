@@ -2110,6 +2110,86 @@ void test_few_quads_between_features()
   CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
 }
 
+// What is made once more takes the place of what there is only if it is better; the steps of both
+// are reported, in their order, also those that have the same names.
+void test_others()
+{
+  using Steps = std::vector<std::pair<std::string, double> >;
+  const auto add_quads = [](Mesh& mesh, const std::size_t number) {
+    const auto point = [](const std::size_t i, const std::size_t j)
+      { return Point_3(double(i), double(j), 0); };
+    CGAL::make_grid(number, std::size_t(1), mesh, point, false);
+  };
+  for(const bool is_better : {false, true}) {
+    Mesh quads;
+    const auto is_feature =
+      quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+    add_quads(quads, 2);
+    QR::Remeshing_report best;
+    best.number_of_quads = 2;
+    best.step_times = {{"quantization", 1}, {"smoothing", 2}};
+    const auto make = [&](Mesh& others, const auto& is_kept) {
+      add_quads(others, 3);
+      is_kept[*others.edges().begin()] = true;
+      QR::Remeshing_report report;
+      report.number_of_quads = 3;
+      report.step_times = {{"quantization", 3}, {"measurement", 4}};
+      return report;
+    };
+    internal::make_others(make, [&](const QR::Remeshing_report& a, const QR::Remeshing_report& b) {
+      CHECK(a.number_of_quads == 3 && b.number_of_quads == 2);
+      return is_better;
+    }, quads, is_feature, best);
+    CHECK_EQUAL(best.number_of_quads, is_better ? 3u : 2u);
+    CHECK_EQUAL(quads.number_of_faces(), is_better ? 3u : 2u);
+    CHECK_EQUAL(std::count(is_feature.begin(), is_feature.end(), true), is_better ? 1 : 0);
+    CHECK(best.step_times == Steps({{"quantization", 1}, {"smoothing", 2},
+                                    {"quantization", 3}, {"measurement", 4}}));
+  }
+}
+
+// At the tips of a long double pyramid, four features meet in so narrow sectors that quads are thin
+// there: without the features next to these, they are not. The others are kept.
+void test_attempt_without_features()
+{
+  Mesh mesh;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(const Kernel::Point_2& p : polygon_around_origin(4, 0, [](int) { return 1.; }))
+    mesh.add_vertex(Point_3(p.x(), p.y(), 0));
+  const std::array<Vertex, 2> tips{mesh.add_vertex(Point_3(0, 0, 4)),
+                                   mesh.add_vertex(Point_3(0, 0, -4))};
+  for(Mesh::size_type i = 0; i < 4; ++i) {
+    const Vertex v(i), w((i + 1) % 4);
+    mesh.add_face(v, w, tips[0]);
+    mesh.add_face(w, v, tips[1]);
+    for(const Vertex tip : tips)
+      is_feature[mesh.edge(mesh.halfedge(v, tip))] = true;
+  }
+  std::size_t number_of_repeats = 0;
+  const auto visitor = [&](const std::string& text)
+    { number_of_repeats += text.find("thin quads; again without") == std::string::npos ? 0 : 1; };
+  Mesh quads;
+  const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
+  const auto report = QR::quad_remesh(
+    mesh, quads,
+    parameters::target_number_of_quads(60).edge_is_constrained_map(is_feature).visitor(visitor),
+    parameters::edge_is_constrained_map(is_kept));
+  std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
+            << report.mean_scaled_jacobian << ", " << report.number_of_released_edges
+            << " edges released" << std::endl;
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
+  CHECK_EQUAL(number_of_repeats, 1u);
+  CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
+  const double length = 8 * std::sqrt(17.);
+  CHECK(report.number_of_released_edges > 0 && report.length_of_released_edges < length / 2);
+  double kept = 0;
+  for(const auto e : quads.edges()) {
+    const Point_3 &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
+    kept += is_kept[e] ? std::sqrt(CGAL::squared_distance(p, q)) : 0;
+  }
+  CHECK(kept > length / 3); // no edges are kept that run along them only in part
+}
+
 // --- improvement of quads ------------------------------------------------------------------------
 
 void scale(Mesh& quads, const double factor)
@@ -2726,6 +2806,8 @@ int main()
     test_few_quads();
     test_choice_of_map();
     test_few_quads_between_features();
+    test_others();
+    test_attempt_without_features();
     test_tips();
     test_prisms();
     test_edge_lengths();
