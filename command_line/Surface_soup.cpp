@@ -2,10 +2,7 @@
 
 #include "Failure.h"
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-
+#include <boost/functional/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -21,10 +18,10 @@
 #include <queue>
 #include <set>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
-
-namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
@@ -95,13 +92,18 @@ Polygon simplified(Polygon polygon, const std::vector<std::size_t>& places)
   return polygon;
 }
 
+std::size_t number_of_different_corners(Polygon polygon)
+{
+  std::sort(polygon.begin(), polygon.end());
+  return std::size_t(std::unique(polygon.begin(), polygon.end()) - polygon.begin());
+}
+
 // Removes faces that have less than three different corners.
 void remove_degenerate_faces(const Polygon_soup& soup, Surface_soup& surface, Repairs& repairs)
 {
   for(std::size_t f = 0; f < soup.polygons.size(); ++f) {
     Polygon polygon = simplified(soup.polygons[f].vertices, surface.places);
-    const std::set<std::size_t> corners(polygon.begin(), polygon.end());
-    if(corners.size() < 3) {
+    if(number_of_different_corners(polygon) < 3) {
       ++repairs.degenerate_faces;
       continue;
     }
@@ -113,11 +115,9 @@ void remove_degenerate_faces(const Polygon_soup& soup, Surface_soup& surface, Re
 // No polygon mesh has a face with a corner twice.
 void check_corners(const Polygon_soup& soup, const Surface_soup& surface)
 {
-  for(std::size_t i = 0; i < surface.polygons.size(); ++i) {
-    const Polygon& polygon = surface.polygons[i];
-    if(std::set<std::size_t>(polygon.begin(), polygon.end()).size() < polygon.size())
+  for(std::size_t i = 0; i < surface.polygons.size(); ++i)
+    if(number_of_different_corners(surface.polygons[i]) < surface.polygons[i].size())
       refuse(soup, surface.file_faces[i], "the face meets itself in a corner");
-  }
 }
 
 struct Side
@@ -131,12 +131,32 @@ std::array<std::size_t, 2> sorted(const std::size_t v, const std::size_t w)
   return {{(std::min)(v, w), (std::max)(v, w)}};
 }
 
-// Calls `visit` with the begin and the end of each range of sides of the same key.
+// By their keys, and those of the same key by their faces. Few keys begin with the same point.
+void sort_by_key(std::vector<Side>& sides)
+{
+  std::vector<std::size_t> number_before(1, 0); // per point
+  for(const Side& s : sides) {
+    if(number_before.size() < s.key[0] + 2)
+      number_before.resize(s.key[0] + 2, 0);
+    ++number_before[s.key[0] + 1];
+  }
+  std::partial_sum(number_before.begin(), number_before.end(), number_before.begin());
+  std::vector<Side> sorted(sides.size());
+  std::vector<std::size_t> next = number_before;
+  for(const Side& s : sides)
+    sorted[next[s.key[0]]++] = s;
+  for(std::size_t v = 0; v + 1 < number_before.size(); ++v)
+    std::sort(sorted.begin() + std::ptrdiff_t(number_before[v]),
+              sorted.begin() + std::ptrdiff_t(number_before[v + 1]),
+              [](const Side& a, const Side& b)
+                { return std::tie(a.key, a.face) < std::tie(b.key, b.face); });
+  sides.swap(sorted);
+}
+
+// Calls `visit` with the begin and the end of each range of sides of the same key, which are sorted.
 template <typename Visit>
 void for_each_key(std::vector<Side>& sides, const Visit& visit)
 {
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const Side& a, const Side& b) { return a.key < b.key; });
   for(auto begin = sides.begin(); begin != sides.end(); ) {
     const auto end = std::find_if(begin, sides.end(),
                                   [&](const Side& s) { return s.key != begin->key; });
@@ -145,7 +165,7 @@ void for_each_key(std::vector<Side>& sides, const Visit& visit)
   }
 }
 
-// Of all polygons, by their points.
+// Of all polygons, sorted by their points.
 std::vector<Side> all_sides(const Surface_soup& surface)
 {
   std::vector<Side> sides;
@@ -156,6 +176,7 @@ std::vector<Side> all_sides(const Surface_soup& surface)
       sides.push_back({sorted(v, w), v, w, f});
     }
   }
+  sort_by_key(sides);
   return sides;
 }
 
@@ -167,7 +188,8 @@ bool are_balanced(const Iterator begin, const Iterator end)
          end - begin;
 }
 
-using Faces_by_corners = std::map<Polygon, std::vector<std::size_t> >;
+using Faces_by_corners =
+  std::unordered_map<Polygon, std::vector<std::size_t>, boost::hash<Polygon> >;
 
 // The faces that are there twice, turned either way, where two closed bodies meet. In a piece of
 // which all faces are, the two are no bodies, but the sides of a surface.
@@ -229,6 +251,7 @@ void weld_borders(Surface_soup& surface, Repairs& repairs)
       border.push_back({sorted(surface.places[begin->source], surface.places[begin->target]),
                         begin->source, begin->target, begin->face});
   });
+  sort_by_key(border);
   const std::size_t n = surface.places.size();
   boost::disjoint_sets_with_storage<> sets(n);
   for_each_key(border, [&](const auto begin, const auto end) {
@@ -314,7 +337,8 @@ Face_trees face_trees(const std::vector<Shared_side>& shared, const std::size_t 
   return result;
 }
 
-// Gives corners at one point that no side in `joined` connects points of their own.
+// Gives corners at one point that no side in `joined` connects points of their own: then faces
+// around a point are one fan.
 void take_apart(const std::vector<Shared_side>& joined, Surface_soup& surface)
 {
   std::vector<std::size_t> first_corner(1, 0);
@@ -329,19 +353,22 @@ void take_apart(const std::vector<Shared_side>& joined, Surface_soup& surface)
   for(const Shared_side& s : joined)
     for(const std::size_t v : s[0].key)
       sets.union_set(corner(s[0].face, v), corner(s[1].face, v));
-  std::map<std::size_t, std::size_t> point_of_set;
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> point_of_set(first_corner.back(), none);
   std::vector<char> is_taken(surface.points.size(), 0);
   for(std::size_t f = 0; f < surface.polygons.size(); ++f)
     for(std::size_t k = 0; k < surface.polygons[f].size(); ++k) {
       std::size_t& v = surface.polygons[f][k];
-      const auto [set, is_new] = point_of_set.try_emplace(sets.find_set(first_corner[f] + k), v);
-      if(is_new && is_taken[v]) {
-        set->second = surface.points.size();
+      std::size_t& point = point_of_set[sets.find_set(first_corner[f] + k)];
+      if(point == none && is_taken[v]) {
+        point = surface.points.size();
         surface.points.push_back(surface.points[v]);
         surface.file_points.push_back(surface.file_points[v]);
+      } else if(point == none) {
+        point = v;
+        is_taken[v] = 1;
       }
-      is_taken[v] = 1;
-      v = set->second;
+      v = point;
     }
 }
 
@@ -413,9 +440,8 @@ std::vector<Shared_side> sides_of_bodies(const Surface_soup& surface, const Iter
 }
 
 // Takes closed bodies apart that share edges or walls.
-void separate_bodies(Surface_soup& surface)
+void separate_bodies(Surface_soup& surface, std::vector<Side>& sides)
 {
-  std::vector<Side> sides = all_sides(surface);
   bool are_bodies = false;
   for_each_key(sides, [&](const auto begin, const auto end) {
     are_bodies = are_bodies || (end - begin > 2 && are_balanced(begin, end));
@@ -433,6 +459,7 @@ void separate_bodies(Surface_soup& surface)
     }
   });
   take_apart(joined, surface);
+  sides = all_sides(surface);
 }
 
 // The shortest closed way along shared sides, or from border to border, that crosses a loop of
@@ -558,13 +585,15 @@ std::vector<char> loop_through(const std::size_t side, const std::vector<Shared_
   return result;
 }
 
-// Takes surfaces of one side apart along short ways; where that takes many, in the end where faces
-// meet last that are reached in the order of their distance. CGAL's orientation, which goes into
-// the depth, makes long cuts.
-void cut_one_sided_surfaces(Surface_soup& surface)
+// Takes faces apart but where two have an edge in common, and turns them to the direction of the
+// first one of their piece. Surfaces of one side are cut along short ways; where that takes many, in
+// the end where faces meet last that are reached in the order of their distance, as an order that
+// goes into the depth makes long cuts.
+void cut_and_turn(Surface_soup& surface)
 {
   constexpr int most_ways = 100;
   std::vector<Side> sides = all_sides(surface);
+  separate_bodies(surface, sides);
   std::vector<Shared_side> shared, joined;
   std::vector<char> is_on_border(surface.points.size(), 0);
   for_each_key(sides, [&](const auto begin, const auto end) {
@@ -578,8 +607,10 @@ void cut_one_sided_surfaces(Surface_soup& surface)
     joined.clear();
     std::copy_if(shared.begin(), shared.end(), std::back_inserter(joined),
                  [&](const Shared_side& s) { return trees.fits(s); });
-    if(joined.size() == shared.size() || i == most_ways)
+    if(joined.size() == shared.size() || i == most_ways) {
+      surface.is_turned = trees.is_turned;
       break;
+    }
     const auto side = std::find_if(shared.begin(), shared.end(),
                                    [&](const Shared_side& s) { return !trees.fits(s); });
     const std::vector<char> is_crossed =
@@ -592,16 +623,27 @@ void cut_one_sided_surfaces(Surface_soup& surface)
     }
   }
   take_apart(joined, surface);
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    if(surface.is_turned[f])
+      std::reverse(surface.polygons[f].begin(), surface.polygons[f].end());
 }
 
-// The edges at which faces came apart that had shared them, and the points.
-void count_cuts(const Surface_soup& surface, Repairs& repairs)
+// The edges at which faces came apart that had shared them, and the points. No two faces have an
+// edge in the same direction; this may be left where fans wind through an edge more than once.
+void check_and_count_cuts(const Surface_soup& surface, Repairs& repairs)
 {
   std::vector<Side> sides = all_sides(surface);
   for(Side& side : sides)
     side.key = sorted(surface.file_points[side.source], surface.file_points[side.target]);
+  sort_by_key(sides);
   std::set<std::size_t> ends; // of these edges
+  const auto ends_of = [](const Side& s) { return std::make_pair(s.source, s.target); };
   for_each_key(sides, [&](const auto begin, const auto end) {
+    std::sort(begin, end,
+              [&](const Side& a, const Side& b) { return ends_of(a) < ends_of(b); });
+    if(std::adjacent_find(begin, end, [&](const Side& a, const Side& b)
+                            { return ends_of(a) == ends_of(b); }) != end)
+      throw Failure(UNREADABLE, "the faces are no surface, even when cut apart");
     const bool is_one_sided = end - begin == 2 && sorted(begin->source, begin->target) !=
                                                     sorted((end - 1)->source, (end - 1)->target);
     repairs.cut_edges += end - begin > 2 ? 1 : 0;
@@ -609,55 +651,11 @@ void count_cuts(const Surface_soup& surface, Repairs& repairs)
     if(end - begin > 2 || is_one_sided)
       ends.insert(begin->key.begin(), begin->key.end());
   });
-  std::set<std::size_t> seen; // points of the file
-  for(const std::size_t v : surface.file_points)
-    if(!seen.insert(v).second && ends.count(v) == 0)
-      ++repairs.bowtie_vertices;
-}
-
-struct Orientation_visitor : public PMP::Default_orientation_visitor
-{
-  explicit Orientation_visitor(Surface_soup& soup) : m_soup(soup) { }
-
-  void polygon_orientation_reversed(const std::size_t polygon)
-  { m_soup.is_turned[polygon] = !m_soup.is_turned[polygon]; }
-
-  void duplicated_vertex(const std::size_t vertex, std::size_t)
-  {
-    const std::size_t number = m_soup.file_points[vertex];
-    m_soup.file_points.push_back(number);
+  std::vector<char> is_seen(surface.places.size(), 0); // per point of the file
+  for(const std::size_t v : surface.file_points) {
+    repairs.bowtie_vertices += is_seen[v] && ends.count(v) == 0 ? 1 : 0;
+    is_seen[v] = 1;
   }
-
-private:
-  Surface_soup& m_soup;
-};
-
-// \param has_one_side whether a piece is known to have one side only
-Surface_soup oriented_surface(const Polygon_soup& soup, const bool has_one_side, Repairs& repairs)
-{
-  Surface_soup surface;
-  surface.places = first_points(soup);
-  repairs.is_indexed = are_points_shared(soup, repairs);
-  remove_degenerate_faces(soup, surface, repairs);
-  if(surface.polygons.empty())
-    throw Failure(UNREADABLE, "no face has three corners in different places, as points coincide");
-  if(repairs.is_indexed)
-    weld_borders(surface, repairs);
-  else
-    replace_points(surface.places, surface, repairs);
-  check_corners(soup, surface);
-  remove_duplicate_faces(surface, repairs);
-  add_points(soup, surface);
-  separate_bodies(surface);
-  if(has_one_side)
-    cut_one_sided_surfaces(surface);
-  surface.is_turned.assign(surface.polygons.size(), false);
-  PMP::orient_polygon_soup(surface.points, surface.polygons,
-                           CGAL::parameters::visitor(Orientation_visitor(surface)));
-  count_cuts(surface, repairs);
-  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.polygons))
-    throw Failure(UNREADABLE, "the faces are no surface, even when cut apart");
-  return surface;
 }
 
 } // namespace
@@ -710,14 +708,22 @@ std::size_t merge_points(const double distance, Polygon_soup& soup)
   return number;
 }
 
-// A surface of one side is made once more: only then is it known that it is one, and few are.
 Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
 {
-  const Repairs before = repairs;
-  Surface_soup surface = oriented_surface(soup, false, repairs);
-  if(repairs.one_sided_edges > 0) {
-    repairs = before;
-    surface = oriented_surface(soup, true, repairs);
-  }
+  Surface_soup surface;
+  surface.places = first_points(soup);
+  repairs.is_indexed = are_points_shared(soup, repairs);
+  remove_degenerate_faces(soup, surface, repairs);
+  if(surface.polygons.empty())
+    throw Failure(UNREADABLE, "no face has three corners in different places, as points coincide");
+  if(repairs.is_indexed)
+    weld_borders(surface, repairs);
+  else
+    replace_points(surface.places, surface, repairs);
+  check_corners(soup, surface);
+  remove_duplicate_faces(surface, repairs);
+  add_points(soup, surface);
+  cut_and_turn(surface);
+  check_and_count_cuts(surface, repairs);
   return surface;
 }
