@@ -201,11 +201,12 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Surface_to_remesh::Feature_map& is_feature);
 
 // The largest distances of quads, as large as the input, from all of it, and of it from them; the
-// lengths of their edges.
+// lengths of their edges. Returns what is nearest to which elements.
 // \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
 // known
-void measure_quads(const Surface_to_remesh& input, double number_wanted,
-                   Surface_to_remesh::Mesh quads, Remeshing_report& report);
+Nearest_faces measure_quads(const Surface_to_remesh& input, double number_wanted,
+                            Surface_to_remesh::Mesh quads, Located_elements located,
+                            Remeshing_report& report);
 
 // The edges on features of a quantization and on the border.
 template <typename TriangleMesh>
@@ -255,9 +256,12 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const double number_wanted = has_wanted_number && !options.quantization.is_coarsest &&
                                options.curvature_adaptivity == 1
                                  ? options.quantization.number_of_quads / growth : 0;
-  measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result, report);
-  Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>(tmesh, np1, np2)
-    .write(result, is_feature, quads);
+  const Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>
+    writer(tmesh, np1, np2);
+  const Nearest_faces nearest =
+    measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result,
+                  writer.located(), report);
+  writer.write(result, is_feature, nearest, quads);
   return report;
 }
 

@@ -921,9 +921,30 @@ inline void measure_edges(const Surface_to_remesh& input, const double unit,
   }
 }
 
+inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
+                                   const Surface_to_remesh::Mesh& quads,
+                                   const Located_elements located, const Quad_smoother& smoother)
+{
+  const auto number = [&](const Space_vector& place, const Space_vector& side)
+    { return input.original(smoother.nearest_face(place, side)); };
+  Nearest_faces result;
+  result.of_vertices.resize(located.vertices ? quads.num_vertices() : 0);
+  result.of_faces.resize(located.faces ? quads.num_faces() : 0);
+  if(located.vertices)
+    for(const auto v : quads.vertices()) {
+      const auto visit = [](const auto&...) { };
+      result.of_vertices[v] = number(smoother.point(v), smoother.visit_star(v, visit).normal);
+    }
+  if(located.faces)
+    for(const auto f : quads.faces())
+      result.of_faces[f] = number(place_of(middle(quads, f)), quad_normal(smoother.quad(f)));
+  return result;
+}
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-void measure_quads(const Surface_to_remesh& input, const double number_wanted,
-                   Surface_to_remesh::Mesh quads, Remeshing_report& report)
+Nearest_faces measure_quads(const Surface_to_remesh& input, const double number_wanted,
+                            Surface_to_remesh::Mesh quads, const Located_elements located,
+                            Remeshing_report& report)
 {
   for(auto& p : quads.points())
     p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
@@ -935,20 +956,7 @@ void measure_quads(const Surface_to_remesh& input, const double number_wanted,
   const double unit = number_wanted > 0
     ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
   measure_edges(input, unit, quads, smoother, report);
-}
-
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::vector<std::size_t> nearest_faces(const Surface_to_remesh& surface,
-                                       const std::vector<Place_of_quads>& places)
-{
-  Surface_to_remesh::Mesh no_quads;
-  const Quad_smoother smoother(no_quads, surface.mesh());
-  std::vector<std::size_t> result;
-  for(const auto& [p, side] : places)
-    result.push_back(surface.original(smoother.nearest_face(
-      {surface.scaled(p.x()), surface.scaled(p.y()), surface.scaled(p.z())},
-      {side.x(), side.y(), side.z()})));
-  return result;
+  return nearest_faces(input, quads, located, smoother);
 }
 
 } // namespace internal

@@ -135,16 +135,27 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
   return Surface_to_remesh(read, mirror);
 }
 
-// Of quads, and the side that they face to there.
-struct Place_of_quads
+// Which elements of quads are to be located on the input.
+struct Located_elements
 {
-  Surface_to_remesh::Kernel::Point_3 point;
-  Surface_to_remesh::Kernel::Vector_3 side;
+  bool vertices, faces;
 };
 
-// The numbers of the faces of the input that are nearest to places.
-std::vector<std::size_t> nearest_faces(const Surface_to_remesh& surface,
-                                       const std::vector<Place_of_quads>& places);
+// Per element of quads, the number of the nearest face of the input; for faces, to their middles.
+// None where they are not to be located.
+struct Nearest_faces
+{
+  std::vector<std::size_t> of_vertices, of_faces;
+};
+
+inline Surface_to_remesh::Point middle(const Surface_to_remesh::Mesh& quads,
+                                       const Surface_to_remesh::Face f)
+{
+  Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
+  for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
+    sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
+  return CGAL::ORIGIN + sum;
+}
 
 template <typename QuadMesh, typename NamedParameters>
 auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
@@ -153,51 +164,31 @@ auto point_map_of_quads(QuadMesh& quads, const NamedParameters& np)
                 CGAL::get_property_map(CGAL::vertex_point, quads));
 }
 
-// Where places lie on the input.
-template <typename TriangleMesh, typename NamedParameters>
-auto locate_places(const std::vector<Place_of_quads>& places, const TriangleMesh& tmesh,
-                   const NamedParameters& np)
-{
-  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  const std::vector<std::size_t> numbers =
-    nearest_faces(surface_to_remesh(tmesh, np, std::nullopt), places);
-  const std::vector<Face> all_faces(faces(tmesh).begin(), faces(tmesh).end());
-  const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
-                                CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  std::vector<std::pair<Face, std::array<double, 3> > > result;
-  for(std::size_t i = 0; i < places.size(); ++i)
-    result.push_back(locate_in_face(places[i].point, all_faces[numbers[i]], tmesh, point_map));
-  return result;
-}
-
 // Writes the result to the caller's mesh and maps.
 template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
           typename NamedParameters2>
 class Quad_writer
 {
   using Mesh = Surface_to_remesh::Mesh;
-  using Point = Surface_to_remesh::Kernel::Point_3;
-  using Vector = Surface_to_remesh::Kernel::Vector_3;
-  using Location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor,
-                             std::array<double, 3> >;
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
   Quad_writer(const TriangleMesh& tmesh, const NamedParameters1& np1, const NamedParameters2& np2)
     : m_tmesh(tmesh), m_np1(np1), m_np2(np2)
   { }
 
-  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature, QuadMesh& quads)
+  Located_elements located() const
+  {
+    return {is_given<decltype(parameter(internal_np::vertex_location))>,
+            is_given<decltype(parameter(internal_np::face_location))>};
+  }
+
+  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature,
+             const Nearest_faces& nearest, QuadMesh& quads) const
   {
     const auto vertex_map = parameter(internal_np::vertex_location);
     const auto face_map = parameter(internal_np::face_location);
     const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
-    std::vector<Location> of_vertices, of_faces;
-    if constexpr(is_given<decltype(vertex_map)>)
-      of_vertices = locate(result.vertices(), [&](const auto v)
-                           { return Place_of_quads{result.point(v), side(result, v)}; });
-    if constexpr(is_given<decltype(face_map)>)
-      of_faces = locate(result.faces(), [&](const auto f)
-                        { return Place_of_quads{middle(result, f), side(result, f)}; });
     using Traits = boost::graph_traits<QuadMesh>;
     std::vector<std::pair<Mesh::Vertex_index, typename Traits::vertex_descriptor> > vertices;
     std::vector<std::pair<Mesh::Halfedge_index, typename Traits::halfedge_descriptor> > halfedges;
@@ -208,12 +199,18 @@ public:
                        .vertex_to_vertex_output_iterator(std::back_inserter(vertices))
                        .face_to_face_output_iterator(std::back_inserter(faces)),
       CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
-    if constexpr(is_given<decltype(vertex_map)>)
-      for(const auto& [v, copy] : vertices)
-        put(vertex_map, copy, of_vertices[v]);
-    if constexpr(is_given<decltype(face_map)>)
-      for(const auto& [f, copy] : faces)
-        put(face_map, copy, of_faces[f]);
+    if constexpr(is_given<decltype(vertex_map)> || is_given<decltype(face_map)>) {
+      const auto [begin, end] = CGAL::faces(m_tmesh);
+      const std::vector<Face> faces_of_input(begin, end);
+      const auto locate = [&](const auto& point, const std::size_t number)
+        { return locate_in_face(point, faces_of_input[number], m_tmesh, point_map_of_input()); };
+      if constexpr(is_given<decltype(vertex_map)>)
+        for(const auto& [v, copy] : vertices)
+          put(vertex_map, copy, locate(result.point(v), nearest.of_vertices[v]));
+      if constexpr(is_given<decltype(face_map)>)
+        for(const auto& [f, copy] : faces)
+          put(face_map, copy, locate(middle(result, f), nearest.of_faces[f]));
+    }
     if constexpr(is_given<decltype(feature_map)>)
       for(const auto& [h, copy] : halfedges)
         put(feature_map, edge(copy, quads), bool(is_feature[result.edge(h)]));
@@ -224,47 +221,10 @@ private:
   auto parameter(const Tag_type tag) const
   { return CGAL::parameters::get_parameter(m_np2, tag); }
 
-  // Per index.
-  template <typename Range, typename PlaceOf>
-  std::vector<Location> locate(const Range& elements, const PlaceOf& place_of) const
+  auto point_map_of_input() const
   {
-    std::vector<Place_of_quads> places;
-    std::size_t size = 0;
-    for(const auto x : elements) {
-      places.push_back(place_of(x));
-      size = std::size_t(x) + 1;
-    }
-    const std::vector<Location> locations = locate_places(places, m_tmesh, m_np1);
-    std::vector<Location> result(size);
-    std::size_t i = 0;
-    for(const auto x : elements)
-      result[x] = locations[i++];
-    return result;
-  }
-
-  static Point middle(const Mesh& quads, const Mesh::Face_index f)
-  {
-    Vector sum(0, 0, 0);
-    for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
-      sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
-    return CGAL::ORIGIN + sum;
-  }
-
-  static Vector side(const Mesh& quads, const Mesh::Face_index f)
-  {
-    const auto h = quads.halfedge(f);
-    const auto corner = [&](const auto g) { return quads.point(quads.target(g)); };
-    return CGAL::cross_product(corner(quads.next(quads.next(h))) - corner(h),
-                               corner(quads.prev(h)) - corner(quads.next(h)));
-  }
-
-  static Vector side(const Mesh& quads, const Mesh::Vertex_index v)
-  {
-    Vector sum(0, 0, 0);
-    for(const auto f : quads.faces_around_target(quads.halfedge(v)))
-      if(f != Mesh::null_face())
-        sum = sum + side(quads, f);
-    return sum;
+    return chosen(m_np1, CGAL::internal_np::vertex_point,
+                  CGAL::get_const_property_map(CGAL::vertex_point, m_tmesh));
   }
 
   const TriangleMesh& m_tmesh;

@@ -22,6 +22,8 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
+#include <CGAL/hilbert_sort.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -130,7 +132,8 @@ public:
     return forms;
   }
 
-  // Of a place, or of a vertex of the surface, from the quads.
+  // Of a place, or of a vertex of the surface, from the quads. In an order of neighbors, most need no
+  // search: the triangle that was found last is near enough.
   double largest_distance(const Mesh& quads) const
   {
     std::vector<Triangle> triangles;
@@ -141,13 +144,21 @@ public:
     Tree tree(triangles.begin(), triangles.end());
     tree.accelerate_distance_queries();
     double largest = 0;
-    const auto measure = [&](const Kernel::Point_3& p)
-    { largest = (std::max)(largest, CGAL::squared_distance(p, tree.closest_point(p))); };
+    auto last = triangles.cbegin();
+    const auto project = Kernel().construct_projected_point_3_object();
+    std::vector<Point> points;
     for(const Place& place : m_places)
-      measure(place.point);
+      points.push_back(place.point);
     for(const Vertex v : vertices(m_surface))
       if(!m_surface.is_isolated(v))
-        measure(m_surface.point(v));
+        points.push_back(m_surface.point(v));
+    CGAL::hilbert_sort(points.begin(), points.end(), CGAL::Hilbert_sort_middle_policy());
+    for(const Point& p : points)
+      if(CGAL::squared_distance(p, project(*last, p)) > largest) {
+        const auto [nearest, triangle] = tree.closest_point_and_primitive(p);
+        largest = (std::max)(largest, CGAL::squared_distance(p, nearest));
+        last = triangle;
+      }
     return std::sqrt(largest);
   }
 
