@@ -153,6 +153,29 @@ bool reads_back(const Model& model, const SS::IO::Mesh_text& text, const bool is
 
 } // namespace
 
+Size_near_one::Size_near_one(Mesh& mesh)
+  : m_mesh(mesh), m_points(mesh.points().begin(), mesh.points().end())
+{
+  double size = 0;
+  for(const Kernel::Point_3& p : m_points)
+    for(int c = 0; c < 3; ++c)
+      size = (std::max)(size, std::abs(p[c]));
+  m_exponent = size > 0 ? std::ilogb(size) : 0;
+  for(Kernel::Point_3& p : mesh.points())
+    p = {std::ldexp(p.x(), -m_exponent), std::ldexp(p.y(), -m_exponent),
+         std::ldexp(p.z(), -m_exponent)};
+}
+
+double Size_near_one::unscaled(const double length) const
+{
+  return std::ldexp(length, m_exponent);
+}
+
+Size_near_one::~Size_near_one()
+{
+  std::copy(m_points.begin(), m_points.end(), m_mesh.points().begin());
+}
+
 void read_model(const std::string& filename, const Reading_options& options, Model& model)
 {
   check_format(filename);

@@ -43,6 +43,25 @@ struct Model
               number_of_coinciding_border_edges = 0;
 };
 
+// While it lives, all points are multiplied by a power of two, such that products of lengths neither
+// overflow nor vanish.
+class Size_near_one
+{
+public:
+  explicit Size_near_one(Mesh& mesh);
+  ~Size_near_one();
+  Size_near_one(const Size_near_one&) = delete;
+  Size_near_one& operator=(const Size_near_one&) = delete;
+
+  // A length in the size before.
+  double unscaled(double length) const;
+
+private:
+  Mesh& m_mesh;
+  int m_exponent;
+  std::vector<Kernel::Point_3> m_points;
+};
+
 struct Reading_options
 {
   bool weld = false;

@@ -88,28 +88,9 @@ bool meets_itself(const Mesh& mesh, const Mesh::Face_index f)
   return !CGAL::is_simple_2(corners.begin(), corners.end());
 }
 
-// Multiplies all points by a power of two, such that products neither overflow nor vanish.
-void scale_to_one(Mesh& mesh)
-{
-  double size = 0;
-  for(const auto v : mesh.vertices())
-    for(int c = 0; c < 3; ++c)
-      size = (std::max)(size, std::abs(mesh.point(v)[c]));
-  const int exponent = size > 0 ? -std::ilogb(size) : 0;
-  for(const auto v : mesh.vertices()) {
-    const Kernel::Point_3 p = mesh.point(v);
-    mesh.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
-                                    std::ldexp(p.z(), exponent));
-  }
-}
-
-// The points are as before.
 void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
 {
-  std::vector<Kernel::Point_3> points;
-  for(const auto v : model.mesh.vertices())
-    points.push_back(model.mesh.point(v));
-  scale_to_one(model.mesh);
+  const Size_near_one size(model.mesh);
   for(const auto f : model.mesh.faces()) {
     repairs.triangulated_faces += model.mesh.degree(f) > 3 ? 1 : 0;
     if(model.mesh.degree(f) > 4 && meets_itself(model.mesh, f)) // no triangulation ends well there
@@ -121,8 +102,6 @@ void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
     if(model.mesh.degree(f) > 3)
       refuse(soup, model.file_faces[f], "the face has more than 3 corners, and no area, so that it "
                                         "can't be triangulated");
-  for(const auto v : model.mesh.vertices())
-    model.mesh.point(v) = points[v];
 }
 
 // All edges between the places of segments, of which there are several where edges were cut.

@@ -21,10 +21,14 @@ namespace {
 
 void mark_sharp_edges(const double angle, Model& model)
 {
-  const Edge_bool_map is_sharp = model.mesh.add_property_map<Edge, bool>("e:sharp", false).first;
-  PMP::detect_sharp_edges(model.mesh, angle, is_sharp);
+  Edge_bool_map is_sharp = model.mesh.add_property_map<Edge, bool>("e:sharp", false).first;
+  {
+    const Size_near_one size(model.mesh);
+    PMP::detect_sharp_edges(model.mesh, angle, is_sharp);
+  }
   for(const Edge e : model.mesh.edges())
     model.is_feature[e] = model.is_feature[e] || (is_sharp[e] && !model.mesh.is_border(e));
+  model.mesh.remove_property_map(is_sharp);
 }
 
 // That more than half of all features are short for the edges of the mesh, if these are not few.

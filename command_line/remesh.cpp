@@ -159,8 +159,11 @@ struct Remesh_options
   }
 
   // The length of the edges of the quads, if all are squares.
-  double wanted_length(const Mesh& mesh) const
-  { return edge_length > 0 ? edge_length : std::sqrt(PMP::area(mesh) / number); }
+  double wanted_length(Mesh& mesh) const
+  {
+    const Size_near_one size(mesh);
+    return edge_length > 0 ? edge_length : size.unscaled(std::sqrt(PMP::area(mesh) / number));
+  }
 
   double most_quads() const { return (std::max)(most_faces, maximum_number); }
 };
