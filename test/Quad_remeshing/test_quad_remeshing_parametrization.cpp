@@ -512,6 +512,56 @@ void test_cone_distance()
         cones(rough, parameters::face_direction_map(direction)));
 }
 
+// A sphere of latitudes and longitudes, whose upper half is `height` above the lower one. Diagonals
+// run one way, or each second one the other way.
+Mesh capsule(const std::size_t n, const double height, const bool is_alternating)
+{
+  Mesh mesh;
+  std::vector<Vertex> v;
+  for(std::size_t i = 1; i < n; ++i)
+    for(std::size_t j = 0; j < 2 * n; ++j) {
+      const double a = 3.141592653589793 * double(i) / double(n);
+      const double b = 3.141592653589793 * double(j) / double(n);
+      const double z = std::cos(a) + (2 * i < n ? height : 0);
+      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), z)));
+    }
+  const Vertex top = mesh.add_vertex(Point_3(0, 0, 1 + height));
+  const Vertex bottom = mesh.add_vertex(Point_3(0, 0, -1));
+  const auto at = [&](std::size_t i, std::size_t j) { return v[i * 2 * n + j % (2 * n)]; };
+  for(std::size_t j = 0; j < 2 * n; ++j) {
+    mesh.add_face(top, at(0, j), at(0, j + 1));
+    mesh.add_face(bottom, at(n - 2, j + 1), at(n - 2, j));
+    for(std::size_t i = 0; i + 2 < n; ++i) {
+      const Vertex a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      const bool is_other = is_alternating && (i + j) % 2 == 1;
+      mesh.add_face(a, b, is_other ? d : c);
+      mesh.add_face(is_other ? b : a, c, d);
+    }
+  }
+  return mesh;
+}
+
+// Where the surface curves alike in all directions, how its triangles run does not direct the field:
+// the cones of a sphere are far apart, as the corners of a cube are, and also on its halves.
+void test_cones_of_spheres()
+{
+  constexpr double least = 0.8, strength = 0.002; // corners of a cube are 1.15 apart
+  for(const auto& [n, height] : {std::make_pair(16u, 0.), std::make_pair(32u, 0.),
+                                 std::make_pair(32u, 3.)})
+    for(const bool is_alternating : {false, true}) {
+      Mesh mesh = capsule(n, height, is_alternating);
+      const std::string context = "sphere of " + std::to_string(n) + " latitudes, height " +
+                                  std::to_string(height);
+      const Report report = QR::approximate_seamless_parametrization(
+        mesh, new_uv_map(mesh), parameters::curvature_alignment(strength));
+      CHECK_IN(context, report.cones.size() == 8);
+      for(const auto& [v, index] : report.cones)
+        for(const auto& [w, other] : report.cones)
+          CHECK_IN(context, v == w || CGAL::squared_distance(mesh.point(v), mesh.point(w)) >
+                                        least * least);
+    }
+}
+
 // A cone of 8 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
 // but those that fail must not cost the coordinates either.
 void test_unavoidable_flips()
@@ -1074,6 +1124,7 @@ int main()
   test_given_cones_around_handles();
   test_cones_of_tori();
   test_cone_distance();
+  test_cones_of_spheres();
   test_unavoidable_flips();
   for(unsigned int seed = 0; seed < 20; ++seed)
     test_release(seed);

@@ -320,7 +320,9 @@ report.
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the field follows the principal directions of curvature: 0 is
                           the smoothest field; with 1, they weigh as much as the smoothness where
-                          the principal radii are as short as an edge}
+                          the principal radii are as short as an edge. Where the surface curves
+                          alike in all directions, as on spheres, none counts, and the field is
+                          the smoothest one that continues what is around}
     \cgalParamType{`double`, 0 or at least 1e-9}
     \cgalParamDefault{`0`}
   \cgalParamNEnd

@@ -202,28 +202,37 @@ inline Prescribed_field smoothest_field(const Cross_graph& graph,
 }
 
 // The cross along the principal directions of each face, as long as its anisotropy (the difference
-// of the principal curvatures) times the mean edge length, at most 1. A face is bent across its
-// edges: as a line field each edge counts with its angle and length [Knoeppel et al. 2013, Sec. 4].
+// of the principal curvatures) times the mean edge length, at most 1; or 0 where the surface curves
+// alike in all directions, as on spheres: there it would tell of the mesh, not of the surface. A
+// face is bent across its edges: as a line field each edge counts with its angle and length
+// [Knoeppel et al. 2013, Sec. 4].
 inline Prescribed_field principal_crosses(const Triangle_surface& surface)
 {
+  constexpr double alike = 0.15; // the part of all bending that has one direction
   const std::vector<double> mean_length = component_means(surface, surface.length);
   std::vector<Complex> bending(surface.number_of_faces(), 0);
-  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
-    bending[surface.face(h)] += surface.bending[h] * surface.length[h]
-                                * std::polar(1., 2 * surface.direction[h]);
+  std::vector<double> all_bending(surface.number_of_faces(), 0);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const double size = surface.bending[h] * surface.length[h];
+    bending[surface.face(h)] += size * std::polar(1., 2 * surface.direction[h]);
+    all_bending[surface.face(h)] += std::abs(size);
+  }
 
   Prescribed_field crosses(surface.number_of_faces());
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {
     // A single face is a noisy estimate: its neighbors are taken into account.
     Complex sum = bending[f];
-    double area = surface.area[f];
+    double area = surface.area[f], all = all_bending[f];
     for(Corner_index h = 3 * f; h < 3 * f + 3; ++h) {
       if(surface.is_border_edge(h))
         continue;
       const Corner_index o = surface.opposite(h), g = surface.face(o);
       sum += bending[g] * std::polar(1., 2 * surface.transport(o));
       area += surface.area[g];
+      all += all_bending[g];
     }
+    if(std::abs(sum) < alike * all)
+      sum = 0;
     const double anisotropy = std::abs(sum) / area * mean_length[surface.component[f]];
     crosses[f] = (anisotropy > 0) ? std::polar((std::min)(anisotropy, 1.), 2 * std::arg(sum)) : 0;
   }
@@ -258,16 +267,24 @@ inline Wanted_field restrict(const Clusters& clusters, const Cross_graph& graph,
   return result;
 }
 
+// Where no crosses are wanted, the smoothest field that continues the one that they direct.
 inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
                                        const unsigned int seed, Timed_solver& solver)
 {
-  if(wanted.strength == 0)
-    return smoothest_field(graph, wanted.prescribed, seed, solver);
-  Prescribed_field crosses = wanted.crosses;
-  for(Complex& z : crosses)
-    z *= wanted.strength;
-  Cross_field_system system(graph, wanted.prescribed, wanted.strength, 1., solver);
-  return system.solve(crosses);
+  Prescribed_field prescribed = wanted.prescribed;
+  if(wanted.strength > 0) {
+    Prescribed_field crosses = wanted.crosses;
+    for(Complex& z : crosses)
+      z *= wanted.strength;
+    Cross_field_system system(graph, wanted.prescribed, wanted.strength, 1., solver);
+    const Prescribed_field field = system.solve(crosses);
+    for(std::size_t f = 0; f < graph.size(); ++f)
+      if(crosses[f] != Complex(0))
+        prescribed[f] = unit_cross(field[f]);
+    if(std::find(prescribed.begin(), prescribed.end(), Complex(0)) == prescribed.end())
+      return field;
+  }
+  return smoothest_field(graph, prescribed, seed, solver);
 }
 
 // Gives each node the best cross for those of its neighbors, in turn: what is smooth over a few
