@@ -526,6 +526,10 @@ private:
                                     snapped.lost_faces.end());
     for(std::size_t& face : m_report.remaining_flips)
       face = m_surface.original(face);
+    std::sort(m_report.remaining_flips.begin(), m_report.remaining_flips.end());
+    m_report.remaining_flips.erase(
+      std::unique(m_report.remaining_flips.begin(), m_report.remaining_flips.end()),
+      m_report.remaining_flips.end());
     return true;
   }
 
