@@ -478,6 +478,8 @@ report.
         - `NOT_FINITE`: a coordinate of a point or of a direction is NaN or infinite;
         - `INVALID_CONES`: given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more;
         - `INVALID_ALIGNMENT`: all three edges of a face are to be aligned;
+        - `TOO_LARGE`: features and borders link so many coordinates that sums of these would have
+          more than 67 million terms;
         - `SOLVER_FAILED`: a sparse linear system could not be solved;
         - `INTERNAL_ERROR`: indices or rotations failed the check in integers.
         .

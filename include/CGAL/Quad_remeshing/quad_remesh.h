@@ -540,7 +540,8 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
           `INVALID_ARGUMENT` also if `symmetry_plane` has no normal, or no face is on its positive
           side;
         - `NOT_POSITIVE`: faces stay flipped in the parametrization;
-        - `TOO_LARGE`: there would be more quads than `maximum_number`;
+        - `TOO_LARGE`: there would be more quads than `maximum_number`, or features link too many
+          coordinates, see `approximate_seamless_parametrization()`;
         - `NO_FACE_GRAPH`: no number of quads was found that makes a mesh with its mirror image;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: a result failed its verification.

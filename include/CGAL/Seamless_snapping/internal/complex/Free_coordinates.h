@@ -36,7 +36,7 @@ namespace internal {
 
 // The solutions of homogeneous integer equations. Invariant: each column is a sum of free unknowns
 // with integer coefficients; whatever their values are, the equations hold, and any solution is of
-// this form.
+// this form. Throws `Refusal` where the sums are too long.
 class Free_unknowns
 {
 public:
@@ -49,6 +49,8 @@ public:
 private:
   void add_core(const Integer_system& rows, std::vector<char>& is_implied);
   void substitute_back(const Entries<Exact_integer>& row, Column_index pivot);
+
+  static constexpr std::size_t most_terms = std::size_t(1) << 26; // of all sums: a gigabyte
 
   std::vector<Sparse_row> m_sums; // per column
   std::size_t m_size = 0;

@@ -19,6 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
@@ -45,8 +46,14 @@ Free_unknowns::Free_unknowns(const Integer_system& system)
   for(std::size_t c = 0; c < m_sums.size(); ++c)
     if(!is_implied[c])
       m_sums[c].emplace_back(m_size++, 1.);
-  for(std::size_t i = form.pivot_columns.size(); i-- > 0; )
+  std::size_t number_of_terms = 0;
+  for(std::size_t i = form.pivot_columns.size(); i-- > 0; ) {
     substitute_back(form.pivot_rows.exact_row(i).entries, form.pivot_columns[i]);
+    number_of_terms += m_sums[std::size_t(form.pivot_columns[i])].size();
+    if(number_of_terms > most_terms)
+      throw Refusal(Outcome::TOO_LARGE, "features and borders link so many coordinates that they "
+                                        "take more than a gigabyte; mark fewer features");
+  }
 }
 
 // What pivots of 1 and -1 leave: a basis of its lattice of solutions spans all of them.
@@ -92,6 +99,7 @@ void Free_unknowns::substitute_back(const Entries<Exact_integer>& row, const Col
   for(auto& term : result)
     term.second *= -sign;
   normalize(result);
+  result.shrink_to_fit();
 }
 
 } // namespace internal

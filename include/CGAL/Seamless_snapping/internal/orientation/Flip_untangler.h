@@ -19,6 +19,7 @@
 // the exact solution near the result.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
@@ -68,10 +69,10 @@ public:
   // \pre all faces were met
   // \param iterations over all faces that are allowed; receives the number that is left
   // \param without_area receives the number of faces that seams and alignments leave no area
-  // \return whether the coordinates were changed
+  // \return whether the coordinates were changed: not where constraints link too many of them
   bool run(Uv_state& state, const Untangling how, std::size_t& iterations,
            std::size_t& without_area) const
-  {
+  try {
     const Constrained_triangles map = constrained_triangles(state);
     without_area = std::size_t(
       std::count_if(map.triangles.begin(), map.triangles.end(),
@@ -100,6 +101,8 @@ public:
     });
     state.swap(result);
     return true;
+  } catch(const Refusal&) {
+    return false;
   }
 
 private:
