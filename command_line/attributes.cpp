@@ -111,9 +111,10 @@ void for_each_corner_in_file(const Model& model, const Mesh& file, const Locatio
   });
 }
 
+// \param is_rounded whether integers are, as those of colors; others are of the nearest vertex
 template <typename T>
 T interpolated(const Model& model, const Mesh& file, const Mesh::Property_map<Vertex, T>& values,
-               const Location& location)
+               const Location& location, const bool is_rounded)
 {
   double sum = 0, largest = -1;
   T nearest{};
@@ -125,7 +126,9 @@ T interpolated(const Model& model, const Mesh& file, const Mesh::Property_map<Ve
     }
     sum += weight * double(value);
   });
-  return std::is_integral_v<T> ? nearest : T(sum);
+  if(!std::is_integral_v<T>)
+    return T(sum);
+  return is_rounded ? T(std::lround(sum)) : nearest;
 }
 
 template <typename T>
@@ -135,7 +138,7 @@ void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
     if(const auto [values, exists] = file.property_map<Vertex, T>(name); exists) {
       const auto map = quads.mesh.add_property_map<Vertex, T>(name).first;
       for(const Vertex v : quads.mesh.vertices())
-        map[v] = interpolated(model, file, values, quads.of_vertex[v]);
+        map[v] = interpolated(model, file, values, quads.of_vertex[v], name == "v:alpha");
     }
   for(const std::string& name : file.properties<Face>())
     if(const auto [values, exists] = file.property_map<Face, T>(name); exists) {
@@ -194,13 +197,16 @@ struct OBJ_attributes
   std::vector<std::size_t> part_of; // per face
   std::string libraries;            // of materials
   bool has_coordinates = false;
+  std::set<std::string> lost; // what is not carried over
 
   explicit OBJ_attributes(const Mesh_text& file) : parts(1)
   {
     file.for_each_statement([&](const std::vector<std::string>& words)
                             { add(words[0], {words.begin() + 1, words.end()}); });
-    if(colors.size() != points.size())
+    if(!colors.empty() && colors.size() != points.size()) {
       colors.clear();
+      lost.insert("colors, which not all vertices have");
+    }
   }
 
 private:
@@ -217,10 +223,14 @@ private:
   {
     if(name == "v" && tokens.size() >= 3) {
       points.push_back({number(tokens[0]), number(tokens[1]), number(tokens[2])});
-      if(tokens.size() >= 6) {
-        const std::size_t i = tokens.size() - 3;
-        colors.push_back({number(tokens[i]), number(tokens[i + 1]), number(tokens[i + 2])});
-      }
+      if(tokens.size() >= 6)
+        colors.push_back({number(tokens[3]), number(tokens[4]), number(tokens[5])});
+      if(tokens.size() > 6)
+        lost.insert("what follows the colors of vertices, as opacities");
+    } else if(name == "vn") {
+      lost.insert("normals");
+    } else if(name == "s") {
+      lost.insert("smoothing groups");
     } else if(name == "vt" && !tokens.empty()) {
       coordinates.push_back({number(tokens[0]), tokens.size() > 1 ? number(tokens[1]) : 0.});
     } else if(name == "mtllib") {
@@ -428,6 +438,8 @@ std::vector<Face> ordered_faces(const OBJ_attributes& file, const std::vector<st
 std::string OBJ_text(const Model& model, const std::string& text, Located_quads& quads)
 {
   const OBJ_attributes file(Mesh_text(text, "obj"));
+  for(const std::string& lost : file.lost)
+    std::cerr << "note: not carried over: " << lost << std::endl;
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os.precision(17);
@@ -478,6 +490,9 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
      (suffix_of(input) == "obj" || suffix_of(input) == "ply"))
     std::cerr << "note: what " << input << " holds besides the mesh is not in " << filename
               << ", which is of another format" << std::endl;
+  if(is_special_file(input))
+    std::cerr << "note: of the standard input, the mesh alone is read: what else it holds is carried "
+                 "over where a file is named" << std::endl;
   Mesh file;
   const bool has_properties =
     format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";

@@ -94,7 +94,7 @@ struct Volume_options
 std::string with_options(const std::string& message)
 {
   static const char* const words[][2] = {
-    {"pass align_boundary(false)", "give --free-boundary"},
+    {"pass align_boundary(false)", "give --free-boundary; for features, --ignore-features"},
     {"grid_scale", "--grid-scale"},
     {"the rounding_tolerance of", "--rounding"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};

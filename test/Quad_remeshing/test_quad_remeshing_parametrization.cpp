@@ -523,7 +523,8 @@ Mesh capsule(const std::size_t n, const double height, const bool is_alternating
       const double a = 3.141592653589793 * double(i) / double(n);
       const double b = 3.141592653589793 * double(j) / double(n);
       const double z = std::cos(a) + (2 * i < n ? height : 0);
-      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), z)));
+      v.push_back(mesh.add_vertex(Point_3(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b),
+                                          z)));
     }
   const Vertex top = mesh.add_vertex(Point_3(0, 0, 1 + height));
   const Vertex bottom = mesh.add_vertex(Point_3(0, 0, -1));
@@ -541,8 +542,8 @@ Mesh capsule(const std::size_t n, const double height, const bool is_alternating
   return mesh;
 }
 
-// Where the surface curves alike in all directions, how its triangles run does not direct the field:
-// the cones of a sphere are far apart, as the corners of a cube are, and also on its halves.
+// Where the surface curves alike in all directions, how its triangles run does not direct the
+// field: the cones of a sphere are far apart, as the corners of a cube are, and also on its halves.
 void test_cones_of_spheres()
 {
   constexpr double least = 0.8, strength = 0.002; // corners of a cube are 1.15 apart

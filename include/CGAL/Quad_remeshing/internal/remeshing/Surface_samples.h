@@ -132,8 +132,8 @@ public:
     return forms;
   }
 
-  // Of a place, or of a vertex of the surface, from the quads. In an order of neighbors, most need no
-  // search: the triangle that was found last is near enough.
+  // Of a place, or of a vertex of the surface, from the quads. In an order of neighbors, most need
+  // no search: the triangle that was found last is near enough.
   double largest_distance(const Mesh& quads) const
   {
     std::vector<Triangle> triangles;

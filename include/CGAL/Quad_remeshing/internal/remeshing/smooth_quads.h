@@ -210,8 +210,8 @@ public:
                                      [&](const Face f) { return is_inverted(quad(f)); }));
   }
 
-  // The largest distance from the surface of a grid of points in each quad: of its middle and those
-  // of its edges, and of more where quads are few.
+  // The largest distance from the surface of the vertices and of a grid of points in each quad: of
+  // its middle and those of its edges, and of more where quads are few.
   double measure_distance() const
   {
     constexpr std::size_t enough_points = 20000, most_parts = 16;
@@ -222,6 +222,8 @@ public:
     double largest = 0;
     const auto measure = [&](const Space_vector& p)
       { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
+    for(const Vertex v : vertices(m_quads))
+      measure(point(v));
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
       for(std::size_t i = 1; i < n; ++i)

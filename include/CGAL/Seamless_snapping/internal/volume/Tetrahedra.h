@@ -174,7 +174,7 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
 {
   const std::size_t size = static_cast<std::size_t>(tetrahedra.size());
   if(size == 0)
-    return invalid_cells("the mesh has no cell; was it read?");
+    return invalid_cells("the mesh has no cell");
   if(size > largest_number_of_tetrahedra)
     return invalid_cells("the mesh has more than " + std::to_string(largest_number_of_tetrahedra) +
                          " cells; divide it");
