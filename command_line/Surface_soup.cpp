@@ -54,14 +54,15 @@ bool are_points_shared(const Polygon_soup& soup, Repairs& repairs)
 // Replaces the points of the faces by others, and counts those that no face has any more.
 void replace_points(const std::vector<std::size_t>& by, Surface_soup& surface, Repairs& repairs)
 {
-  std::set<std::size_t> replaced;
+  std::vector<char> is_replaced(by.size(), 0);
   for(Polygon& polygon : surface.polygons)
     for(std::size_t& v : polygon)
       if(by[v] != v) {
-        replaced.insert(v);
+        is_replaced[v] = 1;
         v = by[v];
       }
-  repairs.welded_points += replaced.size();
+  repairs.welded_points +=
+    std::size_t(std::count(is_replaced.begin(), is_replaced.end(), char(1)));
 }
 
 // From the least vertex on.
