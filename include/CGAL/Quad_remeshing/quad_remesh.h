@@ -98,8 +98,8 @@ struct Remeshing_report
   double largest_displacement = 0; ///< the largest distance by which these were moved
   /// the largest distance from the input that was found: at vertices and at the middles of faces
   /// and edges, and where quads are few at more points of the bilinear patches over them, up to
-  /// about 20,000. The vertices lie on the input, up to rounding, but for those that were displaced,
-  /// and images of what is not symmetric.
+  /// about 20,000. The vertices lie on the input, up to rounding, but for those that were
+  /// displaced, and images of what is not symmetric.
   double largest_distance = 0;
   /// the largest distance of the input from the quads, each of them two triangles, that was found:
   /// at its vertices, and at 20,000 points spread over its area, or one for each face
