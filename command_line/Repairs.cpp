@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "Polygon_soup.h"
+#include "Progress.h"
 #include "Surface_soup.h"
 #include "words.h"
 
@@ -248,6 +249,7 @@ Repairs read_plain_model(const std::string& filename, const Plain_reading_option
                          Model& model)
 {
   model.filename = filename;
+  const Progress progress("reading " + filename);
   Polygon_soup soup = read_polygon_soup(filename);
   const std::size_t merged_points = options.merge > 0 ? merge_points(options.merge, soup) : 0;
   Repairs repairs;
