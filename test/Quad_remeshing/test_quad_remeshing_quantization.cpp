@@ -2110,44 +2110,6 @@ void test_few_quads_between_features()
   CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
 }
 
-// What is made once more takes the place of what there is only if it is better; the steps of both
-// are reported, in their order, also those that have the same names.
-void test_others()
-{
-  using Steps = std::vector<std::pair<std::string, double> >;
-  const auto add_quads = [](Mesh& mesh, const std::size_t number) {
-    const auto point = [](const std::size_t i, const std::size_t j)
-      { return Point_3(double(i), double(j), 0); };
-    CGAL::make_grid(number, std::size_t(1), mesh, point, false);
-  };
-  for(const bool is_better : {false, true}) {
-    Mesh quads;
-    const auto is_feature =
-      quads.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-    add_quads(quads, 2);
-    QR::Remeshing_report best;
-    best.number_of_quads = 2;
-    best.step_times = {{"quantization", 1}, {"smoothing", 2}};
-    const auto make = [&](Mesh& others, const auto& is_kept) {
-      add_quads(others, 3);
-      is_kept[*others.edges().begin()] = true;
-      QR::Remeshing_report report;
-      report.number_of_quads = 3;
-      report.step_times = {{"quantization", 3}, {"measurement", 4}};
-      return report;
-    };
-    internal::make_others(make, [&](const QR::Remeshing_report& a, const QR::Remeshing_report& b) {
-      CHECK(a.number_of_quads == 3 && b.number_of_quads == 2);
-      return is_better;
-    }, quads, is_feature, best);
-    CHECK_EQUAL(best.number_of_quads, is_better ? 3u : 2u);
-    CHECK_EQUAL(quads.number_of_faces(), is_better ? 3u : 2u);
-    CHECK_EQUAL(std::count(is_feature.begin(), is_feature.end(), true), is_better ? 1 : 0);
-    CHECK(best.step_times == Steps({{"quantization", 1}, {"smoothing", 2},
-                                    {"quantization", 3}, {"measurement", 4}}));
-  }
-}
-
 // At the tips of a long double pyramid, four features meet in so narrow sectors that quads are thin
 // there: without the features next to these, they are not. The others are kept.
 void test_attempt_without_features()
@@ -2806,7 +2768,6 @@ int main()
     test_few_quads();
     test_choice_of_map();
     test_few_quads_between_features();
-    test_others();
     test_attempt_without_features();
     test_tips();
     test_prisms();
