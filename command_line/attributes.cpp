@@ -229,7 +229,7 @@ private:
         lost.insert("what follows the colors of vertices, as opacities");
     } else if(name == "vn") {
       lost.insert("normals");
-    } else if(name == "s") {
+    } else if(name == "s" && !tokens.empty() && tokens[0] != "off" && tokens[0] != "0") {
       lost.insert("smoothing groups");
     } else if(name == "vt" && !tokens.empty()) {
       coordinates.push_back({number(tokens[0]), tokens.size() > 1 ? number(tokens[1]) : 0.});
