@@ -166,14 +166,14 @@ Size_near_one::Size_near_one(Mesh& mesh)
          std::ldexp(p.z(), -m_exponent)};
 }
 
-double Size_near_one::unscaled(const double length) const
-{
-  return std::ldexp(length, m_exponent);
-}
-
 Size_near_one::~Size_near_one()
 {
   std::copy(m_points.begin(), m_points.end(), m_mesh.points().begin());
+}
+
+double Size_near_one::unscaled(const double length) const
+{
+  return std::ldexp(length, m_exponent);
 }
 
 void read_model(const std::string& filename, const Reading_options& options, Model& model)

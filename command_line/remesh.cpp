@@ -161,8 +161,10 @@ struct Remesh_options
   // The length of the edges of the quads, if all are squares.
   double wanted_length(Mesh& mesh) const
   {
+    if(edge_length > 0)
+      return edge_length;
     const Size_near_one size(mesh);
-    return edge_length > 0 ? edge_length : size.unscaled(std::sqrt(PMP::area(mesh) / number));
+    return size.unscaled(std::sqrt(PMP::area(mesh) / number));
   }
 
   double most_quads() const { return (std::max)(most_faces, maximum_number); }

@@ -1918,8 +1918,7 @@ void test_few_quads()
   CHECK(sum > 0.9555 * double(files.size()));
 }
 
-// Of the maps that are tried, the one whose quads are best is taken: the fewest ones have a mean of
-// 0.947.
+// Of the maps that are tried, the one whose quads are best is taken.
 void test_choice_of_map()
 {
   const Parametrized_model model((test_data::data_folder() / "genus2_border.obj").string());
@@ -2093,8 +2092,7 @@ void test_prisms()
   }
 }
 
-// For 50 quads that are wanted, 55 have a mean scaled Jacobian of 0.72, and 6 vertices leave the
-// surface or a feature.
+// About 50 quads between features have a good shape, and no vertex leaves the surface or a feature.
 void test_few_quads_between_features()
 {
   const Coin coin(false);

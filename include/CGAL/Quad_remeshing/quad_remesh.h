@@ -201,7 +201,7 @@ Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantiza
                         const Surface_to_remesh::Feature_map& is_feature);
 
 // The largest distances of quads, as large as the input, from all of it, and of it from them; the
-// lengths of their edges. Returns what is nearest to which elements.
+// lengths of their edges. Returns the faces of the input that are nearest to elements of `located`.
 // \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
 // known
 Nearest_faces measure_quads(const Surface_to_remesh& input, double number_wanted,

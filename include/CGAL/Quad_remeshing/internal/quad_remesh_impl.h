@@ -932,16 +932,17 @@ inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
   const auto number = [&](const Space_vector& place, const Space_vector& side)
     { return input.original(smoother.nearest_face(place, side)); };
   Nearest_faces result;
-  result.of_vertices.resize(located.vertices ? quads.num_vertices() : 0);
-  result.of_faces.resize(located.faces ? quads.num_faces() : 0);
-  if(located.vertices)
-    for(const auto v : quads.vertices()) {
-      const auto visit = [](const auto&...) { };
+  if(located.vertices) {
+    const auto visit = [](const auto&...) { };
+    result.of_vertices.resize(quads.num_vertices());
+    for(const auto v : quads.vertices())
       result.of_vertices[v] = number(smoother.point(v), smoother.visit_star(v, visit).normal);
-    }
-  if(located.faces)
+  }
+  if(located.faces) {
+    result.of_faces.resize(quads.num_faces());
     for(const auto f : quads.faces())
       result.of_faces[f] = number(place_of(middle(quads, f)), quad_normal(smoother.quad(f)));
+  }
   return result;
 }
 
