@@ -8,6 +8,7 @@
 #include "volume_grid_checks.h"
 #include "volume_input_checks.h"
 #include "volume_optimum.h"
+#include "volume_orientation_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -377,6 +378,7 @@ int main(int argc, char** argv)
   test_integer_grids();
   test_refusals_of_grids();
   test_repairs_of_flips();
+  test_orientations_of_lists();
   test_interruptions();
   test_cell_without_volume();
   test_files();

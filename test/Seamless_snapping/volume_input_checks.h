@@ -92,6 +92,23 @@ inline void test_neighbors()
   CHECK(bool(snap(map)));
   CHECK(bool(snap(other, parameters::cell_neighbors(neighbors))));
   CHECK(map.corners == other.corners);
+
+  // a cell that its neighbors list the other way round, and all cells
+  const auto turn = [&](const std::size_t c) {
+    std::swap(other.cells[c][0], other.cells[c][1]);
+    std::swap(other.corners[4 * c], other.corners[4 * c + 1]);
+    std::swap(neighbors[c][0], neighbors[c][1]);
+  };
+  turn(5);
+  check_refusal(Outcome::INVALID_ARGUMENT, other, "in the same order",
+                parameters::cell_neighbors(neighbors));
+  for(std::size_t c = 0; c < map.cells.size(); ++c)
+    if(c != 5)
+      turn(c);
+  CHECK(bool(snap(other, parameters::cell_neighbors(neighbors))));
+  for(std::size_t c = 0; c < map.cells.size(); ++c)
+    turn(c);
+
   std::swap(neighbors[0][0], neighbors[0][1]);
   check_refusal(Outcome::INVALID_ARGUMENT, map, "cell 0",
                 parameters::cell_neighbors(neighbors));
@@ -111,7 +128,7 @@ inline void test_neighbors()
                 parameters::cell_neighbors(neighbors));
 
   // three cells at a facet, two of which are neighbors, say
-  map.cells = {{{0, 1, 2, 3}}, {{4, 1, 2, 3}}, {{5, 1, 2, 3}}};
+  map.cells = {{{0, 1, 2, 3}}, {{4, 2, 1, 3}}, {{5, 2, 1, 3}}};
   map.corners.resize(12);
   for(const std::array<int, 3>& first :
       {std::array<int, 3>{{1, -1, -1}}, {{-1, 0, -1}}, {{1, 0, 0}}, {{2, 2, 0}}, {{2, 2, 1}},

@@ -173,7 +173,7 @@ measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
   for(std::size_t c = 0; c < mesh.number_of_cells(); ++c) {
     internal::Uvw_tetrahedron u;
     for(std::size_t i = 0; i < 4; ++i)
-      u[i] = internal::get_uvw(uvw_map, 4 * c + i);
+      u[i] = internal::get_uvw(uvw_map, mesh.turned.key(4 * c + i));
     const CGAL::Orientation sign = internal::orientation(u);
     result.number_of_flipped_cells += std::size_t(sign == CGAL::NEGATIVE);
     result.number_of_degenerate_cells += std::size_t(sign == CGAL::ZERO);

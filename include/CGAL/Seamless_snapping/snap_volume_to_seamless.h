@@ -78,7 +78,10 @@ and at vertices.
         `float`, which can be constructed from three of them
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices
+\param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices, in either
+       orientation. Where cells that are connected by facets are listed in different ones, that of
+       most of them is meant, or that of the first if neither is in the majority; where they have no
+       common orientation, as in a ring that is glued like a Moebius strip, each keeps its own.
 \param uvw_map the coordinates of each corner: that of key `4 * i + k` belongs to vertex `k` of cell
        `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -106,8 +109,9 @@ and at vertices.
   \cgalParamNBegin{cell_neighbors}
     \cgalParamDescription{for each cell, the 4 cells on the other sides of the facets opposite to
                           its vertices, or negative numbers where there is none; saves searching
-                          them. Whether cells name each other is checked. Pass
-                          `std::cref(neighbors)` to save copies of them, too.}
+                          them. Whether cells name each other is checked, and whether both list
+                          their vertices in the same orientation, as all have to with this
+                          parameter. Pass `std::cref(neighbors)` to save copies of them, too.}
     \cgalParamType{a range of ranges of 4 integers, each with a member function `size()`}
     \cgalParamDefault{found by common vertices}
   \cgalParamNEnd
@@ -197,7 +201,8 @@ and at vertices.
           most cells lose their orientation, or the grid can't be told from the coordinates;
         - `INVALID_ARGUMENT`: there is no cell or more than \f$ 2^{27} \f$, a cell has a vertex
           twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
-          the cells, a tolerance is negative, or the scale is not positive;
+          the cells or are listed in different orientations, a tolerance is negative, or the scale
+          is not positive;
         - `NOT_REPRESENTABLE`: coordinates would exceed the largest number, as can happen with
           `float`s close to it; or, with `integer_grid`, a coordinate is beyond \f$ 2^{46} \f$, or
           \f$ 2^{17} \f$ for `float`s;

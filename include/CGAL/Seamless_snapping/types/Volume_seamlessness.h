@@ -40,7 +40,8 @@ struct Volume_seamlessness
   std::size_t number_of_aligned_edges = 0;   ///< edges that were asked to be aligned
   /// those of them on which no coordinate is constant, or along which less than two are
   std::size_t number_of_misalignments = 0;
-  std::size_t number_of_flipped_cells = 0;    ///< cells of negative orientation
+  /// cells of negative orientation, as most cells around are listed
+  std::size_t number_of_flipped_cells = 0;
   std::size_t number_of_degenerate_cells = 0; ///< cells of no volume
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< the largest violation of a transition, along two edges of a facet

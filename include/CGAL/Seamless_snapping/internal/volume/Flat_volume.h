@@ -45,6 +45,19 @@ inline std::array<Corner_index, 3> corners_of_facet(const Corner_index facet)
   return {first + (i + 1) % 4, first + (i + 2) % 4, first + (i + 3) % 4};
 }
 
+// Cells that the caller lists in the other orientation than most cells around. Inside, their first
+// two corners are exchanged, so that signs of volumes mean the same in all cells.
+struct Turned_cells
+{
+  std::vector<char> is_turned; // per cell of the caller's; empty if none is
+
+  // The caller's key of a corner.
+  std::size_t key(const std::size_t corner) const
+  {
+    return !is_turned.empty() && is_turned[corner / 4] != 0 && corner % 4 < 2 ? corner ^ 1 : corner;
+  }
+};
+
 // The images of the corners of a cell.
 inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t c)
 {
@@ -95,6 +108,7 @@ struct Flat_volume
   std::vector<Uvw> coordinates;             // per corner
   std::vector<Corner_index> opposite;       // per facet: the other side
   std::vector<std::int32_t> cell_names;     // per cell: its place in the caller's range
+  Turned_cells turned;                      // by these names
   std::vector<std::int64_t> vertex_names;   // per vertex: the caller's
   std::vector<char> is_fixed;               // per vertex: no constraint concerns it
   std::vector<Corner_index> open_facets;    // those whose sides differ, as one of the cells sees it
@@ -107,6 +121,12 @@ struct Flat_volume
 
   std::int32_t vertex(const Corner_index corner) const { return vertices[std::size_t(corner)]; }
   const Uvw& uvw(const Corner_index corner) const { return coordinates[std::size_t(corner)]; }
+
+  // The caller's key of a corner.
+  std::size_t key(const std::size_t corner) const
+  {
+    return turned.key(4 * std::size_t(cell_names[corner / 4]) + corner % 4);
+  }
 
   // The corner at the same vertex, in the cell on the other side of a facet.
   Corner_index across(const Corner_index facet, const Corner_index corner) const

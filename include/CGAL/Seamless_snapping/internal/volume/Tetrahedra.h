@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,20 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// Whether two cells list their common facet in the same cyclic order: then they are listed in
+// different orientations. Facets opposite to odd corners are listed the other way round.
+inline bool are_listed_alike(const std::vector<std::int32_t>& vertices, const Corner_index facet,
+                             const Corner_index other)
+{
+  const auto vertex = [&](const Corner_index corner) { return vertices[std::size_t(corner)]; };
+  const auto here = corners_of_facet(facet), there = corners_of_facet(other);
+  int is_same = 0;
+  for(std::size_t i = 0; i < 3; ++i)
+    is_same |= int(vertex(here[0]) == vertex(there[i])) &
+               int(vertex(here[1]) == vertex(there[(i + 1) % 3]));
+  return (is_same != 0) == ((facet - other) % 2 == 0);
+}
+
 // The neighbors of the cells of a mesh that is given by vertices alone: facets meet in the bucket
 // of their least vertex.
 class Facet_matcher
@@ -47,10 +62,12 @@ public:
       })
   { }
 
-  // Fills in, per facet, the cell on the other side, or -1. Returns a facet that more than two
-  // cells have, or `no_facet`.
-  Corner_index run(std::vector<std::int32_t>& neighbors)
+  // Fills in, per facet, the cell on the other side, or -1, and whether all facets are listed in
+  // opposite orders by their two cells. Returns a facet that more than two cells have, or
+  // `no_facet`.
+  Corner_index run(std::vector<std::int32_t>& neighbors, bool& are_coherent)
   {
+    are_coherent = true;
     neighbors.assign(m_vertices.size(), -1);
     std::vector<std::pair<Key, Corner_index> > bucket;
     for(std::size_t v = 0; v < m_buckets.size(); ++v) {
@@ -65,6 +82,8 @@ public:
           return bucket[i].second;
         neighbors[std::size_t(bucket[i].second)] = bucket[i + 1].second / 4;
         neighbors[std::size_t(bucket[i + 1].second)] = bucket[i].second / 4;
+        are_coherent = are_coherent &&
+                       !are_listed_alike(m_vertices, bucket[i].second, bucket[i + 1].second);
         ++i;
       }
     }
@@ -88,7 +107,8 @@ private:
   Lists<Corner_index> m_buckets; // of facets, per vertex
 };
 
-// 32 bytes a cell. Invariant: there are at most four times as many vertices as cells.
+// 32 bytes a cell. Invariants: there are at most four times as many vertices as cells; where
+// neighbors were not given, all cells of a component that has an orientation have the same.
 struct Tetrahedra
 {
   std::vector<std::int32_t> vertices;  // per corner
@@ -96,6 +116,7 @@ struct Tetrahedra
   std::size_t number_of_vertices = 0;  // 1 + the largest index
   std::vector<std::int32_t> names;     // per vertex, ascending; none where they are the indices
   bool has_given_neighbors = false;    // which may be wrong
+  Turned_cells turned;
 
   std::size_t number_of_cells() const { return vertices.size() / 4; }
 
@@ -231,10 +252,16 @@ inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const 
                                             Corner_index& other)
 {
   other = tetrahedra.opposite(facet);
-  if(other >= 0 && tetrahedra.neighbors[std::size_t(other)] == facet / 4)
+  const bool is_mutual = other >= 0 && tetrahedra.neighbors[std::size_t(other)] == facet / 4;
+  if(is_mutual && !(tetrahedra.has_given_neighbors &&
+                    are_listed_alike(tetrahedra.vertices, facet, other)))
     return std::nullopt;
   const std::string c = std::to_string(facet / 4),
                     d = std::to_string(tetrahedra.neighbors[std::size_t(facet)]);
+  if(is_mutual)
+    return invalid_cells("cell_neighbors: cells " + c + " and " + d + " list their common " +
+                         name_of_facet(tetrahedra, facet) + " in the same order; list all cells in "
+                         "one orientation, or leave cell_neighbors out");
   if(other < 0)
     return invalid_cells("cell_neighbors, cell " + c + ": " + d + " is no cell with the facet "
                          "opposite to vertex " + std::to_string(facet % 4));
@@ -242,11 +269,38 @@ inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const 
                        ", but not the other way round");
 }
 
+// Makes the cells of each component agree with most of them. A component that has no orientation
+// stays as it is listed.
+inline void turn_cells(Tetrahedra& tetrahedra)
+{
+  Signed_union_find components(tetrahedra.number_of_cells());
+  for(std::size_t f = 0; f < tetrahedra.neighbors.size(); ++f)
+    if(const std::int32_t d = tetrahedra.neighbors[f]; d > std::int32_t(f / 4)) {
+      const auto facet = Corner_index(f);
+      components.unite(f / 4, std::size_t(d),
+                       are_listed_alike(tetrahedra.vertices, facet, tetrahedra.opposite(facet))
+                         ? -1 : 1);
+    }
+  std::vector<std::int32_t> surplus(components.size(), 0); // per root: of cells that agree with it
+  for(std::size_t c = 0; c < components.size(); ++c)
+    surplus[components.root(c)] += components.find(c).sign;
+  tetrahedra.turned.is_turned.assign(components.size(), 0);
+  for(std::size_t c = 0; c < components.size(); ++c) {
+    const auto [root, sign] = components.find(c);
+    if(components.is_zero(root) || (surplus[root] < 0) != (sign > 0))
+      continue;
+    tetrahedra.turned.is_turned[c] = 1;
+    std::swap(tetrahedra.vertices[4 * c], tetrahedra.vertices[4 * c + 1]);
+    std::swap(tetrahedra.neighbors[4 * c], tetrahedra.neighbors[4 * c + 1]);
+  }
+}
+
 // The neighbors by common vertices. Two cells with the same vertices are one that is there twice.
 inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
 {
+  bool are_coherent;
   const auto third = Facet_matcher(tetrahedra.vertices, tetrahedra.number_of_vertices)
-                       .run(tetrahedra.neighbors);
+                       .run(tetrahedra.neighbors, are_coherent);
   if(third != no_facet)
     return Refusal(Outcome::NOT_MANIFOLD,
                    name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
@@ -256,6 +310,8 @@ inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
       return Refusal(Outcome::NOT_MANIFOLD,
                      "cells " + std::to_string(f / 4) + " and " + std::to_string(d) +
                        " have the same vertices; remove one of them");
+  if(!are_coherent)
+    turn_cells(tetrahedra);
   return std::nullopt;
 }
 

@@ -163,7 +163,7 @@ private:
     std::vector<Uvw> image(m_tetrahedra.number_of_vertices, {none, none, none});
     m_is_split.assign(image.size(), 0);
     for(std::size_t i = 0; i < m_tetrahedra.vertices.size(); ++i) {
-      const Uvw u = get_uvw(m_uvw_map, i);
+      const Uvw u = uvw(Corner_index(i));
       if(!add_to_extent(u))
         return Refusal(Outcome::NOT_FINITE,
                        "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
@@ -202,7 +202,7 @@ private:
       std::size_t i = 0;
       while(vertex(others[i]) != vertex(corner))
         ++i;
-      if(get_uvw(m_uvw_map, std::size_t(corner)) != get_uvw(m_uvw_map, std::size_t(others[i])))
+      if(uvw(corner) != uvw(others[i]))
         return false;
     }
     return true;
@@ -306,6 +306,7 @@ private:
         place[c] = Corner_index(volume.cell_names.size());
         volume.cell_names.push_back(std::int32_t(c));
       }
+    volume.turned = m_tetrahedra.turned;
     const std::size_t size = 4 * volume.number_of_cells();
     volume.vertices.reserve(size);
     volume.opposite.reserve(size);
@@ -350,6 +351,11 @@ private:
     return m_tetrahedra.vertices[std::size_t(corner)];
   }
 
+  Uvw uvw(const Corner_index corner) const
+  {
+    return get_uvw(m_uvw_map, m_tetrahedra.turned.key(std::size_t(corner)));
+  }
+
   std::int32_t name(const Corner_index corner) const { return m_tetrahedra.name(vertex(corner)); }
 
   const Tetrahedra& m_tetrahedra;
@@ -366,9 +372,8 @@ template <typename CornerUVWMap>
 void read_coordinates(const CornerUVWMap& uvw_map, Flat_volume& volume)
 {
   volume.coordinates.reserve(volume.vertices.size());
-  for(const std::int32_t c : volume.cell_names)
-    for(std::size_t i = 4 * std::size_t(c); i < 4 * std::size_t(c) + 4; ++i)
-      volume.coordinates.push_back(get_uvw(uvw_map, i));
+  for(std::size_t i = 0; i < volume.vertices.size(); ++i)
+    volume.coordinates.push_back(get_uvw(uvw_map, volume.key(i)));
 }
 
 } // namespace internal

@@ -113,7 +113,7 @@ std::optional<Refusal> write_corners(const Flat_volume& volume, const std::vecto
   return write_all_or_nothing(
     u.size(),
     [&](const std::size_t i) {
-      return Change{4 * std::size_t(volume.cell_names[i / 4]) + i % 4, volume.coordinates[i], u[i]};
+      return Change{volume.key(i), volume.coordinates[i], u[i]};
     },
     [&](const std::size_t corner) { return get_uvw(uvw_map, corner); },
     [&](const Change& change, const Uvw& to) {
