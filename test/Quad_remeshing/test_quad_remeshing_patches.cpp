@@ -449,6 +449,53 @@ void test_random_noise()
   CHECK(number_of_nets_of_noise > 100 && number_of_nets_of_noise < 500);
 }
 
+// A sliver between two triangles, with or without one below its longest side, and others around.
+void test_slivers()
+{
+  for(const bool has_border : {false, true})
+    for(const double height : {0., 0.05, 0.2}) {
+      Mesh mesh;
+      const auto add = [&](const double x, const double y)
+      { return mesh.add_vertex(quad_reference::Kernel::Point_3(x, y, 0)); };
+      const auto left = add(0, 0), right = add(4, 0), middle = add(2, height), top = add(2, 2);
+      mesh.add_face(left, right, middle);
+      mesh.add_face(left, middle, top);
+      mesh.add_face(middle, right, top);
+      if(!has_border) {
+        mesh.add_face(right, left, add(2, -2));
+        const Halfedge h = *std::find_if(mesh.halfedges_begin(), mesh.halfedges_end(),
+                                         [&](const Halfedge g) { return mesh.is_border(g); });
+        CGAL::Euler::fill_hole(h, mesh);
+        mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = {2, 0, 9};
+      }
+      const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+      const auto edge = [&](const auto v, const auto w) { return mesh.edge(mesh.halfedge(v, w)); };
+      const auto bottom = edge(left, right), first = edge(left, middle),
+                 second = edge(middle, right);
+      is_feature[bottom] = is_feature[first] = is_feature[second] = true;
+      const double close = 3 * height;
+      CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 0.9 * close), 0u);
+      if(height == 0) { // no area
+        CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 1), 0u);
+        continue;
+      }
+      is_feature[bottom] = false;
+      CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 1.1 * close), has_border ? 2u : 0u);
+      is_feature[bottom] = is_feature[first] = is_feature[second] = true;
+      CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 1.1 * close), 2u);
+      CHECK(is_feature[bottom] && !is_feature[first] && !is_feature[second]);
+      if(has_border)
+        continue;
+      for(const bool is_spike : {true, false}) { // at the left, of a line to the top
+        is_feature[first] = is_feature[edge(middle, top)] = true;
+        is_feature[second] = false;
+        is_feature[edge(left, top)] = !is_spike;
+        CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 1.1 * close), 1u);
+        CHECK(!is_feature[first] && is_feature[bottom] && is_feature[second] == is_spike);
+      }
+    }
+}
+
 int main()
 {
   std::cout << "random seed " << seed << std::endl;
@@ -458,5 +505,6 @@ int main()
   test_polyhedron();
   test_known_noise();
   test_random_noise();
+  test_slivers();
   return report_checks();
 }

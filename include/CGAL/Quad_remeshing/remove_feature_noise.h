@@ -21,7 +21,9 @@
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_net.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
@@ -29,6 +31,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -36,6 +39,62 @@
 
 namespace CGAL {
 namespace Quad_remeshing {
+namespace internal {
+
+// Of two sides of a triangle that are features or border, and meet at a narrow angle, the shorter
+// one is no feature where it is close to the other: at the size of quads, they are one. A line that
+// only makes a spike there takes the third side. Not so of triangles without area, of which one may
+// be the only feature between two faces that have one. Returns how many were removed.
+template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename VertexPointMap>
+std::size_t remove_sides_of_slivers(const TriangleMesh& tmesh, EdgeIsConstrainedMap is_feature,
+                                    const VertexPointMap& point_map, const double length)
+{
+  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  constexpr double narrow = 0.75; // the square of the cosine of 30 degrees
+  const double close = length / 3;
+  const auto vector = [&](const Halfedge h) { // to the target
+    const auto &p = get(point_map, source(h, tmesh)), &q = get(point_map, target(h, tmesh));
+    return Vector(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()),
+                  CGAL::to_double(q.z() - p.z()));
+  };
+  const auto is_aligned = [&](const Halfedge h)
+  { return CGAL::is_border(edge(h, tmesh), tmesh) || get(is_feature, edge(h, tmesh)); };
+  const auto number_at_target = [&](const Halfedge h) {
+    const auto around = CGAL::halfedges_around_target(h, tmesh);
+    return std::count_if(around.begin(), around.end(), is_aligned);
+  };
+  const auto is_sliver = [&](const Vector& a, const Vector& b) { // a is not longer
+    const double product = a * b, square = product * product, of_b = b.squared_length();
+    return product > 0 && square > narrow * a.squared_length() * of_b &&
+           a.squared_length() - square / of_b < close * close &&
+           CGAL::cross_product(a, b) != CGAL::NULL_VECTOR;
+  };
+  std::size_t result = 0;
+  for(const auto f : faces(tmesh))
+    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+      Halfedge shorter = opposite(h, tmesh), longer = next(h, tmesh);
+      const Halfedge third = next(longer, tmesh);
+      if(next(third, tmesh) != h || !is_aligned(shorter) || !is_aligned(longer))
+        continue;
+      Vector a = vector(shorter), b = vector(longer);
+      if(a.squared_length() > b.squared_length()) {
+        std::swap(a, b);
+        std::swap(shorter, longer);
+      }
+      if(CGAL::is_border(edge(shorter, tmesh), tmesh) || !is_sliver(a, b))
+        continue;
+      put(is_feature, edge(shorter, tmesh), false);
+      ++result;
+      if(!is_aligned(third) && number_at_target(h) == 1 && number_at_target(shorter) > 0) {
+        put(is_feature, edge(third, tmesh), true);
+        break; // or else, at the next corner, the third side would give way
+      }
+    }
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgQuadRemeshingQuads
@@ -46,7 +105,12 @@ round shapes. `quad_remesh()` would keep each, at the price of irregular vertice
 of quads. How long the edges of the quads are to be is a good `length` for it.
 
 A chain of features is a loop, or goes from one place where they end or meet others to the next. It
-leads nowhere if one of its ends is inside the surface, where no other feature is. Removed are:
+leads nowhere if one of its ends is inside the surface, where no other feature is. Removed are, one
+after the other:
+- of two sides of a triangle with an area that meet at less than 30 degrees, the shorter one, if it
+  is nowhere farther than `length / 3` from the other, which may be on the border: slivers have
+  normals, and so sharp edges, by chance. Where no other feature meets them there, so that a line
+  makes a spike, the third side becomes a feature in its place;
 - chains that lead nowhere and are shorter than `length`;
 - all chains shorter than `4 * length`, however sharp they are, where the features are a net of
   noise: of more than 20 chains, those that lead nowhere are more than a fifth, and then, of what is
@@ -62,7 +126,7 @@ net has few ends, and is not seen as noise: smooth such a surface first, or ask 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a mesh
-\param is_feature the feature edges, of which some are set to `false`
+\param is_feature the feature edges, of which some are set to `false`, and third sides to `true`
 \param length a length, in the unit of the points. If it isn't positive, nothing is removed.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
@@ -103,6 +167,9 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
     internal::chosen(stripped, CGAL::internal_np::vertex_point,
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   const auto index_map = CGAL::get_initialized_vertex_index_map(tmesh, stripped);
+  if(!(length > 0))
+    return 0;
+  std::size_t result = internal::remove_sides_of_slivers(tmesh, is_feature, point_map, length);
   std::vector<char> is_on_border(num_vertices(tmesh), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features;
   std::vector<internal::Feature_net::Edge> edges_of_net;
@@ -119,7 +186,6 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
   }
   internal::Feature_net net(std::move(edges_of_net), std::move(is_on_border));
   net.remove_noise(length);
-  std::size_t result = 0;
   for(std::size_t i = 0; i < features.size(); ++i)
     if(!net.edge(i).is_kept) {
       put(is_feature, features[i], false);

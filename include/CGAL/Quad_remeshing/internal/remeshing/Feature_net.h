@@ -52,8 +52,6 @@ public:
   // chains, a part means nothing.
   void remove_noise(const double length)
   {
-    if(!(length > 0))
-      return;
     constexpr std::size_t few = 20;
     constexpr double a_fifth = 0.2;
     std::vector<Chain> chains = make_chains();
