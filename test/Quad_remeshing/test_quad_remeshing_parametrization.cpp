@@ -166,6 +166,57 @@ void test_cube_with_creases()
     CHECK_EQUAL(cone.second, 1);
 }
 
+// Bars of square section along the edges of an icosahedron, with all their edges as features: sides
+// that are narrow trapezoids, of two triangles each.
+Mesh frame(const double width)
+{
+  const Mesh solid = icosphere(0);
+  Mesh mesh;
+  const auto between = [](const Point_3& p, const Point_3& q, const double t)
+  { return p + t * (q - p); };
+  std::vector<std::array<Vertex, 2> > ends; // outside and inside
+  for(const Vertex v : solid.vertices())
+    ends.push_back({mesh.add_vertex(solid.point(v)),
+                    mesh.add_vertex(between(solid.point(v), CGAL::ORIGIN, width))});
+  std::vector<Vertex> corners(solid.number_of_halfedges()); // of holes, at the target
+  for(const Halfedge h : solid.halfedges()) {
+    const Point_3& p = solid.point(solid.target(h));
+    const Point_3 center = CGAL::centroid(p, solid.point(solid.source(h)),
+                                          solid.point(solid.target(solid.next(h))));
+    corners[h] = mesh.add_vertex(between(between(p, center, width), CGAL::ORIGIN, width / 2));
+  }
+  auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", true).first;
+  const auto add_side = [&](const Vertex a, const Vertex b, const Vertex c, const Vertex d) {
+    mesh.add_face(a, b, c);
+    mesh.add_face(a, c, d);
+    is_feature[mesh.edge(mesh.halfedge(a, c))] = false;
+  };
+  for(const Halfedge h : solid.halfedges()) {
+    const auto &a = ends[solid.source(h)], &b = ends[solid.target(h)];
+    add_side(a[0], b[0], corners[h], corners[solid.prev(h)]);
+    add_side(b[1], a[1], corners[solid.prev(h)], corners[h]);
+  }
+  return mesh;
+}
+
+// Each side of a bar is a rectangle in the map, however narrow its corners are.
+void test_frame()
+{
+  for(const double width : {0.1, 0.2, 0.4}) {
+    Mesh mesh = frame(width);
+    CHECK(CGAL::is_closed(mesh) && CGAL::is_valid_polygon_mesh(mesh));
+    const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
+    const Uv_map uv = new_uv_map(mesh);
+    const Report report = QR::approximate_seamless_parametrization(
+      mesh, uv, parameters::edge_is_constrained_map(is_feature).release_alignment(true));
+    CHECK(report.released_edges.empty());
+    CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+    CHECK_EQUAL(report.cones.size(), std::size_t(24));
+    for(const auto& cone : report.cones)
+      CHECK_EQUAL(cone.second, 4 - 10); // ten sides meet there
+  }
+}
+
 void test_meshes_of_all_kinds()
 {
   for(const auto& named : test_meshes::all_meshes<Kernel>()) {
@@ -1113,6 +1164,7 @@ int main()
   test_blas_threads();
   test_generated_meshes();
   test_cube_with_creases();
+  test_frame();
   test_meshes_of_all_kinds();
   test_reproducibility();
   test_target_edge_length();

@@ -2087,7 +2087,7 @@ void test_prisms()
     std::cout << context << ": least scaled Jacobian " << report.least_scaled_jacobian << ", mean "
               << report.mean_scaled_jacobian << std::endl;
     CHECK_IN(context, report && report.number_of_released_edges == 0);
-    CHECK_IN(context, report.least_scaled_jacobian > 0.7 && report.mean_scaled_jacobian > 0.98);
+    CHECK_IN(context, report.least_scaled_jacobian > 0.7 && report.mean_scaled_jacobian > 0.97);
     CHECK_IN(context, report.largest_distance < 1e-9);
   }
 }
@@ -2106,10 +2106,10 @@ void test_few_quads_between_features()
   CHECK(report.number_of_quads <= 90);
 }
 
-// At the tips of a long double pyramid, four features meet in so narrow sectors that quads are thin
-// there: without the features next to these, they are not. The others are kept. For fewer quads,
-// there are several maps, the best of which does not have the fewest.
-void test_attempt_without_features()
+// At the tips of a long double pyramid, four features meet in narrow sectors. Each of its four
+// sides between features is a rectangle of quads, and all features are kept. For fewer quads, there
+// are several maps, the best of which does not have the fewest.
+void test_double_pyramid()
 {
   Mesh mesh;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
@@ -2125,31 +2125,68 @@ void test_attempt_without_features()
     for(const Vertex tip : tips)
       is_feature[mesh.edge(mesh.halfedge(v, tip))] = true;
   }
+  const auto np = parameters::edge_is_constrained_map(is_feature);
+  const auto report =
+    QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(180));
+  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(80));
+  CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
+                          std::string::npos);
+  std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
+            << report.mean_scaled_jacobian << std::endl;
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.94);
+  CHECK_EQUAL(report.number_of_irregular_vertices, 8u);
+  CHECK(report.number_of_released_edges == 0 && report.number_of_displaced_vertices == 0 &&
+        report.number_of_thin_quads == 0);
+}
+
+// Quads are thin at some tips of a flat star: without the features next to these, they are not. The
+// others are kept.
+void test_attempt_without_features()
+{
+  constexpr int n = 24; // corners
+  Mesh mesh;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  const auto polygon =
+    polygon_around_origin(n, 0, [](const int i) { return i % 2 == 0 ? 1 : 0.5; });
+  for(const double z : {0., 0.2})
+    for(const auto& p : polygon)
+      mesh.add_vertex(Point_3(p.x(), p.y(), z));
+  const Vertex below = mesh.add_vertex(Point_3(0, 0, 0)),
+               above = mesh.add_vertex(Point_3(0, 0, 0.2));
+  double length = 0;
+  for(int i = 0; i < n; ++i) {
+    const Vertex a(i), b((i + 1) % n), c(n + i), d(n + (i + 1) % n);
+    mesh.add_face(a, b, d);
+    mesh.add_face(a, d, c);
+    mesh.add_face(b, a, below);
+    mesh.add_face(c, d, above);
+    for(const auto& [v, w] : {std::make_pair(a, b), std::make_pair(c, d), std::make_pair(a, c)}) {
+      is_feature[mesh.edge(mesh.halfedge(v, w))] = true;
+      length += std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+    }
+  }
   std::size_t number_of_repeats = 0;
   const auto visitor = [&](const std::string& text)
     { number_of_repeats += text.find("thin quads; again without") == std::string::npos ? 0 : 1; };
   Mesh quads;
   const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
-  const auto np = parameters::edge_is_constrained_map(is_feature);
-  const auto report = QR::quad_remesh(mesh, quads, np.target_number_of_quads(180).visitor(visitor),
-                                      parameters::edge_is_constrained_map(is_kept));
-  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(80));
-  CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
-                          std::string::npos);
-  std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
+  const auto report = QR::quad_remesh(
+    mesh, quads,
+    parameters::edge_is_constrained_map(is_feature).target_number_of_quads(270).visitor(visitor),
+    parameters::edge_is_constrained_map(is_kept));
+  std::cout << "flat star: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << ", " << report.number_of_released_edges
             << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK(number_of_repeats > 0);
   CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
-  const double length = 8 * std::sqrt(17.);
-  CHECK(report.number_of_released_edges > 0 && report.length_of_released_edges < length / 2);
+  CHECK(report.number_of_released_edges > 0 && report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
     const Point_3 &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
     kept += is_kept[e] ? std::sqrt(CGAL::squared_distance(p, q)) : 0;
   }
-  CHECK(kept > length / 3); // no edges are kept that run along them only in part
+  CHECK(kept > 0.8 * (length - report.length_of_released_edges)); // not where only a part is kept
 }
 
 // --- improvement of quads ------------------------------------------------------------------------
@@ -2768,6 +2805,7 @@ int main()
     test_few_quads();
     test_choice_of_map();
     test_few_quads_between_features();
+    test_double_pyramid();
     test_attempt_without_features();
     test_tips();
     test_prisms();

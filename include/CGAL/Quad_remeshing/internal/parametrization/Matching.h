@@ -70,14 +70,31 @@ inline int nearest_turns(const double angle)
   return static_cast<int>(std::floor(angle / quarter_turn + 0.5 - tie_breaker));
 }
 
-// Matches each direction with the closest one.
+// The angle from the closest direction of the cross of its face to a halfedge.
+inline double turn_from_cross(const Triangle_surface& surface, const std::vector<double>& angles,
+                              const Corner_index h)
+{
+  const double turn = surface.direction[h] - angles[surface.face(h)];
+  return turn - quarter_turn * std::round(turn / quarter_turn);
+}
+
+// Matches each direction with the closest one; across an aligned edge, those that are closest to it
+// on either side, so that it is on isocurves of one coordinate for both.
 inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles)
 {
   const Corner_index n = surface.number_of_halfedges();
   Matching matching{std::vector<int>(n, 0), std::vector<double>(n, 0)};
   for(Corner_index h = 0; h < n; ++h)
-    if(surface.represents_edge(h) && !surface.is_border_edge(h))
-      set_turns(surface, angles, h, nearest_turns(turn_across(surface, angles, h)), matching);
+    if(surface.represents_edge(h) && !surface.is_border_edge(h)) {
+      const double turn = turn_across(surface, angles, h);
+      const int turns =
+        surface.is_aligned[h]
+          ? static_cast<int>(std::lround((turn + turn_from_cross(surface, angles, h) -
+                                          turn_from_cross(surface, angles, surface.opposite(h))) /
+                                         quarter_turn))
+          : nearest_turns(turn);
+      set_turns(surface, angles, h, turns, matching);
+    }
   return matching;
 }
 
@@ -188,6 +205,62 @@ inline bool spread_large_indices(Triangle_surface& surface, const std::vector<do
       ++index[surface.source(best)];
       changed = true;
     }
+  return changed;
+}
+
+// How many quarter turns there are from the first side of a sector to the other.
+inline int turns_of_sector(const Triangle_surface& surface, const std::vector<double>& angles,
+                           const Matching& matching, const Aligned_sector& sector)
+{
+  double turn = sector.angle + turn_from_cross(surface, angles, surface.next(sector.first));
+  for_each_corner(surface, sector, [&](const Corner_index h) {
+    turn += surface.is_aligned[h] ? -turn_from_cross(surface, angles, h) : matching.deviation[h];
+  });
+  return static_cast<int>(std::lround(turn / quarter_turn));
+}
+
+// Whether the vertex that an edge comes from, or its sector there, can do with a quarter turn less.
+inline bool has_turn_to_give(const Triangle_surface& surface, const std::vector<double>& angles,
+                             const Matching& matching, const std::vector<int>& index,
+                             const int largest_index, const Corner_index h)
+{
+  const std::size_t v = surface.source(h);
+  bool has_sectors = false, result = false;
+  for_each_sector(surface, v, [&](const Aligned_sector& sector) {
+    has_sectors = true;
+    for_each_corner(surface, sector, [&](const Corner_index corner) {
+      if(corner == surface.prev(h))
+        result = turns_of_sector(surface, angles, matching, sector) > 1;
+    });
+  });
+  return has_sectors ? result : !surface.is_border[v] && index[v] < largest_index;
+}
+
+// The sides of a sector without a quarter turn would be one isocurve, and the faces between them
+// collapse: it gets one from the other end of an edge inside. Returns whether anything was changed.
+inline bool open_collapsed_sectors(const Triangle_surface& surface,
+                                   const std::vector<double>& angles, const int largest_index,
+                                   std::vector<int>& index, Matching& matching)
+{
+  bool changed = false;
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    for_each_sector(surface, v, [&](const Aligned_sector& sector) {
+      for(int turns = turns_of_sector(surface, angles, matching, sector); turns < 1; ++turns) {
+        Corner_index best = no_index;
+        for_each_corner(surface, sector, [&](const Corner_index h) {
+          if(!surface.is_aligned[h] &&
+             (best == no_index || matching.deviation[h] < matching.deviation[best]) &&
+             has_turn_to_give(surface, angles, matching, index, largest_index, h))
+            best = h;
+        });
+        if(best == no_index)
+          return;
+        set_turns(surface, angles, best, matching.turns[best] - 1, matching);
+        --index[v];
+        ++index[surface.source(best)];
+        changed = true;
+      }
+    });
   return changed;
 }
 

@@ -211,6 +211,9 @@ Parametrization_result parametrize(Triangle_surface& surface,
      spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
                           singular, matching, result.released))
     singular = singularities(surface, topo, matching);
+  if(options.cone_index.empty() &&
+     open_collapsed_sectors(surface, angles, options.largest_cone_index, singular.index, matching))
+    singular = singularities(surface, topo, matching);
   if(options.least_cone_distance > 0) {
     Timed_solver solver(report.seconds_in_solvers, make_solver);
     if(cancel_cones(surface, wanted, cone_distance, singular.index, angles, matching, solver))

@@ -98,6 +98,49 @@ inline std::vector<double> angle_defects(const Triangle_surface& surface)
   return defect;
 }
 
+// The corners at a vertex from one aligned edge to the next.
+struct Aligned_sector
+{
+  Corner_index first; // its outgoing edge is aligned
+  std::size_t number_of_corners;
+  double angle;
+};
+
+template <typename Visit>
+void for_each_corner(const Triangle_surface& surface, const Aligned_sector& sector,
+                     const Visit& visit)
+{
+  Corner_index h = sector.first;
+  for(std::size_t i = 0; i < sector.number_of_corners; ++i, h = surface.counterclockwise(h))
+    visit(h);
+}
+
+// Not for one that goes all around, as where a single aligned edge ends.
+template <typename Visit>
+void for_each_sector(const Triangle_surface& surface, const std::size_t v, const Visit& visit)
+{
+  Corner_index first = no_index;
+  for_each_corner(surface, v, [&](const Corner_index h) {
+    if(first == no_index && surface.is_aligned[surface.next(h)])
+      first = h;
+  });
+  if(first == no_index)
+    return;
+  Aligned_sector sector{first, 0, 0};
+  Corner_index h = first;
+  do {
+    ++sector.number_of_corners;
+    sector.angle += surface.angle[h];
+    const Corner_index following = surface.counterclockwise(h);
+    if(surface.is_aligned[h]) {
+      if(following != sector.first)
+        visit(sector);
+      sector = {following, 0, 0};
+    }
+    h = following;
+  } while(h != no_index && h != first);
+}
+
 // The mean of values per face or per halfedge over each component: components are parametrized
 // independently of each other, whatever their sizes are.
 inline std::vector<double> component_means(const Triangle_surface& surface,

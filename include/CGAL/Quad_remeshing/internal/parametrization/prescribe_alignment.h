@@ -52,53 +52,16 @@ constexpr double narrow_sector = 50 * pi / 180;
 
 // Turns the crosses of the faces in a sector to 45 degrees of its bisector, so that the edges at
 // its two sides are taken for one isocurve of each kind.
-inline void open_sector(const Triangle_surface& surface,
-                        const Corner_index first_corner, // outgoing edge: the first side
-                        const std::size_t number_of_corners,
-                        const double sector_angle,
+inline void open_sector(const Triangle_surface& surface, const Aligned_sector& sector,
                         Prescribed_field& field)
 {
-  Corner_index h = first_corner;
-  double direction = surface.direction[surface.next(h)] + sector_angle / 2 - quarter_turn / 2;
-  for(std::size_t i = 0; i < number_of_corners; ++i) {
+  double direction = surface.direction[surface.next(sector.first)] + sector.angle / 2 -
+                     quarter_turn / 2;
+  for_each_corner(surface, sector, [&](const Corner_index h) {
     field[surface.face(h)] = cross_of_angle(direction);
-    if(i + 1 < number_of_corners) {
+    if(!surface.is_aligned[h])
       direction += surface.transport(h);
-      h = surface.counterclockwise(h);
-    }
-  }
-}
-
-// Opens the sectors at vertex `v` that need it: the narrow ones, and those of a single face, where
-// the two sides compete for one cross.
-inline void open_sectors(const Triangle_surface& surface, const std::size_t v,
-                         Prescribed_field& field)
-{
-  Corner_index first = no_index; // a corner whose outgoing edge is aligned
-  for_each_corner(surface, v, [&](const Corner_index h) {
-    if(first == no_index && surface.is_aligned[surface.next(h)])
-      first = h;
   });
-  if(first == no_index)
-    return;
-
-  Corner_index start = first, h = first;
-  std::size_t count = 0;
-  double sector_angle = 0;
-  do {
-    ++count;
-    sector_angle += surface.angle[h];
-    const Corner_index following = surface.counterclockwise(h);
-    if(surface.is_aligned[h]) {
-      const bool is_whole_turn = (following == start); // a single aligned edge ends here
-      if(!is_whole_turn && (count == 1 || sector_angle < narrow_sector))
-        open_sector(surface, start, count, sector_angle, field);
-      start = following;
-      count = 0;
-      sector_angle = 0;
-    }
-    h = following;
-  } while(h != no_index && h != first);
 }
 
 // Elsewhere, the field follows the directions of the caller, if there are any.
@@ -119,8 +82,15 @@ inline Prescribed_field prescribe_alignment(const Triangle_surface& surface,
                     "all three edges of face " + std::to_string(f) + " are to be aligned, which "
                     "would collapse it: split the face or release an edge");
   }
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    open_sectors(surface, v, field);
+  // A face of two aligned edges is opened last, as a sector of several faces can be opened by the
+  // rotations between them, too.
+  for(const bool are_single : {false, true})
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+      for_each_sector(surface, v, [&](const Aligned_sector& sector) {
+        if((sector.number_of_corners == 1) == are_single &&
+           (are_single || sector.angle < narrow_sector))
+          open_sector(surface, sector, field);
+      });
   for(std::size_t f = 0; f < directions.size(); ++f)
     if(field[f] == Complex(0))
       field[f] = directions[f];

@@ -198,22 +198,25 @@ private:
   // parts, and leads edges from the centers of all faces around to their corners.
   void divide(const std::vector<Face>& faces)
   {
-    double area = 0;
-    for(const Face f : faces) {
+    const auto area = [&](const Face f) {
       const Halfedge h = m_mesh.halfedge(f);
-      area += std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)),
-                                           m_mesh.point(m_mesh.target(h)),
-                                           m_mesh.point(m_mesh.target(m_mesh.next(h)))));
-    }
-    // Thirds of shorter edges would be small against quads.
-    const double least_length = 3 * std::sqrt(area / Surface_refiner::number_of_squares);
+      return std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)),
+                                          m_mesh.point(m_mesh.target(h)),
+                                          m_mesh.point(m_mesh.target(m_mesh.next(h)))));
+    };
+    double square = 0;
+    for(const Face f : faces)
+      square += area(f) / Surface_refiner::number_of_squares;
+    const double least_length = 3 * std::sqrt(square); // thirds would be small against quads
     std::set<Edge> sides;
     for(const Face f : faces) {
-      if(!has_area(f))
+      if(!has_area(f) ||
+         (area(f) < Surface_refiner::squares_of_half * square &&
+          is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_aligned(h); }, f)))
         continue;
       const bool has_aligned_sides = has_aligned_sides_only(f);
       for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
-        if(has_aligned_sides)
+        if(has_aligned_sides || is_side_opposite_to_flat_corner(h))
           sides.insert(m_mesh.edge(h));
         else if(is_aligned(h) && CGAL::squared_distance(m_mesh.point(m_mesh.source(h)),
                                                         m_mesh.point(m_mesh.target(h))) >
@@ -235,6 +238,18 @@ private:
   {
     const auto sides = m_mesh.halfedges_around_face(m_mesh.halfedge(f));
     return std::all_of(sides.begin(), sides.end(), [&](const Halfedge h) { return is_aligned(h); });
+  }
+
+  // Whether the two other sides are aligned, and nearly one straight line: they can't be on the
+  // same isocurve where they are sides of one face.
+  bool is_side_opposite_to_flat_corner(const Halfedge h) const
+  {
+    constexpr double flat = 135; // degrees: nearer to two quarter turns than to one
+    const Halfedge next = m_mesh.next(h), previous = m_mesh.prev(h);
+    return is_aligned(next) && is_aligned(previous) &&
+           CGAL::approximate_angle(m_mesh.point(m_mesh.source(next)),
+                                   m_mesh.point(m_mesh.target(next)),
+                                   m_mesh.point(m_mesh.target(previous))) > flat;
   }
 
   // Where a narrow sector of faces begins at `h`, whose target is between features or border: the

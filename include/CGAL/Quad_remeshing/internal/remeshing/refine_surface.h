@@ -36,6 +36,27 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// Whether a triangle is half of a quad between walls, which are features and border: a rectangle in
+// the map if it is not divided, as there is no room for cones.
+template <typename Mesh, typename IsWall>
+bool is_half_of_quad(const Mesh& mesh, const IsWall& is_wall, const typename Mesh::Face_index f)
+{
+  using Halfedge = typename Mesh::Halfedge_index;
+  const auto only_inner_side = [&](const Halfedge first) { // null if there is none or another one
+    Halfedge result = Mesh::null_halfedge();
+    for(const Halfedge h : mesh.halfedges_around_face(first))
+      if(!is_wall(h)) {
+        if(result != Mesh::null_halfedge())
+          return Mesh::null_halfedge();
+        result = h;
+      }
+    return result;
+  };
+  const Halfedge inner = only_inner_side(mesh.halfedge(f));
+  return inner != Mesh::null_halfedge() &&
+         only_inner_side(mesh.opposite(inner)) == mesh.opposite(inner);
+}
+
 // Invariant: all vertices stay, and so do features and border, of which new edges are parts. No
 // flip makes a triangle with two sides that are features or border, which both would direct it.
 // Lengths do not depend on the number of quads, so that all numbers have the same surface.
@@ -53,11 +74,13 @@ class Surface_refiner
 public:
   // Triangles are divided if they are longer than the side of one of so many squares, and than so
   // many times their height; large ones, if they are longer than so many sides. Where these cover
-  // less than such a share of the area, nothing is changed.
+  // less than such a share of the area, nothing is changed. Halves of quads between walls stay if
+  // they are not larger than so many squares: for few quads, a rectangle is better than cones.
   static constexpr double number_of_squares = 5000;
+  static constexpr double squares_of_half = 15;
   static constexpr double longness = 4;
   static constexpr double largest_length = 4;
-  static constexpr double least_share = 0.25;
+  static constexpr double least_share = 0.2;
   static constexpr std::size_t most_new_faces = 40000;
 
   // \param has_large_faces whether large triangles stay
@@ -154,6 +177,9 @@ private:
 
   bool is_to_divide(const Face f) const
   {
+    if(area(f) < squares_of_half * m_length * m_length &&
+       is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_wall(h); }, f))
+      return false;
     const double length = std::sqrt(vector(longest_side(f)).squared_length());
     const double sides = length / (m_length * size(f));
     return (!m_has_large_faces && sides > largest_length) ||
