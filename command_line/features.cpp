@@ -61,9 +61,9 @@ void Feature_options::add_to(Options& options, const std::string& keep,
               keep + " edges that are sharper (default: 0, which " + keep + "s none)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
               "leave out features that are shorter and lead nowhere, as noise makes them:\n"
-              "lines of edges with an end where no other feature is, nor the border; and\n"
+              "lines of edges with an end where no other feature is, nor the border;\n"
               "where much of a net of more than 20 lines does, all that are shorter than\n"
-              "four times this length\n"
+              "four times this length; and the shorter of two sides of a sliver\n"
               "(default: " + default_length + ")");
 }
 
