@@ -180,16 +180,24 @@ inline Corner_index neighbor_of_smallest_index(const Triangle_surface& surface, 
   return best;
 }
 
+// Hands a quarter turn of index on, from the target of an edge to its source.
+inline void hand_on_turn(const Triangle_surface& surface, const std::vector<double>& angles,
+                         const Corner_index h, std::vector<int>& index, Matching& matching)
+{
+  set_turns(surface, angles, h, matching.turns[h] - 1, matching);
+  --index[surface.vertex(h)];
+  ++index[surface.source(h)];
+}
+
 // A cone of index 4 or more, as at the tip of a spike, leaves no angle for its faces, so that they
 // would flip: what is above the largest index is handed on to neighbors, but not along features,
 // unless these may be released. Returns whether anything was changed.
 inline bool spread_large_indices(Triangle_surface& surface, const std::vector<double>& angles,
                                  const int largest_index, const bool may_release,
-                                 Singularities& singular, Matching& matching,
+                                 std::vector<int>& index, Matching& matching,
                                  std::vector<Corner_index>& released)
 {
   bool changed = false;
-  std::vector<int>& index = singular.index;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     while(index[v] > largest_index) {
       Corner_index best = neighbor_of_smallest_index(surface, v, index, largest_index, false);
@@ -200,9 +208,7 @@ inline bool spread_large_indices(Triangle_surface& surface, const std::vector<do
       }
       if(best == no_index)
         break;
-      set_turns(surface, angles, best, matching.turns[best] - 1, matching);
-      --index[v];
-      ++index[surface.source(best)];
+      hand_on_turn(surface, angles, best, index, matching);
       changed = true;
     }
   return changed;
@@ -255,9 +261,7 @@ inline bool open_collapsed_sectors(const Triangle_surface& surface,
         });
         if(best == no_index)
           return;
-        set_turns(surface, angles, best, matching.turns[best] - 1, matching);
-        --index[v];
-        ++index[surface.source(best)];
+        hand_on_turn(surface, angles, best, index, matching);
         changed = true;
       }
     });

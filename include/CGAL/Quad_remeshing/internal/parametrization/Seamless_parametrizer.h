@@ -207,13 +207,14 @@ Parametrization_result parametrize(Triangle_surface& surface,
   timer.finish("field");
 
   Singularities singular = singularities(surface, topo, matching);
-  if(options.cone_index.empty() &&
-     spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
-                          singular, matching, result.released))
-    singular = singularities(surface, topo, matching);
-  if(options.cone_index.empty() &&
-     open_collapsed_sectors(surface, angles, options.largest_cone_index, singular.index, matching))
-    singular = singularities(surface, topo, matching);
+  if(options.cone_index.empty()) {
+    const bool is_spread =
+      spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
+                           singular.index, matching, result.released);
+    if(open_collapsed_sectors(surface, angles, options.largest_cone_index, singular.index,
+                              matching) || is_spread)
+      singular = singularities(surface, topo, matching);
+  }
   if(options.least_cone_distance > 0) {
     Timed_solver solver(report.seconds_in_solvers, make_solver);
     if(cancel_cones(surface, wanted, cone_distance, singular.index, angles, matching, solver))

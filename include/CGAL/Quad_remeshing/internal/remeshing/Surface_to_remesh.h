@@ -211,8 +211,8 @@ private:
     std::set<Edge> sides;
     for(const Face f : faces) {
       if(!has_area(f) ||
-         (area(f) < Surface_refiner::squares_of_half * square &&
-          is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_aligned(h); }, f)))
+         (is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_aligned(h); }, f) &&
+          area(f) < Surface_refiner::squares_of_half * square))
         continue;
       const bool has_aligned_sides = has_aligned_sides_only(f);
       for(const Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {

@@ -38,8 +38,8 @@ namespace internal {
 
 // Whether a triangle is half of a quad between walls, which are features and border: a rectangle in
 // the map if it is not divided, as there is no room for cones.
-template <typename Mesh, typename IsWall>
-bool is_half_of_quad(const Mesh& mesh, const IsWall& is_wall, const typename Mesh::Face_index f)
+template <typename Mesh, typename Is_wall>
+bool is_half_of_quad(const Mesh& mesh, const Is_wall& is_wall, const typename Mesh::Face_index f)
 {
   using Halfedge = typename Mesh::Halfedge_index;
   const auto only_inner_side = [&](const Halfedge first) { // null if there is none or another one
@@ -177,8 +177,8 @@ private:
 
   bool is_to_divide(const Face f) const
   {
-    if(area(f) < squares_of_half * m_length * m_length &&
-       is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_wall(h); }, f))
+    if(is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_wall(h); }, f) &&
+       area(f) < squares_of_half * m_length * m_length)
       return false;
     const double length = std::sqrt(vector(longest_side(f)).squared_length());
     const double sides = length / (m_length * size(f));
