@@ -107,8 +107,8 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Copy = Surface_to_remesh;
-  const auto read = [&](Copy::Mesh& copy, const Copy::Feature_map is_feature,
-                        const Copy::Direction_map directions, const Copy::Sizing_map sizes) {
+  const auto read = [&](Marked_surface& surface) {
+    Copy::Mesh& copy = surface.mesh;
     std::vector<std::pair<Halfedge, Copy::Halfedge> > copies;
     CGAL::copy_face_graph(
       tmesh, copy,
@@ -122,14 +122,14 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
     const auto size_map = CGAL::parameters::get_parameter(np, internal_np::vertex_sizing);
     for(const auto& [original, h] : copies) {
       if constexpr(is_given<decltype(feature_map)>)
-        is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
+        surface.is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
       if constexpr(is_given<decltype(direction_map)>)
         if(!copy.is_border(h) && copy.halfedge(copy.face(h)) == h) {
           const Place d = place_of(get(direction_map, face(original, tmesh)));
-          directions[copy.face(h)] = {d[0], d[1], d[2]};
+          surface.directions[copy.face(h)] = {d[0], d[1], d[2]};
         }
       if constexpr(is_given<decltype(size_map)>)
-        sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
+        surface.sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
     }
   };
   return Surface_to_remesh(read, mirror);

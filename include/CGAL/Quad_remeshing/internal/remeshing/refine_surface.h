@@ -20,9 +20,9 @@
 // (Rivara's longest-edge propagation), and edges between triangles of a plane are flipped to
 // Delaunay ones.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Marked_surface.h>
+
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -36,41 +36,12 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Whether a triangle is half of a quad between walls, which are features and border: a rectangle in
-// the map if it is not divided, as there is no room for cones.
-template <typename Mesh, typename Is_wall>
-bool is_half_of_quad(const Mesh& mesh, const Is_wall& is_wall, const typename Mesh::Face_index f)
-{
-  using Halfedge = typename Mesh::Halfedge_index;
-  const auto only_inner_side = [&](const Halfedge first) { // null if there is none or another one
-    Halfedge result = Mesh::null_halfedge();
-    for(const Halfedge h : mesh.halfedges_around_face(first))
-      if(!is_wall(h)) {
-        if(result != Mesh::null_halfedge())
-          return Mesh::null_halfedge();
-        result = h;
-      }
-    return result;
-  };
-  const Halfedge inner = only_inner_side(mesh.halfedge(f));
-  return inner != Mesh::null_halfedge() &&
-         only_inner_side(mesh.opposite(inner)) == mesh.opposite(inner);
-}
-
 // Invariant: all vertices stay, and so do features and border, of which new edges are parts. No
 // flip makes a triangle with two sides that are features or border, which both would direct it.
 // Lengths do not depend on the number of quads, so that all numbers have the same surface.
 class Surface_refiner
+  : private Remeshing_types
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Point = Kernel::Point_3;
-  using Vector = Kernel::Vector_3;
-  using Mesh = CGAL::Surface_mesh<Point>;
-  using Vertex = Mesh::Vertex_index;
-  using Edge = Mesh::Edge_index;
-  using Face = Mesh::Face_index;
-  using Halfedge = Mesh::Halfedge_index;
-
 public:
   // Triangles are divided if they are longer than the side of one of so many squares, and than so
   // many times their height; large ones, if they are longer than so many sides. Where these cover
@@ -84,17 +55,10 @@ public:
   static constexpr std::size_t most_new_faces = 40000;
 
   // \param has_large_faces whether large triangles stay
-  // \param sizes lengths count in units of them
-  // \param originals per face: new ones get those of the faces that they are parts of
-  Surface_refiner(Mesh& mesh, const bool has_large_faces,
-                  const Mesh::Property_map<Edge, bool>& is_feature,
-                  const Mesh::Property_map<Face, Vector>& directions,
-                  const Mesh::Property_map<Vertex, double>& sizes,
-                  std::vector<std::size_t>& originals)
-    : m_mesh(mesh), m_has_large_faces(has_large_faces), m_is_feature(is_feature),
-      m_directions(directions), m_sizes(sizes), m_originals(originals),
-      m_most_faces(mesh.number_of_faces() + most_new_faces),
-      m_most_flips(10 * (mesh.number_of_edges() + 2 * most_new_faces))
+  Surface_refiner(Marked_surface& surface, const bool has_large_faces)
+    : m_surface(surface), m_mesh(surface.mesh), m_has_large_faces(has_large_faces),
+      m_most_faces(m_mesh.number_of_faces() + most_new_faces),
+      m_most_flips(10 * (m_mesh.number_of_edges() + 2 * most_new_faces))
   { }
 
   // Returns false if the surface is left as it is, as most are.
@@ -138,8 +102,8 @@ private:
   double size(const Face f) const
   {
     const Halfedge h = m_mesh.halfedge(f);
-    return (m_sizes[m_mesh.source(h)] + m_sizes[m_mesh.target(h)] +
-            m_sizes[m_mesh.target(m_mesh.next(h))]) / 3;
+    return (m_surface.sizes[m_mesh.source(h)] + m_surface.sizes[m_mesh.target(h)] +
+            m_surface.sizes[m_mesh.target(m_mesh.next(h))]) / 3;
   }
 
   // In units of the size.
@@ -153,7 +117,7 @@ private:
     for(const Vertex v : m_mesh.vertices()) {
       const Point& p = m_mesh.point(v);
       if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()) &&
-           std::isfinite(m_sizes[v]) && m_sizes[v] > 0))
+           std::isfinite(m_surface.sizes[v]) && m_surface.sizes[v] > 0))
         return false;
       box += p.bbox();
     }
@@ -177,8 +141,7 @@ private:
 
   bool is_to_divide(const Face f) const
   {
-    if(is_half_of_quad(m_mesh, [&](const Halfedge h) { return is_wall(h); }, f) &&
-       area(f) < squares_of_half * m_length * m_length)
+    if(m_surface.is_half_of_quad(f) && area(f) < squares_of_half * m_length * m_length)
       return false;
     const double length = std::sqrt(vector(longest_side(f)).squared_length());
     const double sides = length / (m_length * size(f));
@@ -210,11 +173,8 @@ private:
   void halve(const Halfedge h)
   {
     const Point middle = m_mesh.point(m_mesh.source(h)) + vector(h) / 2;
-    const double size = (m_sizes[m_mesh.source(h)] + m_sizes[m_mesh.target(h)]) / 2;
-    const Halfedge to_middle = CGAL::Euler::split_edge(h, m_mesh); // and h goes on from there
-    m_mesh.point(m_mesh.target(to_middle)) = middle;
-    m_sizes[m_mesh.target(to_middle)] = size;
-    m_is_feature[m_mesh.edge(to_middle)] = bool(m_is_feature[m_mesh.edge(h)]);
+    const double size = (m_surface.sizes[m_mesh.source(h)] + m_surface.sizes[m_mesh.target(h)]) / 2;
+    const Halfedge to_middle = m_surface.split_edge(h, middle, size);
     for(const Halfedge g : {to_middle, m_mesh.opposite(h)})
       if(!m_mesh.is_border(g))
         divide_face(g);
@@ -230,9 +190,7 @@ private:
   {
     const Face f = m_mesh.face(h);
     const Halfedge g = CGAL::Euler::split_face(h, m_mesh.next(m_mesh.next(h)), m_mesh);
-    const Face other = m_mesh.face(g) == f ? m_mesh.face(m_mesh.opposite(g)) : m_mesh.face(g);
-    m_directions[other] = Vector(m_directions[f]);
-    m_originals.push_back(std::size_t(m_originals[f]));
+    m_surface.mark_part(m_mesh.face(m_mesh.face(g) == f ? m_mesh.opposite(g) : g), f);
   }
 
   // Between slivers, rounding could let flips go on; so they are counted.
@@ -241,7 +199,7 @@ private:
     while(!m_unchecked.empty()) {
       const Halfedge h = m_mesh.halfedge(m_unchecked.back()), o = m_mesh.opposite(h);
       m_unchecked.pop_back();
-      if(m_number_of_flips >= m_most_flips || is_wall(h) || !is_to_flip(h))
+      if(m_number_of_flips >= m_most_flips || m_surface.is_wall(h) || !is_to_flip(h))
         continue;
       CGAL::Euler::flip_edge(h, m_mesh);
       ++m_number_of_flips;
@@ -253,16 +211,13 @@ private:
     }
   }
 
-  bool is_wall(const Halfedge h) const
-  { return m_is_feature[m_mesh.edge(h)] || m_mesh.is_border(m_mesh.edge(h)); }
-
   // Whether it is no Delaunay edge, in a plane. One that exists already is not made again.
   bool is_to_flip(const Halfedge h) const
   {
     const Halfedge o = m_mesh.opposite(h);
-    if(m_directions[m_mesh.face(h)] != m_directions[m_mesh.face(o)] ||
-       (is_wall(m_mesh.next(h)) && is_wall(m_mesh.prev(o))) ||
-       (is_wall(m_mesh.prev(h)) && is_wall(m_mesh.next(o))))
+    if(m_surface.directions[m_mesh.face(h)] != m_surface.directions[m_mesh.face(o)] ||
+       (m_surface.is_wall(m_mesh.next(h)) && m_surface.is_wall(m_mesh.prev(o))) ||
+       (m_surface.is_wall(m_mesh.prev(h)) && m_surface.is_wall(m_mesh.next(o))))
       return false;
     const Vertex v = m_mesh.target(m_mesh.next(h)), w = m_mesh.target(m_mesh.next(o));
     const Point &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h));
@@ -289,12 +244,9 @@ private:
            CGAL::cross_product(p - b, q - b) * normal > 0;
   }
 
+  Marked_surface& m_surface;
   Mesh& m_mesh;
   bool m_has_large_faces;
-  Mesh::Property_map<Edge, bool> m_is_feature;
-  Mesh::Property_map<Face, Vector> m_directions;
-  Mesh::Property_map<Vertex, double> m_sizes;
-  std::vector<std::size_t>& m_originals;
   std::size_t m_most_faces, m_most_flips, m_number_of_flips = 0;
   double m_area = 0, m_length = 0, m_height_of_flat = 0;
   std::priority_queue<std::pair<double, Face> > m_faces_to_divide; // the largest first
