@@ -30,8 +30,8 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
   if(number == 0)
     return;
   os << "warning: " << counted(number, "quad") << (number == 1 ? " is" : " are")
-     << " inverted: at a corner, the sides turn the other way than the quad as a whole does, or it "
-        "lies upside down. ";
+     << " inverted: at a corner, the sides turn the other way than the quad as a whole does, or a "
+        "side has no length, or it lies upside down. ";
   os << (number == 1 ? "It is face" : number == first.size() ? "They are faces"
                                                              : "The first are faces");
   const std::string suffix = suffix_of(filename);

@@ -67,7 +67,7 @@ bool is_inverted_in_rationals(const std::array<std::array<double, 3>, 4>& q)
   bool result = CGAL::cross_product(d, e) == CGAL::NULL_VECTOR;
   for(std::size_t k = 0; k < 4; ++k) {
     const Vector a = vector(k, (k + 1) % 4), b = vector(k, (k + 3) % 4);
-    result = result || (a * d) * (b * e) < (a * e) * (b * d);
+    result = result || (a * d) * (b * e) < (a * e) * (b * d) || a == CGAL::NULL_VECTOR;
   }
   return result;
 }

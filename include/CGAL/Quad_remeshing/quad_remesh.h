@@ -85,10 +85,10 @@ struct Remeshing_report
   /// line among them
   std::size_t number_of_thin_quads = 0;
   /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
-  /// does, or the quad has no area, decided exactly, for the points as doubles; or that lie
-  /// upside down: by more than 120 degrees, if the surface is flat, they face against it on the
-  /// average, at their middle, and half way from there to each corner, as walks over the surface
-  /// find in floating point.
+  /// does, or the quad has no area, or a side no length, decided exactly, for the points as
+  /// doubles; or that lie upside down: by more than 120 degrees, if the surface is flat, they face
+  /// against it on the average, at their middle, and half way from there to each corner, as walks
+  /// over the surface find in floating point.
   std::size_t number_of_inverted_quads = 0;
   /// the first of them, at most ten, counted from 0 in the order in which the faces were written
   std::vector<std::size_t> first_inverted_quads;

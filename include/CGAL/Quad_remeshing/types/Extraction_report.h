@@ -45,7 +45,8 @@ struct Extraction_report
   /// pieces of cells that the border cuts off, or holes; they were left out
   std::size_t number_of_cut_cells = 0;
   /// quads that are inverted in space: at a corner, their sides turn the other way than the quad as
-  /// a whole does, or the quad has no area. Decided exactly, for the points as doubles.
+  /// a whole does, or the quad has no area, or a side no length. Decided exactly, for the points as
+  /// doubles.
   std::size_t number_of_inverted_quads = 0;
   /// the first of them, at most ten, counted from 0 in the order in which the faces were written
   std::vector<std::size_t> first_inverted_quads;

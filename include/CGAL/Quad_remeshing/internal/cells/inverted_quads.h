@@ -77,7 +77,8 @@ Number least_corner_area(const Quad_in_space& q, const Vector_in_space<Number>& 
   return least;
 }
 
-// Whether a corner turns the other way than the quad as a whole does, or the quad has no area.
+// Whether a corner turns the other way than the quad as a whole does, or the quad has no area, or a
+// side no length.
 inline bool is_inverted(const Quad_in_space& q)
 {
   double size = 0; // of vectors between corners
@@ -95,6 +96,9 @@ inline bool is_inverted(const Quad_in_space& q)
     if(least > error || least < -error)
       return least < 0;
   }
+  for(std::size_t k = 0; k < 4; ++k)
+    if(q[k] == q[(k + 1) % 4])
+      return true;
   using Exact = CGAL::Exact_rational;
   const Vector_in_space<Exact> normal = area_vector<Exact>(q);
   const bool has_area = normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
