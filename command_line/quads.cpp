@@ -247,6 +247,17 @@ bool has_aligned_border(Model& model, const Quad_options& options)
   return 3 * number_of_others <= number;
 }
 
+// Without the remedies that no option here is for.
+std::string message_of(const QR::Quantization& quantization, const Model& model)
+{
+  static const char* const words[][2] = {
+    {". That is more than maximum_number: raise it, or ask for about as many, mark fewer features, "
+     "or release some by maximum_feature_loss",
+     ": ask for about as many, or mark fewer features"},
+    {", and some can be released by maximum_feature_loss", ""}};
+  return in_words_of_user(with_words(quantization.message, words), model);
+}
+
 // The quads of the same quantization, in a better shape.
 void extract_and_smooth(const Quad_options& options, const Model& model,
                         const QR::Quantization& quantization, Result& result)
@@ -275,7 +286,7 @@ void extract_quantized(const Quad_options& options, const Model& model,
 {
   result.integers = "of a quantization";
   if(!quantization.message.empty())
-    result.integers += "; " + quantization.message;
+    result.integers += "; " + message_of(quantization, model);
   extract(options, model, result, quantization, model.mesh);
   const std::size_t number = result.report.number_of_inverted_quads;
   const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
@@ -334,7 +345,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   const double any = std::numeric_limits<double>::infinity();
   extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
   const std::string why =
-    is_aligned ? "there is no quantization: " + in_words_of_user(quantization.message, model)
+    is_aligned ? "there is no quantization: " + message_of(quantization, model)
                : "most of the border lies on no isocurve";
   result.integers = "at any distance, as " + why;
   if(!result.report)

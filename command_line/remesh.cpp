@@ -400,6 +400,7 @@ void remesh(const Arguments& arguments)
     report = make_quads(options, model, directions, sizes, plane, quads);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
+    report.message = in_words_of_user(report.message, model);
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
     os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
     outcome.diagonal = ::diagonal(model.mesh);

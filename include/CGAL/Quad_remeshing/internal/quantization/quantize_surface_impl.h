@@ -157,7 +157,7 @@ public:
       return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
     if(!m_options.is_coarsest && has_more_than_wanted()) {
       m_result.number_of_forced_quads = number_of_forced_quads();
-      add_note(m_result, words_for_number());
+      add_note(m_result, words_for_number() + words_for_remedy());
     }
     if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
       add_note(m_result, counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
@@ -270,6 +270,14 @@ private:
     return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
            " of fewer quads, down to the number wanted, was found" +
            (forced > 0 ? "; features force about " + std::to_string(forced) : "");
+  }
+
+  // Where more than half of the quads are forced.
+  std::string words_for_remedy() const
+  {
+    return 2 * m_result.number_of_forced_quads > m_result.number_of_quads &&
+               m_options.maximum_feature_loss == 0
+             ? ", and some can be released by maximum_feature_loss" : "";
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;
