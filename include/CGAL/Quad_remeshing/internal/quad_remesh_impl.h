@@ -320,7 +320,8 @@ private:
   // Of the map for the wanted number. Where that has more quads, and features neither force these
   // nor are released, of other maps, too: four for fewer quads, and those for more that may have
   // less than are known already. Of few quads, those of maps with up to a quarter more than the
-  // fewest, or the wanted number, are kept to choose from. Sizes that are given need all cones.
+  // fewest, or the wanted number, are kept to choose from. Sizes that are given need all cones. Half
+  // of the work is left for the shape of quads.
   bool quantize_a_map()
   {
     constexpr int most_lower = 4;
@@ -344,7 +345,7 @@ private:
              best.report.number_of_released_edges == 0 && rung >= lowest_rung &&
              rung >= wanted - most_lower &&
              (rung <= wanted || 0.67 * number_on_ladder(rung) < least()) && // 0.95 / sqrt(2)
-             m_work.is_left();
+             m_work.is_half_left();
     };
     const auto try_map = [&](const double least_cone_distance) {
       set_state(start);
@@ -361,7 +362,7 @@ private:
         if(may_try(rung))
           try_map(least_cone_distance(rung));
     if(m_options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
-       m_work.is_left())
+       m_work.is_half_left())
       try_map(0);
     set_state(best);
     keep_choices(least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.);
