@@ -23,9 +23,11 @@
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
+#include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/quantize.h>
+#include <CGAL/Quad_remeshing/types/Remeshing_report.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -45,100 +47,7 @@
 
 namespace CGAL {
 namespace Quad_remeshing {
-
-/*!
-\ingroup PkgQuadRemeshingQuads
-
-A feature that `quad_remesh()` has released, between two points where it turned, ended, or met
-others.
-*/
-struct Released_feature
-{
-  std::array<double, 3> source, target; ///< its ends
-  double length = 0;                    ///< on the surface
-};
-
-/*!
-\ingroup PkgQuadRemeshingQuads
-
-What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quads were written.
-*/
-struct Remeshing_report
-  : public Report
-{
-  /// \name Result
-  /// @{
-  std::size_t number_of_quads = 0;    ///< faces that were written
-  std::size_t number_of_vertices = 0; ///< vertices that were written
-  /// vertices inside that have other than four edges
-  std::size_t number_of_irregular_vertices = 0;
-  /// where there are more than 1.1 times as many quads as wanted: how many of them the features
-  /// force; the message tells of it, too
-  std::size_t number_of_forced_quads = 0;
-  /// features that are not kept as they force quads, with `maximum_feature_loss`
-  std::vector<Released_feature> released_features;
-  /// the least one of a quad: of the sines of its angles, times the cosine between the corner's
-  /// normal and that of the quad, which is across its diagonals; 1 is best
-  double least_scaled_jacobian = 0;
-  double mean_scaled_jacobian = 0; ///< the mean over the quads
-  /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
-  /// line among them
-  std::size_t number_of_thin_quads = 0;
-  /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
-  /// does, or the quad has no area, or a side no length, decided exactly, for the points as
-  /// doubles; or that lie upside down: by more than 120 degrees, if the surface is flat, they face
-  /// against it on the average, at their middle, and half way from there to each corner, as walks
-  /// over the surface find in floating point.
-  std::size_t number_of_inverted_quads = 0;
-  /// the first of them, at most ten, counted from 0 in the order in which the faces were written
-  std::vector<std::size_t> first_inverted_quads;
-  /// vertices that were moved off the surface, or off the feature or border that they lay on, as
-  /// quads would be inverted otherwise
-  std::size_t number_of_displaced_vertices = 0;
-  double largest_displacement = 0; ///< the largest distance by which these were moved
-  /// the largest distance from the input that was found: at vertices and at the middles of faces
-  /// and edges, and where quads are few at more points of the bilinear patches over them, up to
-  /// about 20,000. The vertices lie on the input, up to rounding, but for those that were
-  /// displaced, and images of what is not symmetric.
-  double largest_distance = 0;
-  /// the largest distance of the input from the quads, each of them two triangles, that was found:
-  /// at its vertices, and at 20,000 points spread over its area, or one for each face
-  double largest_distance_of_input = 0;
-  /// lengths of edges: a tenth of the edges is shorter than the first one, a half than the second
-  /// one, and a tenth is longer than the third one
-  std::array<double, 3> edge_lengths{};
-  /// by which part the lengths differ from those that are wanted at their middles, in the median:
-  /// 0.5 where they are half as long again, or the wanted length is. Without wanted lengths, as
-  /// with `minimize_number_of_quads`, with those of `curvature_adaptivity`, and for the quads of a
-  /// quantization, there is no value.
-  std::optional<double> median_size_deviation;
-  /// @}
-
-  /// \name Steps
-  /// @{
-  /// faces that were flipped in the approximate parametrization
-  std::size_t number_of_flipped_faces = 0;
-  /// feature edges, or parts of them, that are not kept, as faces would be flipped at them, or
-  /// quads inverted
-  std::size_t number_of_released_edges = 0;
-  double length_of_released_edges = 0; ///< the sum of their lengths
-  /// the faces that stayed flipped, in the order of iteration over all faces, from 0
-  std::vector<std::size_t> remaining_flips;
-  /// the steps in the order in which they were made, with their wall-clock times in seconds
-  std::vector<std::pair<std::string, double> > step_times;
-  /// @}
-};
-
 namespace internal {
-
-struct Remeshing_options
-{
-  Quantization_options quantization;
-  std::optional<double> curvature_alignment;
-  double curvature_adaptivity;
-  std::size_t number_of_smoothing_rounds;
-  bool has_single_precision; // the points of the quads
-};
 
 template <typename TriangleMesh, typename NamedParameters>
 Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np,
@@ -222,9 +131,6 @@ auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
       put(result, edge(h, tmesh), true);
   return result;
 }
-
-inline double area_in_squares(const Surface_to_remesh& surface)
-{ return area_in_squares(surface.mesh(), 1, parameters::vertex_sizing_map(surface.sizes())); }
 
 // Writes the quads that `make_quads(quads, is_feature, options)` makes.
 // \param has_wanted_number whether the options tell how many quads are wanted

@@ -1,0 +1,270 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_MAP_QUANTIZER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_MAP_QUANTIZER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// From a surface to the best quantizations of its maps.
+
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
+#include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
+#include <CGAL/Seamless_snapping/snap_to_seamless.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// Makes maps of a surface, and integers for them.
+class Map_quantizer
+{
+  using State = Remeshing_run::State;
+
+public:
+  explicit Map_quantizer(Remeshing_run& run) : m_run(run) { }
+
+  // Quantizes the map for the wanted number. Where that has more quads, and features neither force
+  // these nor are released, other maps, too: four for fewer quads, and those for more that may have
+  // less than are known already. Of few quads, those of maps with up to a quarter more than the
+  // fewest, or the wanted number, are kept to choose from. Sizes that are given need all cones.
+  // Half of the work is left for the shape of quads. Returns whether there is a quantization.
+  bool run()
+  {
+    constexpr int most_lower = 4;
+    const double number =
+      m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
+    if(m_run.surface.has_sizes_that_vary() || !(number >= 1))
+      return make_map(0) && quantize();
+    const State start = m_run.state();
+    const int wanted = nearest_rung(number);
+    if(!make_map(least_cone_distance(wanted)) ||
+       (!quantize() && m_run.report.status != Outcome::TOO_LARGE))
+      return false;
+    const bool may_choose = 0.95 * number <= most_to_choose && !m_run.surface.mirror() &&
+                            !m_run.options.quantization.is_coarsest;
+    State best = m_run.state();
+    if(may_choose && m_run.quantization)
+      m_choices.push_back(best);
+    const auto least = [&] { return double(best.quantization.number_of_quads); };
+    const auto may_try = [&](const int rung) {
+      return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
+             best.report.number_of_released_edges == 0 && rung >= lowest_rung &&
+             rung >= wanted - most_lower &&
+             (rung <= wanted || 0.67 * number_on_ladder(rung) < least()) && // 0.95 / sqrt(2)
+             m_run.work.is_half_left();
+    };
+    const auto try_map = [&](const double least_cone_distance) {
+      m_run.set_state(start);
+      if(!parametrize(least_cone_distance) || !m_run.report.remaining_flips.empty() ||
+         !quantize())
+        return;
+      const State tried = m_run.state();
+      if(may_choose)
+        m_choices.push_back(tried);
+      if(double(m_run.quantization.number_of_quads) < least())
+        best = tried;
+    };
+    for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
+      for(const int rung : {wanted + i, wanted - i})
+        if(may_try(rung))
+          try_map(least_cone_distance(rung));
+    if(m_run.options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
+       m_run.work.is_half_left())
+      try_map(0);
+    m_run.set_state(best);
+    keep_choices(least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.);
+    return bool(m_run.quantization);
+  }
+
+  // Which quads are made of the best one.
+  std::vector<State>& choices() { return m_choices; }
+
+  static constexpr std::size_t most_choices = 8;
+
+private:
+  bool sizes_vary() const
+  { return m_run.options.curvature_adaptivity > 1 || m_run.surface.has_sizes_that_vary(); }
+
+  // By default, so little that it hardly matters where the surface curves alike in all directions,
+  // or without order; but over some tens of faces, edges and round parts direct the field. Faces
+  // that are twice as small are followed over twice as many from a number on: a surface that is
+  // given more finely has the same field.
+  double curvature_alignment() const
+  {
+    constexpr double most_faces = 50000;
+    const double part = most_faces / double(m_run.mesh().number_of_faces());
+    return m_run.options.curvature_alignment.value_or(
+      sizes_vary() ? 0. : 0.002 * (std::min)(1., part));
+  }
+
+  // Each map is made for a number of quads of this ladder, which all numbers near it share: were
+  // there a map for each, more quads might be made where fewer are wanted.
+  static double number_on_ladder(const int rung) { return std::ldexp(5000., rung); }
+
+  static int nearest_rung(const double number_of_quads)
+  {
+    return (std::max)(lowest_rung,
+                      int(std::lround(std::log2(number_of_quads / number_on_ladder(0)))));
+  }
+
+  // Of opposite cones: there are quads between them at that number.
+  double least_cone_distance(const int rung) const
+  {
+    const double area = area_in_squares(m_run.mesh(), 1, CGAL::parameters::default_values());
+    return 2 * std::sqrt(area / number_on_ladder(rung));
+  }
+
+  // Those with at most so many quads; of these, the fewest.
+  void keep_choices(const double most_quads)
+  {
+    const auto number = [](const State& s) { return s.quantization.number_of_quads; };
+    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s)
+                                   { return double(number(s)) > most_quads; }), m_choices.end());
+    std::stable_sort(m_choices.begin(), m_choices.end(), [&](const State& a, const State& b)
+                     { return number(a) < number(b); });
+    if(m_choices.size() > most_choices)
+      m_choices.erase(m_choices.begin() + most_choices, m_choices.end());
+  }
+
+  // An exactly seamless map without flips: where none was found with few cones, with all of them.
+  // No map of a torus has one cone of each sign alone, but cones cancel down to that.
+  bool make_map(const double least_cone_distance)
+  {
+    if(!parametrize(least_cone_distance))
+      return false;
+    if(!m_run.report.remaining_flips.empty() && least_cone_distance > 0 && m_run.work.is_left()) {
+      m_known_fields.clear(); // repairs try more with all cones, also where the field is the same
+      if(!parametrize(0))
+        return false;
+    }
+    return m_run.report.remaining_flips.empty() ||
+           refuse(m_run.report, Outcome::NOT_POSITIVE,
+                  name_of_faces(m_run.report.remaining_flips, "flipped in the parametrization") +
+                    (sizes_vary() ? "; let vertex_sizing_map and curvature_adaptivity vary sizes "
+                                    "less" : "") +
+                    "; mark fewer features if there are any, or remesh the input there, or its "
+                    "border, or leave out that part");
+  }
+
+  // An exactly seamless map, and what stays flipped in it.
+  bool parametrize(const double least_cone_distance)
+  {
+    const auto made = approximate_seamless_parametrization(
+      m_run.mesh(), m_run.surface.uv_map(),
+      m_run.features_and_transitions()
+        .align_border(true).release_alignment(true)
+        .curvature_alignment(curvature_alignment())
+        .curvature_adaptivity(m_run.options.curvature_adaptivity)
+        .face_direction_map(m_run.surface.directions()).vertex_sizing_map(m_run.surface.sizes())
+        .number_of_untangling_iterations(untangling_iterations(500))
+        .largest_cone_index(largest_cone_index).least_cone_distance(least_cone_distance)
+        .known_fields(&m_known_fields));
+    m_run.timer.finish("parametrization");
+    if(!made)
+      return refuse(m_run.report, made.status, with_face_of_input(made.message));
+    constexpr double of_map = 8; // for each face
+    count_iterations(of_map + double(made.number_of_untangling_iterations));
+    move_map_from_origin();
+    for(const auto& [v, w] : made.released_edges)
+      m_run.release(m_run.mesh().halfedge(v, w));
+    m_run.report.number_of_flipped_faces = made.number_of_flipped_faces;
+    // where untangling has left flips already, all cones are tried next
+    const bool is_hopeless = made.number_of_flipped_faces > 0 && least_cone_distance > 0;
+    const auto snapped =
+      snap_to_seamless(m_run.mesh(), m_run.surface.uv_map(),
+                       m_run.features_and_transitions()
+                         .align_border(true)
+                         .number_of_untangling_iterations(untangling_iterations(400))
+                         .repair_flips(is_hopeless ? Flip_repair::NEAR_BY
+                                                   : Flip_repair::UNTANGLE));
+    m_run.timer.finish("snapping");
+    if(!snapped)
+      return refuse(m_run.report, snapped);
+    count_iterations(double(snapped.run.number_of_untangling_iterations));
+    std::vector<std::size_t>& flips = m_run.report.remaining_flips;
+    flips = snapped.remaining_flips;
+    flips.insert(flips.end(), snapped.lost_faces.begin(), snapped.lost_faces.end());
+    for(std::size_t& face : flips)
+      face = m_run.surface.original(face);
+    std::sort(flips.begin(), flips.end());
+    flips.erase(std::unique(flips.begin(), flips.end()), flips.end());
+    return true;
+  }
+
+  // The parametrization counts the faces of the copy.
+  std::string with_face_of_input(std::string message) const
+  {
+    const std::string words = "a vertex of face ";
+    const std::size_t begin = message.find(words) + words.size();
+    if(message.find(words) == message.npos)
+      return message;
+    const std::size_t length = message.find_first_not_of("0123456789", begin) - begin;
+    return message.replace(begin, length, std::to_string(m_run.surface.original(
+                                            std::stoul(message.substr(begin, length)))));
+  }
+
+  // Over all faces: those that may be spent on one map.
+  std::size_t untangling_iterations(const std::size_t most) const
+  {
+    const double left = (std::min)(m_run.work.left(), Work::most_work) /
+                        double(m_run.mesh().number_of_faces());
+    return (std::min)(most, std::size_t(std::ceil(left)));
+  }
+
+  void count_iterations(const double iterations)
+  { m_run.work.spend(iterations * double(m_run.mesh().number_of_faces())); }
+
+  // To where all coordinates have bits of the same size, but for one. Near the origin, translations
+  // may have finer bits than integers of 64 bits can hold beside the largest coordinate.
+  void move_map_from_origin()
+  {
+    double largest = 0;
+    const auto uv = m_run.surface.uv_map();
+    for(const auto h : m_run.mesh().halfedges())
+      for(const double x : {uv[h].x(), uv[h].y()})
+        largest = (std::max)(largest, std::abs(x));
+    const double distance = std::ldexp(1., std::ilogb(largest) + 2);
+    for(const auto h : m_run.mesh().halfedges())
+      uv[h] = Surface_to_remesh::Kernel::Point_2(uv[h].x() + distance, uv[h].y() + distance);
+  }
+
+  bool quantize()
+  {
+    return m_run.take(quantize_map(m_run.mesh(), m_run.surface.uv_map(),
+                                   strip(m_run.features_and_transitions()),
+                                   m_run.options.quantization));
+  }
+
+  static constexpr int lowest_rung = -12; // of about one quad
+  static constexpr double most_to_choose = 1000; // quads
+  static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
+
+  Remeshing_run& m_run;
+  std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
+  std::vector<State> m_choices;
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_MAP_QUANTIZER_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_MEASURE_QUADS_IMPL_H
+#define CGAL_QUAD_REMESHING_INTERNAL_MEASURE_QUADS_IMPL_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// How quads compare to what was wanted, and where they are on the surface.
+
+#include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/types/Remeshing_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// The wanted length of an edge at a place.
+inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
+                      const Quad_smoother& smoother)
+{
+  const auto& mesh = input.mesh();
+  const auto face = smoother.nearest_face(place);
+  const auto part = locate_in_face(Surface_to_remesh::Kernel::Point_3(place[0], place[1], place[2]),
+                                   face, mesh, mesh.points()).second;
+  const auto h = mesh.halfedge(face);
+  return part[0] * input.sizes()[mesh.source(h)] + part[1] * input.sizes()[mesh.target(h)] +
+         part[2] * input.sizes()[mesh.target(mesh.next(h))];
+}
+
+// \param unit of sizes; 0 where these are not known
+inline void measure_edges(const Surface_to_remesh& input, const double unit,
+                          const Surface_to_remesh::Mesh& quads, const Quad_smoother& smoother,
+                          Remeshing_report& report)
+{
+  const bool sizes_vary = input.has_sizes_that_vary();
+  std::vector<double> lengths, deviations;
+  for(const auto e : quads.edges()) {
+    const Space_vector p = smoother.point(quads.vertex(e, 0));
+    const Space_vector q = smoother.point(quads.vertex(e, 1));
+    lengths.push_back(norm(vector_to(p, q)));
+    if(unit > 0) {
+      const double size = sizes_vary ? size_at(input, between(p, q, 0.5), smoother)
+                                     : *input.sizes().begin();
+      const double ratio = lengths.back() / (unit * size);
+      deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
+    }
+  }
+  std::sort(lengths.begin(), lengths.end());
+  const std::size_t n = lengths.size();
+  if(n > 0)
+    report.edge_lengths = {input.unscaled(lengths[n / 10]), input.unscaled(lengths[n / 2]),
+                           input.unscaled(lengths[n - 1 - n / 10])};
+  if(!deviations.empty()) {
+    std::nth_element(deviations.begin(), deviations.begin() + std::ptrdiff_t(n / 2),
+                     deviations.end());
+    report.median_size_deviation = deviations[n / 2];
+  }
+}
+
+inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
+                                   const Surface_to_remesh::Mesh& quads,
+                                   const Located_elements located, const Quad_smoother& smoother)
+{
+  const auto number = [&](const Space_vector& place, const Space_vector& side)
+    { return input.original(smoother.nearest_face(place, side)); };
+  Nearest_faces result;
+  if(located.vertices) {
+    const auto visit = [](const auto&...) { };
+    result.of_vertices.resize(quads.num_vertices());
+    for(const auto v : quads.vertices())
+      result.of_vertices[v] = number(smoother.point(v), smoother.visit_star(v, visit).normal);
+  }
+  if(located.faces) {
+    result.of_faces.resize(quads.num_faces());
+    for(const auto f : quads.faces())
+      result.of_faces[f] = number(place_of(middle(quads, f)), quad_normal(smoother.quad(f)));
+  }
+  return result;
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Nearest_faces measure_quads(const Surface_to_remesh& input, const double number_wanted,
+                            Surface_to_remesh::Mesh quads, const Located_elements located,
+                            Remeshing_report& report)
+{
+  for(auto& p : quads.points())
+    p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
+  const Quad_smoother smoother(quads, input.mesh());
+  const std::size_t number = (std::max)(20000u, input.mesh().number_of_faces());
+  const Surface_samples samples(input.mesh(), number);
+  report.largest_distance = input.unscaled(smoother.measure_distance());
+  report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
+  const double unit = number_wanted > 0
+    ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
+  measure_edges(input, unit, quads, smoother, report);
+  return nearest_faces(input, quads, located, smoother);
+}
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_MEASURE_QUADS_IMPL_H
