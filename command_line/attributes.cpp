@@ -148,6 +148,24 @@ void carry_over(const Model& model, const Mesh& file, Located_quads& quads)
     }
 }
 
+// Where several vertices are in one place, as programs double them at seams of a texture, they may
+// differ in properties. Quads have one vertex there.
+template <typename... Types>
+std::set<std::string> properties_with_seams(const Mesh& file)
+{
+  std::map<Kernel::Point_3, Vertex> first_in_place;
+  std::set<std::string> result;
+  for(const Vertex v : file.vertices())
+    if(const auto [it, is_first] = first_in_place.emplace(file.point(v), v); !is_first)
+      for(const std::string& name : file.properties<Vertex>()) {
+        const auto differs = [&](const auto& found)
+          { return found.second && found.first[v] != found.first[it->second]; };
+        if((differs(file.property_map<Vertex, Types>(name)) || ...))
+          result.insert(name.substr(2)); // without "v:"
+      }
+  return result;
+}
+
 // As three numbers: CGAL reads them into one property, and would write that with an opacity.
 // \param color_of a vertex or face: three numbers
 template <typename Key, typename Keys, typename Color_of>
@@ -189,11 +207,12 @@ void carry_over_all(const Model& model, const Mesh& file, Located_quads& quads)
 struct OBJ_attributes
 {
   using Values = std::array<double, 3>;
+  using Part = std::array<std::string, 3>; // the lines of an object, a group, and a material
 
   std::vector<Values> points, colors;         // per vertex
   std::vector<std::array<double, 2> > coordinates; // the 'vt' elements
   std::vector<std::vector<std::array<std::size_t, 2> > > corners; // vertex and 'vt' from 1; 0: none
-  std::vector<std::string> parts;   // what stands before faces: objects, groups, and materials
+  std::vector<Part> parts;          // what faces belong to
   std::vector<std::size_t> part_of; // per face
   std::string libraries;            // of materials
   bool has_coordinates = false;
@@ -254,7 +273,7 @@ private:
   void add_face(const std::vector<std::string>& tokens)
   {
     if(m_part == 0) {
-      const std::string part = m_lines["o"] + m_lines["g"] + m_lines["usemtl"];
+      const Part part{m_lines["o"], m_lines["g"], m_lines["usemtl"]};
       const auto it = m_numbers.emplace(part, parts.size()).first;
       if(it->second == parts.size())
         parts.push_back(part);
@@ -279,7 +298,7 @@ private:
   }
 
   std::map<std::string, std::string> m_lines; // in force
-  std::map<std::string, std::size_t> m_numbers;
+  std::map<Part, std::size_t> m_numbers;
   std::size_t m_part = 0; // 0: to be looked up
 };
 
@@ -422,16 +441,12 @@ void write_vertices(const Model& model, const OBJ_attributes& file, const Locate
   }
 }
 
-// By their parts where some have no group or material, but others do, which can't be taken back.
-std::vector<Face> ordered_faces(const OBJ_attributes& file, const std::vector<std::size_t>& parts,
-                                const Mesh& quads)
+// By their parts: an object that is named again would be another one for programs that read it.
+std::vector<Face> ordered_faces(const std::vector<std::size_t>& parts, const Mesh& quads)
 {
   std::vector<Face> result(quads.faces().begin(), quads.faces().end());
-  const auto number_of_lines = [&](const std::string& part)
-    { return std::count(part.begin(), part.end(), '\n'); };
-  if(file.parts.size() > 1 && number_of_lines(file.parts[1]) < number_of_lines(file.parts.back()))
-    std::stable_sort(result.begin(), result.end(), [&](const Face f, const Face g)
-                     { return parts[std::size_t(f)] < parts[std::size_t(g)]; });
+  std::stable_sort(result.begin(), result.end(), [&](const Face f, const Face g)
+                   { return parts[std::size_t(f)] < parts[std::size_t(g)]; });
   return result;
 }
 
@@ -455,12 +470,14 @@ std::string OBJ_text(const Model& model, const std::string& text, Located_quads&
   std::vector<std::size_t> parts(quads.mesh.num_faces());
   for(const Face f : quads.mesh.faces())
     parts[std::size_t(f)] = file.part_of[file_face(model, quads.of_face[f].first)];
-  quads.written = ordered_faces(file, parts, quads.mesh);
+  quads.written = ordered_faces(parts, quads.mesh);
   std::size_t part = 0;
   for(const Face f : quads.written) {
     const Location& middle = quads.of_face[f];
-    if(parts[std::size_t(f)] != part)
-      os << file.parts[part = parts[std::size_t(f)]];
+    for(std::size_t i = 0; i < 3; ++i)
+      if(const std::string& line = file.parts[parts[std::size_t(f)]][i]; line != file.parts[part][i])
+        os << line;
+    part = parts[std::size_t(f)];
     std::string face = "f";
     for(const Vertex v : quads.mesh.vertices_around_face(quads.mesh.halfedge(f))) {
       face += " " + std::to_string(numbers[v]);
@@ -502,6 +519,10 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   } else if(has_properties) {
     carry_over_all<std::int8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float,
                    double>(model, file, quads);
+    for(const std::string& name : properties_with_seams<float, double>(file))
+      std::cerr << "note: '" << name << "' differs between vertices of " << input << " in the same "
+                << "place, as at seams of a texture: the quads there are not cut; .obj files have "
+                << "coordinates of each corner" << std::endl;
     carry_over_colors(model, file, quads);
     carry_over<std::uint8_t>(model, file, quads); // as an opacity, which goes with colors
   }
