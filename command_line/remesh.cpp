@@ -272,15 +272,24 @@ std::string why_not(const QR::Remeshing_report& report, const Model& model)
                     words);
 }
 
-// That a plane has no half on its other side, which would be replaced; else nothing.
+// That a plane has no half on its other side, which would be replaced; or that what replaces it is
+// much different; else nothing.
 std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mesh& mesh)
 {
-  const bool has_half =
-    !plane || std::any_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const auto v) {
-      return plane->has_on_negative_side(mesh.point(v));
-    });
-  return has_half ? "" : "note: no vertex is on the negative side of the plane of --symmetry: the "
-                         "mesh as a whole is mirrored, not one half of it\n";
+  constexpr double much = 0.01; // of the diagonal
+  if(!plane)
+    return {};
+  if(std::none_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const auto v)
+                  { return plane->has_on_negative_side(mesh.point(v)); }))
+    return "note: no vertex is on the negative side of the plane of --symmetry: the mesh as a whole "
+           "is mirrored, not one half of it\n";
+  const double distance = asymmetry(mesh, *plane);
+  if(!(distance > much * diagonal(mesh)))
+    return {};
+  std::ostringstream os;
+  os << "note: the mesh is not symmetric by --symmetry: images of vertices are up to " << distance
+     << " off the nearest vertex; the image of one half takes the place of the other\n";
+  return os.str();
 }
 
 nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
@@ -297,6 +306,7 @@ struct Remesh_outcome
   Repairs repairs;
   Marked_features features;
   QR::Remeshing_report report;
+  bool is_mirrored = false;
   double diagonal = 0; // of the input
   std::optional<double> turn; // against the directions of --field
   std::optional<Topologies> topologies;
@@ -309,7 +319,8 @@ struct Remesh_outcome
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
        << (report.message.empty() ? "" : "note: " + report.message + "\n");
     write_shape(os, report, diagonal);
-    if((std::max)(report.largest_distance, report.largest_distance_of_input) > 0.1 * diagonal)
+    if(!is_mirrored &&
+       (std::max)(report.largest_distance, report.largest_distance_of_input) > 0.1 * diagonal)
       os << "note: the quads cut off much of the input; more of them, or features, as by "
             "--feature-angle, keep it\n";
     write_edges(os);
@@ -395,6 +406,7 @@ void remesh(const Arguments& arguments)
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(plane, model.mesh);
+    outcome.is_mirrored = plane.has_value();
     check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;
     report = make_quads(options, model, directions, sizes, plane, quads);
