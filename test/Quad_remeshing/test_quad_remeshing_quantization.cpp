@@ -624,9 +624,14 @@ void test_doubled_strips()
     }
 }
 
-// Tori that are face graphs, and ones that can be made some.
+// Tori that are face graphs, ones that can be made some, and one that has too many quads for it.
 std::vector<Intrinsic_complex> tori()
-{ return {quads_of_torus(4, 4), quads_of_torus(2, 2), quads_of_torus(1, 1)}; }
+{
+  std::vector<Intrinsic_complex> result{quads_of_torus(4, 4), quads_of_torus(2, 2),
+                                        quads_of_torus(1, 1), quads_of_torus(1, 1)};
+  internal::refine(1 << 20, result.back());
+  return result;
+}
 
 // However the numbers of quads differ from those wanted, and whichever of them face graphs have:
 // the search is bounded, and what it finds grows with what is wanted.
@@ -667,7 +672,7 @@ void test_search()
 }
 
 // What the search finds where `number(n)` quads are made for n, which are a face graph at once if
-// `kind(n)` is 0, and else with some more.
+// `kind(n)` is 0, with some more if it is 1 or 2, and never if it is 3.
 template <typename Number, typename Kind>
 double searched_number(const Number& number, const Kind& kind, const double wanted,
                        const double maximum)
@@ -694,9 +699,15 @@ void test_choices_of_search()
   // what is found later is taken only if it has fewer quads
   CHECK(searched_number([](const double n) { return (n < 500 ? 1.2 : 1.04) * n; },
                         [](const double n) { return n < 500 ? 1 : 0; }, 1000, infinity) < 1060);
+  // what is no face graph, and can't be made one, is passed over
+  CHECK(searched_number([](const double n) { return n; },
+                        [](const double n) { return n < 200 ? 3 : 0; }, 100, infinity) > 190);
   // what has too many quads, whether a face graph or not, ends the search
-  CHECK(searched_number([](const double n) { return (std::max)(n, 60.); },
-                        [](const double) { return 2; }, 50, 100) < 110);
+  std::size_t calls = 0;
+  const double number = searched_number([&](const double n) { ++calls; return (std::max)(n, 60.); },
+                                        [](const double) { return 3; }, 50, 100);
+  CHECK_IN(std::to_string(number), number > 100 && number < 110);
+  CHECK_IN(std::to_string(calls), calls < 60);
 }
 
 // Where no work is left, the first face graph that is found is taken, and numbers grow fourfold
