@@ -2141,7 +2141,7 @@ void test_double_pyramid()
   const auto np = parameters::edge_is_constrained_map(is_feature);
   const auto report =
     QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(180));
-  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(80));
+  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(90));
   CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
                           std::string::npos);
   std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
@@ -2152,8 +2152,8 @@ void test_double_pyramid()
         report.number_of_thin_quads == 0);
 }
 
-// Quads are thin at some tips of a flat star: without the features next to these, they are not. The
-// others are kept.
+// Quads are thin at some tips of a flat star, for a number of quads that rounding errors choose: it
+// is tried without the features next to these. Most are kept.
 void test_attempt_without_features()
 {
   constexpr int n = 24; // corners
@@ -2178,22 +2178,30 @@ void test_attempt_without_features()
       length += std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
     }
   }
-  std::size_t number_of_repeats = 0;
-  const auto visitor = [&](const std::string& text)
-    { number_of_repeats += text.find("thin quads; again without") == std::string::npos ? 0 : 1; };
+  std::size_t number_left_out = 0; // of features, in further attempts
+  const auto visitor = [&](const std::string& text) {
+    const std::string words = "thin quads; again without ";
+    if(const std::size_t at = text.find(words); at != std::string::npos)
+      number_left_out += std::stoul(text.substr(at + words.size()));
+  };
   Mesh quads;
   const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
-  const auto report = QR::quad_remesh(
-    mesh, quads,
-    parameters::edge_is_constrained_map(is_feature).target_number_of_quads(270).visitor(visitor),
-    parameters::edge_is_constrained_map(is_kept));
+  QR::Remeshing_report report;
+  for(std::size_t wanted = 270; number_left_out == 0 && wanted <= 290; wanted += 5) {
+    quads.clear_without_removing_property_maps();
+    report = QR::quad_remesh(
+      mesh, quads,
+      parameters::edge_is_constrained_map(is_feature).target_number_of_quads(wanted)
+        .visitor(visitor),
+      parameters::edge_is_constrained_map(is_kept));
+  }
   std::cout << "flat star: " << report.number_of_quads << " quads, mean scaled Jacobian "
-            << report.mean_scaled_jacobian << ", " << report.number_of_released_edges
-            << " edges released" << std::endl;
+            << report.mean_scaled_jacobian << ", again without " << number_left_out
+            << " edges, " << report.number_of_released_edges << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
-  CHECK(number_of_repeats > 0);
+  CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
   CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
-  CHECK(report.number_of_released_edges > 0 && report.length_of_released_edges < length / 8);
+  CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
     const Point_3 &p = quads.point(quads.vertex(e, 0)), &q = quads.point(quads.vertex(e, 1));
