@@ -716,6 +716,8 @@ file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 
 seamless(1 remesh tilted.off mirrored.off --symmetry auto --report auto.json)
 expect_message("${err}" "not symmetric, exactly")
 expect_message("${err}" "by --symmetry 0,1,0,-0.5, they are up to 0.4 off")
+seamless(0 remesh tilted.off mirrored.off --number 40 --symmetry 0,1,0,-0.5)
+expect_message("${out}" "not symmetric by --symmetry: images of vertices are up to 0.4 off")
 file(READ "${WORK_DIR}/auto.json" json)
 expect_message("${json}" "\"written\": false")
 expect_message("${json}" "not symmetric, exactly")
@@ -792,15 +794,18 @@ expect_message("${err}" "no mesh of at most 5 quads was found, which is --maximu
 
 # what hangs on a file: the colors and texture coordinates of the square are linear
 set(obj "mtllib square.mtl\nv 0 0 0 0 0 0.5\nv 1 0 0 1 0 0.5\nv 1 1 0 1 1 0.5\nv 0 1 0 0 1 0.5\n")
-string(APPEND obj "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng first\nusemtl red\nf 1/1 2/2 3/3\n"
+string(APPEND obj "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\no sheet\ng first\nusemtl red\nf 1/1 2/2 3/3\n"
   "g second\nf 3/3 4/4 1/1\n")
 file(WRITE "${WORK_DIR}/square.obj" "${obj}")
 seamless(0 remesh square.obj square_quads.obj --number 16)
 file(READ "${WORK_DIR}/square_quads.obj" text)
-foreach(line IN ITEMS "mtllib square.mtl\n" "g first\nusemtl red\n" "g second\nusemtl red\n"
+foreach(line IN ITEMS "mtllib square.mtl\n" "o sheet\ng first\nusemtl red\n" "\ng second\n"
     "v 0 0 0 0 0 0.5\n" "v 1 1 0 1 1 0.5\n" "vt 1 0\n")
   expect_message("${text}" "${line}")
 endforeach()
+string(REGEX MATCHALL "o sheet|g [a-z]+|usemtl red" parts "${text}") # each once
+list(JOIN parts ", " parts)
+expect("${text}" parts STREQUAL "o sheet, g first, usemtl red, g second")
 string(REGEX MATCHALL "v 0.25[0-9]* 0.5[0-9]* 0 0.25[0-9]* 0.5[0-9]* 0.5" inside "${text}")
 expect("${text}" inside)
 string(REGEX MATCHALL "f [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+ [0-9]+/[0-9]+" faces "${text}")
@@ -877,6 +882,14 @@ string(REPLACE " 6 1 1 0 1 0 0\n" " 100\n" ply "${ply}")
 file(WRITE "${WORK_DIR}/red.ply" "${ply}")
 seamless(0 remesh red.ply square_quads.ply --number 16)
 expect("red: ${err}" err STREQUAL "note: not carried over: 'face red'\n")
+# vertices that are doubled at the seam of a texture, where s jumps but t does not
+file(WRITE "${WORK_DIR}/seam.ply" "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\n\
+property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 2\n\
+property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n\
+0 0 0 0.5 0\n1 1 0 0.75 1\n0 1 0 0.5 1\n3 0 1 2\n3 3 4 5\n")
+seamless(0 remesh seam.ply square_quads.ply --number 16)
+expect_message("${err}" "note: 's' differs between vertices of seam.ply in the same place")
+expect("${err}" NOT err MATCHES "'t'")
 
 # targets that can't be: the words are options of this command
 seamless(1 remesh box.off no_quads.obj --number 9 --maximum-number 5)
