@@ -66,7 +66,12 @@ void check_number_of_faces(const std::string& option, const double number, const
     os << "more than 1e15";
   else
     os << "about " << std::llround(number);
-  os << " " << noun << ", at most " << most / 1e6 << " million are made" << remedy;
+  os << " " << noun << ", at most ";
+  if(most < 1e6)
+    os << std::llround(most);
+  else
+    os << most / 1e6 << " million";
+  os << " are made" << remedy;
   throw Failure(USAGE, os.str());
 }
 

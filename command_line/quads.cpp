@@ -254,7 +254,7 @@ std::string message_of(const QR::Quantization& quantization, const Model& model)
     {". That is more than maximum_number: raise it, or ask for about as many, mark fewer features, "
      "or release some by maximum_feature_loss",
      ": ask for about as many, or mark fewer features"},
-    {", and some can be released by maximum_feature_loss", ""}};
+    {"; some features can be released by maximum_feature_loss", ""}};
   return in_words_of_user(with_words(quantization.message, words), model);
 }
 

@@ -143,12 +143,13 @@ struct Remesh_options
                        !options.is_given("feature-length");
     if(options.is_given("curvature"))
       curvature = strength;
-    check_number_of_faces("number", number, "quads", "; --maximum-number allows more",
-                          most_quads());
     check_quad_file(output);
     if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
        !coarsest)
       edge_length = 1;
+    if(edge_length == 0 && !coarsest)
+      check_number_of_faces("number", number, "quads", "; --maximum-number allows more",
+                            most_quads());
     if(symmetry != "auto")
       named_plane(symmetry);
     check_direction_file(field);
@@ -167,7 +168,7 @@ struct Remesh_options
     return size.unscaled(std::sqrt(PMP::area(mesh) / number));
   }
 
-  double most_quads() const { return (std::max)(most_faces, maximum_number); }
+  double most_quads() const { return maximum_number > 0 ? maximum_number : most_faces; }
 };
 
 // How far images of vertices by a plane are from vertices, at most.

@@ -904,7 +904,7 @@ void test_quads_without_features()
       continue;
     CHECK_EQUAL(with.number_of_quads - with.number_of_forced_quads,
                 (std::min)(with.number_of_quads, without.number_of_quads));
-    CHECK_EQUAL(with.message.find("some can be released by maximum_feature_loss") !=
+    CHECK_EQUAL(with.message.find("some features can be released by maximum_feature_loss") !=
                   std::string::npos, 2 * with.number_of_forced_quads > with.number_of_quads);
     const auto mesh = QR::quantize(model.mesh, model.uv,
                                    features.target_number_of_quads(1).needs_face_graph(true));

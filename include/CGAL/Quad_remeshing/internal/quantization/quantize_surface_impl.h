@@ -269,7 +269,7 @@ private:
     const std::size_t forced = m_result.number_of_forced_quads;
     return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
            " of fewer quads, down to the number wanted, was found" +
-           (forced > 0 ? "; features force about " + std::to_string(forced) : "");
+           (forced > 0 ? "; features force about " + std::to_string(forced) + " of the quads" : "");
   }
 
   // Where more than half of the quads are forced.
@@ -277,7 +277,7 @@ private:
   {
     return 2 * m_result.number_of_forced_quads > m_result.number_of_quads &&
                m_options.maximum_feature_loss == 0
-             ? ", and some can be released by maximum_feature_loss" : "";
+             ? "; some features can be released by maximum_feature_loss" : "";
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;
