@@ -6,6 +6,7 @@
 
 #include "../Model.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/convex_hull_2.h>
 
@@ -59,7 +60,10 @@ public:
 
 private:
   using Axes = std::array<Vector, 3>; // to the right, to the back, upwards
-  using Point_2 = Kernel::Point_2;
+  // Many points of an outline lie on a line, up to rounding errors: with predicates that have some,
+  // too, a hull is not always convex, which CGAL refuses where it checks its results.
+  using Hull_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Point_2 = Hull_kernel::Point_2;
 
   double dot(const Point& p, const std::size_t i) const
   { return (p - Point(0, 0, 0)) * m_axes[i]; }
@@ -70,9 +74,9 @@ private:
     return {c * axes[0] + s * axes[1], c * axes[1] - s * axes[0], axes[2]};
   }
 
-  static CGAL::Polygon_2<Kernel> hull(const std::vector<Point_2>& points)
+  static CGAL::Polygon_2<Hull_kernel> hull(const std::vector<Point_2>& points)
   {
-    CGAL::Polygon_2<Kernel> result;
+    CGAL::Polygon_2<Hull_kernel> result;
     CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(result));
     return result;
   }
@@ -106,7 +110,7 @@ private:
       if(p[2] <= lowest + 0.1 * (highest - lowest))
         low.push_back(all.back());
     }
-    const CGAL::Polygon_2<Kernel> stand = hull(low);
+    const CGAL::Polygon_2<Hull_kernel> stand = hull(low);
     if(stand.size() < 3 || !stand.has_on_bounded_side(Point_2(middle[0], middle[1])))
       return 0;
     return stand.area() / hull(all).area();
