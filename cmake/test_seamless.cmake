@@ -657,12 +657,20 @@ seamless(2 remesh sheet.off sized.off --edge-length 2e-4 --maximum-number 110000
 expect_message("${err}" "--edge-length makes about 25000000 quads, at most 11 million are made")
 file(READ "${WORK_DIR}/refused.json" json)
 expect_message("${json}" "at most 11 million are made")
+# a square beside one that is divided where they meet
+file(WRITE "${WORK_DIR}/divided.off" "OFF\n7 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 0\n2 0 0\n2 1 0\n\
+3 0 1 2\n3 0 2 3\n3 1 5 4\n3 4 5 6\n3 4 6 2\n")
+seamless(0 remesh divided.off sized.off --number 20 --report divided.json)
+expect_message("${out}" "note: inside of border edges, as of parts that are divided differently: 1 bo")
+file(READ "${WORK_DIR}/divided.json" json)
+expect_message("${json}" "\"T_junctions\": 1")
 # corners moved by rounding: a piece for each face
 file(WRITE "${WORK_DIR}/torn.off" "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n1 1 1e-9\n0 1 0\n0 -1e-9 0\n\
 3 0 1 2\n3 3 4 5\n")
 seamless(0 remesh torn.off sized.off --number 20 --report torn.json)
 expect_message("${out}" "note: near others of other pieces, at up to 1e-09, but not in the same ")
 expect_message("${out}" "place: 4 border points")
+expect("${out}" NOT out MATCHES "inside of border edges")
 file(READ "${WORK_DIR}/torn.json" json)
 expect_message("${json}" "\"near_border_points\": 4")
 expect_message("${out}" "--merge 2e-09 merges them")

@@ -6,6 +6,9 @@
 #include "Surface_soup.h"
 #include "words.h"
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -22,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -146,8 +150,15 @@ std::size_t count_faces_without_area(const Mesh& mesh)
     }));
 }
 
-// Counts points of the border that are off those of another piece by no more than a millionth of
-// the diagonal. Of the points that follow along a line, a hundred are looked at.
+// A millionth of the diagonal, as of points that were rounded.
+double small_distance(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return 1e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+// Counts points of the border that are near to those of another piece. Of the points that follow
+// along a line, a hundred are looked at.
 void find_near_points(const Mesh& mesh, const Piece_map piece, Repairs& repairs)
 {
   struct Border_point
@@ -157,12 +168,11 @@ void find_near_points(const Mesh& mesh, const Piece_map piece, Repairs& repairs)
     std::size_t piece;
     double nearest;
   };
-  constexpr double relative_distance = 1e-6, none = std::numeric_limits<double>::infinity();
+  constexpr double none = std::numeric_limits<double>::infinity();
   constexpr std::size_t most_looked_at = 100;
   if(repairs.pieces == 1)
     return;
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  const double most = relative_distance * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double most = small_distance(mesh);
   std::vector<Border_point> points;
   for(const Halfedge h : mesh.halfedges())
     if(mesh.is_border(h)) {
@@ -188,6 +198,33 @@ void find_near_points(const Mesh& mesh, const Piece_map piece, Repairs& repairs)
     }
 }
 
+// Counts points of the border that are inside of an edge of the border, up to that distance.
+std::size_t count_T_junctions(const Mesh& mesh)
+{
+  using Segments = std::vector<Kernel::Segment_3>;
+  using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> >;
+  Segments border;
+  for(const Halfedge h : mesh.halfedges())
+    if(mesh.is_border(h))
+      border.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  const Tree tree(border.begin(), border.end());
+  const double most = small_distance(mesh), square = most * most;
+  return static_cast<std::size_t>(
+    std::count_if(border.begin(), border.end(), [&](const Kernel::Segment_3& edge) {
+      const Kernel::Point_3& p = edge.target();
+      const Kernel::Vector_3 v(most, most, most);
+      std::vector<Tree::Primitive_id> near_by;
+      tree.all_intersected_primitives(Kernel::Iso_cuboid_3(p - v, p + v),
+                                      std::back_inserter(near_by));
+      return std::any_of(near_by.begin(), near_by.end(), [&](const auto s) {
+        return CGAL::squared_distance(p, *s) <= square &&
+               CGAL::squared_distance(p, s->source()) > square &&
+               CGAL::squared_distance(p, s->target()) > square;
+      });
+    }));
+}
+
 Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
 {
   Repairs repairs;
@@ -202,6 +239,7 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.pieces = PMP::connected_components(model.mesh, piece);
   turn_back(model.mesh, piece, surface.is_turned, repairs);
   find_near_points(model.mesh, piece, repairs);
+  repairs.T_junctions = count_T_junctions(model.mesh);
   model.mesh.remove_property_map(piece);
   triangulate(soup, model, repairs);
   repairs.vertices = model.mesh.number_of_vertices();
@@ -287,6 +325,10 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
        << ", but not in the same place: " << counted(repairs.near_points, "border point")
        << ". Each piece is meshed by itself; --merge " << 2 * repairs.distance_of_near_points
        << " merges them, if the surface is to go on there\n";
+  if(repairs.T_junctions > 0)
+    os << "note: inside of border edges, as of parts that are divided differently: "
+       << counted(repairs.T_junctions, "border point")
+       << ". The border stays open there; split these edges, if the surface is to go on\n";
 }
 
 nlohmann::json json_of(const Repairs& r)
@@ -305,6 +347,7 @@ nlohmann::json json_of(const Repairs& r)
           {"repaired", r.in_words()},
           {"mesh", {{"faces", r.faces}, {"vertices", r.vertices}, {"pieces", r.pieces},
                     {"faces_without_area", r.faces_without_area},
+                    {"T_junctions", r.T_junctions},
                     {"near_border_points", r.near_points},
                     {"distance_of_near_border_points", r.distance_of_near_points}}}};
 }

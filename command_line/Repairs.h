@@ -32,6 +32,7 @@ struct Repairs
   std::size_t faces_without_area = 0; // that are kept
   std::size_t near_points = 0;        // of the border, almost in the place of another piece's
   double distance_of_near_points = 0; // the largest of these
+  std::size_t T_junctions = 0;        // points of the border inside of edges of the border
 
   // In words, separated by commas; empty if nothing was repaired. Points of no face are no fault.
   std::string in_words() const;
