@@ -658,10 +658,10 @@ expect_message("${err}" "--edge-length makes about 25000000 quads, at most 11 mi
 file(READ "${WORK_DIR}/refused.json" json)
 expect_message("${json}" "at most 11 million are made")
 # a square beside one that is divided where they meet
-file(WRITE "${WORK_DIR}/divided.off" "OFF\n7 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 0\n2 0 0\n2 1 0\n\
-3 0 1 2\n3 0 2 3\n3 1 5 4\n3 4 5 6\n3 4 6 2\n")
+file(WRITE "${WORK_DIR}/divided.off" "OFF\n7 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 0\n2 0 0\n\
+2 1 0\n3 0 1 2\n3 0 2 3\n3 1 5 4\n3 4 5 6\n3 4 6 2\n")
 seamless(0 remesh divided.off sized.off --number 20 --report divided.json)
-expect_message("${out}" "note: inside of border edges, as of parts that are divided differently: 1 bo")
+expect_message("${out}" "as of parts that are divided differently: 1 border point.")
 file(READ "${WORK_DIR}/divided.json" json)
 expect_message("${json}" "\"T_junctions\": 1")
 # corners moved by rounding: a piece for each face
