@@ -275,7 +275,8 @@ std::string why_not(const QR::Remeshing_report& report, const Model& model)
 
 // That a plane has no half on its other side, which would be replaced; or that what replaces it is
 // much different; else nothing.
-std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mesh& mesh)
+std::string note_on_plane(const Remesh_options& options,
+                          const std::optional<Kernel::Plane_3>& plane, const Mesh& mesh)
 {
   constexpr double much = 0.01; // of the diagonal
   if(!plane)
@@ -284,7 +285,7 @@ std::string note_on_plane(const std::optional<Kernel::Plane_3>& plane, const Mes
                   { return plane->has_on_negative_side(mesh.point(v)); }))
     return "note: no vertex is on the negative side of the plane of --symmetry: the mesh as a whole "
            "is mirrored, not one half of it\n";
-  const double distance = asymmetry(mesh, *plane);
+  const double distance = options.symmetry == "auto" ? 0 : asymmetry(mesh, *plane);
   if(!(distance > much * diagonal(mesh)))
     return {};
   std::ostringstream os;
@@ -406,7 +407,7 @@ void remesh(const Arguments& arguments)
       read_directions(options.field, outcome.repairs, model.mesh, os);
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
     const auto plane = symmetry_plane(options, model.mesh);
-    os << note_on_plane(plane, model.mesh);
+    os << note_on_plane(options, plane, model.mesh);
     outcome.is_mirrored = plane.has_value();
     check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;

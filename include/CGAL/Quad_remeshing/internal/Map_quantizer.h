@@ -40,7 +40,10 @@ class Map_quantizer
   using State = Remeshing_run::State;
 
 public:
-  explicit Map_quantizer(Remeshing_run& run) : m_run(run) { }
+  // \param choices receives the quantizations of few quads to choose from; none of many
+  Map_quantizer(Remeshing_run& run, std::vector<State>& choices)
+    : m_run(run), m_choices(choices)
+  { }
 
   // Quantizes the map for the wanted number. Where that has more quads, and features neither force
   // these nor are released, other maps, too: four for fewer quads, and those for more that may have
@@ -95,9 +98,6 @@ public:
     return bool(m_run.quantization);
   }
 
-  // Which quads are made of the best one.
-  std::vector<State>& choices() { return m_choices; }
-
   static constexpr std::size_t most_choices = 8;
 
 private:
@@ -128,10 +128,7 @@ private:
 
   // Of opposite cones: there are quads between them at that number.
   double least_cone_distance(const int rung) const
-  {
-    const double area = area_in_squares(m_run.mesh(), 1, CGAL::parameters::default_values());
-    return 2 * std::sqrt(area / number_on_ladder(rung));
-  }
+  { return 2 * std::sqrt(m_run.area() / number_on_ladder(rung)); }
 
   // Those with at most so many quads; of these, the fewest.
   void keep_choices(const double most_quads)
@@ -259,8 +256,8 @@ private:
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Remeshing_run& m_run;
+  std::vector<State>& m_choices;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
-  std::vector<State> m_choices;
 };
 
 } // namespace internal

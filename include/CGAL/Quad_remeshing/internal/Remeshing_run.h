@@ -50,10 +50,9 @@ inline double area_in_squares(const Surface_to_remesh& surface)
 
 // What has come of a surface so far, in one attempt to make quads.
 // Invariant: `report` tells why the last step failed, if it did.
-class Remeshing_run
+struct Remeshing_run
   : public Remeshing_types
 {
-public:
   // What the steps up to a quantization change, but for the map.
   struct State
   {
@@ -67,6 +66,9 @@ public:
   { }
 
   const Mesh& mesh() const { return surface.mesh(); }
+
+  double area() const
+  { return area_in_squares(mesh(), 1, CGAL::parameters::default_values()); }
 
   // What all steps know of the surface; the first one writes the transitions.
   auto features_and_transitions() const

@@ -64,12 +64,13 @@ class Quad_remesher
 public:
   Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
                 const Feature_map& is_feature)
-    : m_run(surface, options), m_maps(m_run), m_quads(quads), m_is_feature(is_feature)
+    : m_run(surface, options), m_quads(quads), m_is_feature(is_feature)
   { }
 
   void run()
   {
-    if(check_lengths() && check_mirror() && m_maps.run() && make_best_quads())
+    if(check_lengths() && check_mirror() && Map_quantizer(m_run, m_choices).run() &&
+       make_best_quads())
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
 
@@ -77,8 +78,7 @@ public:
   // of thin ones. Returns whether there are any; the report counts them from here on.
   bool release_features_at_bad_quads(const double edges)
   {
-    const double area = area_in_squares(m_run.mesh(), 1, CGAL::parameters::default_values());
-    const double radius = edges * std::sqrt(area / double(m_run.report.number_of_quads));
+    const double radius = edges * std::sqrt(m_run.area() / double(m_run.report.number_of_quads));
     const std::size_t before = m_run.report.number_of_released_edges;
     const bool is_inverted = m_run.report.number_of_inverted_quads > 0;
     const std::vector<Point>& places = is_inverted ? m_inverted_places : m_thin_places;
@@ -122,8 +122,6 @@ public:
   }
 
 private:
-  std::vector<State>& choices() { return m_maps.choices(); }
-
   // Products of lengths that differ by more are 0 or infinite.
   bool check_lengths()
   {
@@ -192,19 +190,19 @@ private:
   bool make_best_quads()
   {
     add_larger_numbers();
-    if(choices().size() < 2)
+    if(m_choices.size() < 2)
       return make_quads();
-    const std::size_t fewest = choices().front().quantization.number_of_quads;
+    const std::size_t fewest = m_choices.front().quantization.number_of_quads;
     const Surface_samples samples(m_run.mesh(), number_of_samples);
     keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape(lines, smoother, rounds_to_choose); });
     keep_best_choices(samples, 1, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape_and_improve(lines, smoother); });
-    m_run.set_state(choices().front());
+    m_run.set_state(m_choices.front());
     m_quads.clear_without_removing_property_maps();
     if(!make_quads())
       return false;
-    const std::size_t number = choices().front().quantization.number_of_quads;
+    const std::size_t number = m_choices.front().quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
       m_run.report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
     return true;
@@ -216,15 +214,15 @@ private:
                          const Move& move)
   {
     std::vector<std::pair<double, std::size_t> > order;
-    for(std::size_t i = 0; i < choices().size(); ++i)
-      shape_choice(choices()[i], move, [&](const Quad_smoother& smoother)
+    for(std::size_t i = 0; i < m_choices.size(); ++i)
+      shape_choice(m_choices[i], move, [&](const Quad_smoother& smoother)
                                        { order.emplace_back(badness(smoother, samples), i); });
     std::sort(order.begin(), order.end());
     std::vector<State> best;
     for(std::size_t k = 0; k < number && k < order.size(); ++k)
-      best.push_back(std::move(choices()[order[k].second]));
+      best.push_back(std::move(m_choices[order[k].second]));
     if(!best.empty())
-      choices() = std::move(best);
+      m_choices = std::move(best);
   }
 
   // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
@@ -262,9 +260,9 @@ private:
   {
     constexpr double good_shape = 0.9; // a mean scaled Jacobian
     constexpr int most_steps = 5; // of a tenth
-    if(choices().empty() || !m_run.has_features())
+    if(m_choices.empty() || !m_run.has_features())
       return;
-    const State first = choices().front();
+    const State first = m_choices.front();
     bool is_good = true;
     shape_choice(first,
                  [&](const Feature_lines& lines, Quad_smoother& smoother)
@@ -275,15 +273,15 @@ private:
     options.maximum_feature_loss = 0; // the features that it lets go are released already
     const double number = (std::max)(options.number_of_quads,
                                      double(first.quantization.number_of_quads));
-    for(int i = 1; !is_good && i <= most_steps && choices().size() < Map_quantizer::most_choices &&
+    for(int i = 1; !is_good && i <= most_steps && m_choices.size() < Map_quantizer::most_choices &&
                    m_run.work.is_left(); ++i) {
       options.number_of_quads = (1 + 0.1 * i) * number;
       State larger = first;
       larger.quantization = quantize_again(first.quantization, options);
       larger.quantization.released_features = first.quantization.released_features;
       if(larger.quantization && larger.quantization.number_of_quads >
-                                  choices().back().quantization.number_of_quads)
-        choices().push_back(larger);
+                                  m_choices.back().quantization.number_of_quads)
+        m_choices.push_back(larger);
     }
     m_run.timer.finish("quantization");
     m_run.set_state(first);
@@ -448,7 +446,7 @@ private:
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
 
   Remeshing_run m_run;
-  Map_quantizer m_maps;
+  std::vector<State> m_choices; // quads are made of the best one
   Mesh& m_quads;
   Feature_map m_is_feature;
   std::vector<Point> m_inverted_places; // the corners of quads that are inverted or upside down
